@@ -1,0 +1,58 @@
+// The four guarantees, checked exactly on any model: shares predicates with the
+// reconstruction and none of its construction.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <tetloft/correspondence.hpp>
+#include <tetloft/model.hpp>
+#include <tetloft/result.hpp>
+#include <tetloft/sections.hpp>
+
+namespace tetloft {
+
+/// A condition that fails, with counts and the first places.
+struct CheckFailure {
+  std::string what;      ///< the condition, e.g. "vertex link is neither disc nor sphere"
+  std::size_t count = 0;
+  std::vector<std::string> places;  ///< the first few
+};
+
+/// One guarantee: 1 manifold, 2 re-sampling, 3 embedded, 4 components.
+struct GuaranteeVerdict {
+  int number = 0;
+  std::string name;
+  bool pass = true;
+  std::vector<CheckFailure> failures;
+};
+
+struct CheckOptions {
+  CorrespondenceOptions correspondence;
+  /// An inserted vertex may lie this many ulps (of the largest coordinate magnitude of its
+  /// contour edge) off the edge.
+  double split_ulps = 4;
+  std::size_t places = 5;  ///< how many places to report for each failure
+};
+
+struct CheckReport {
+  std::vector<GuaranteeVerdict> guarantees;  ///< the four, in order
+  [[nodiscard]] bool pass() const;
+  // Figures beside the guarantees.
+  std::size_t components = 0;
+  /// Genus of each boundary surface component, by first triangle.
+  std::vector<long> genus;
+  double volume = 0;
+  /// The largest sideways distance of a vertex between two sections from both sections'
+  /// regions, in gaps of its slab; 0 without such vertices.
+  double overshoot = 0;
+  double smallest_dihedral_degrees = 0;
+  double largest_split_ulps = 0;  ///< of inserted vertices off their contour edge
+};
+
+/// Checks points and tets of `model` (not its labels and provenance) against the input.
+[[nodiscard]] Result<CheckReport> check(const Model& model, const SectionStack& stack,
+                                        const CheckOptions& options = {});
+
+}  // namespace tetloft

@@ -1,0 +1,67 @@
+// Readers and writers. Every file is written to a temporary beside it and renamed.
+// Errors: io where a file cannot be read or written, invalid_input naming file and line
+// where its contents are wrong. Counts in headers are checked, never trusted.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <tetloft/correspondence.hpp>
+#include <tetloft/model.hpp>
+#include <tetloft/result.hpp>
+#include <tetloft/sections.hpp>
+
+namespace tetloft {
+
+struct ReadStack {
+  SectionStack stack;
+  std::vector<Warning> warnings;  ///< harmless slips, mended
+  /// Line of each contour's opening brace, for messages: lines[section][contour].
+  IdVector<SectionId, IdVector<ContourId, std::size_t>> lines;
+};
+
+/// Reads NUAGES .cnt: "S n", then for each section "v n z z" and contours "{ x y … }". Header
+/// letters in either case, any white space, LF or CRLF, any numeric form that strtod of the
+/// C locale accepts for finite numbers. Mends harmless slips (mend() in sections.hpp, wrong counts) and
+/// validates; errors name file and line.
+[[nodiscard]] Result<ReadStack> read_cnt(const std::string& path);
+/// The same from text; `name` stands for the file in messages.
+[[nodiscard]] Result<ReadStack> parse_cnt(std::string_view text, const std::string& name);
+[[nodiscard]] Result<void> write_cnt(const std::string& path, const SectionStack& stack);
+
+/// Lines "section contour label", zero-based; # starts a comment.
+[[nodiscard]] Result<std::vector<Label>> read_labels(const std::string& path);
+[[nodiscard]] Result<std::vector<Label>> parse_labels(std::string_view text,
+                                                      const std::string& name);
+
+/// Text lines "x y z" (# comments), or little-endian float64 triples if the name ends in
+/// ".bin".
+[[nodiscard]] Result<std::vector<Point3>> read_points(const std::string& path);
+
+enum class Encoding { binary, ascii };
+
+/// VTK XML unstructured grid: Float64 points; cell data component, slab, kind; point data
+/// section, contour, origin. ASCII digits read back exactly.
+[[nodiscard]] Result<void> write_vtu(const std::string& path, const Model& model,
+                                     Encoding encoding = Encoding::binary);
+/// Writes any tetrahedral mesh, without provenance.
+[[nodiscard]] Result<void> write_vtu(const std::string& path, const std::vector<Point3>& points,
+                                     const std::vector<TetVertices>& tets,
+                                     Encoding encoding = Encoding::binary);
+/// Reads points, tets and, where present, the data arrays that write_vtu makes. Accepts
+/// ascii, inline base64 and appended (raw or base64) data, uncompressed.
+[[nodiscard]] Result<Model> read_vtu(const std::string& path);
+
+/// Writes the boundary surface as .obj, .ply (binary double), .vtp or .stl (binary,
+/// float32), by extension. Vertices are those of the surface, renumbered by id. The
+/// warning says where rounding to float32 merges or flattens triangles.
+[[nodiscard]] Result<std::vector<Warning>> write_surface(const std::string& path,
+                                                         const Model& model,
+                                                         Encoding encoding = Encoding::binary);
+
+/// Writes `text` to a temporary beside `path` and renames it.
+[[nodiscard]] Result<void> write_file(const std::string& path, std::string_view bytes);
+
+}  // namespace tetloft

@@ -1,0 +1,75 @@
+// The result as values: points, tets, and where everything comes from.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <tetloft/ids.hpp>
+#include <tetloft/point.hpp>
+#include <tetloft/tet_mesh.hpp>
+
+namespace tetloft {
+
+/// What a tet was cut from: the type of the Delaunay tet (Nonato et al. 2000, section 3.1,
+/// and ALGORITHM section 0), or an end cap. The values are stored in files.
+enum class TetKind : std::uint8_t {
+  t1_internal = 0,  ///< type 1 on an internal triangle
+  t1_external = 1,
+  ii = 2,  ///< reverse: an internal edge in each plane
+  ie = 3,  ///< reverse: internal, external
+  ic = 4,
+  ee = 5,
+  ec = 6,
+  cc = 7,
+  prism = 8,  ///< end of a component: extruded region
+};
+inline constexpr int kTetKinds = 9;
+[[nodiscard]] const char* name_of(TetKind kind);
+
+/// How a vertex came to be. The values are stored in files.
+enum class PointOrigin : std::uint8_t {
+  input = 0,          ///< a vertex of the input, bit for bit
+  contour_split = 1,  ///< on a contour edge, inserted to make the section conforming
+  lifted = 2,         ///< midpoint of an external edge (or interior of a triangular hole)
+  cut = 3,            ///< on an edge that leaves a component
+  cap = 4,            ///< of the far side of an end prism
+};
+inline constexpr int kPointOrigins = 5;
+[[nodiscard]] const char* name_of(PointOrigin origin);
+
+inline constexpr std::int32_t kNoSection = -1;
+inline constexpr std::int32_t kNoContour = -1;
+
+struct Model {
+  IdVector<VertexId, Point3> points;
+  /// Positive tets.
+  IdVector<TetId, TetVertices> tets;
+
+  // Per tet.
+  IdVector<TetId, ComponentId> component;
+  /// The slab; an end below the first section counts to slab 0, above the last to the last.
+  IdVector<TetId, SlabId> slab;
+  IdVector<TetId, TetKind> kind;
+
+  // Per point.
+  IdVector<VertexId, std::int32_t> section;  ///< kNoSection between sections
+  IdVector<VertexId, std::int32_t> contour;  ///< kNoContour off the contours
+  IdVector<VertexId, PointOrigin> origin;
+
+  std::size_t component_count = 0;
+};
+
+/// The boundary surface: outward oriented triangles over the model's vertices, by half-face.
+struct Surface {
+  std::vector<TriangleVertices> triangles;
+  std::vector<TetId> tet;  ///< the tet behind each triangle
+};
+
+/// The faces that belong to one tet only. Requires that no face belongs to more than two.
+[[nodiscard]] Surface boundary_surface(const Model& model);
+
+/// Sum of the tets' volumes, in a fixed order.
+[[nodiscard]] double volume(const Model& model);
+
+}  // namespace tetloft

@@ -1,0 +1,103 @@
+// From a stack of sections to a solid: the method of Nonato, Minghim, Oliveira and Tavares
+// (2000), see src/reconstruct/README.md.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <tetloft/correspondence.hpp>
+#include <tetloft/model.hpp>
+#include <tetloft/result.hpp>
+#include <tetloft/sections.hpp>
+
+namespace tetloft {
+
+/// How the model ends at the first and last section.
+enum class Ends : std::uint8_t {
+  flat,  ///< at the section's plane
+  half,  ///< half a gap beyond it: a prism over the section's region
+};
+
+struct ReconstructOptions {
+  CorrespondenceOptions correspondence;
+  Ends ends = Ends::flat;
+  /// Thickness of the solid made from a single section, centred on its plane. Without it a
+  /// tenth of the larger side of the bounding box is taken, and a warning given.
+  std::optional<double> thickness;
+  /// Threads for the slabs; 0: as many as the machine offers. The result is the same.
+  unsigned threads = 0;
+  /// Called from any thread, one call at a time, with steps done and steps in all.
+  std::function<void(std::size_t done, std::size_t all)> progress;
+};
+
+/// How often each rule of the method fired; see src/reconstruct/README.md for each.
+enum class Rule : std::uint8_t {
+  run_at_contour_edge,
+  run_at_external_edge,
+  run_at_cross_edge,
+  gap_at_cross_edge,
+  hole_in_link,
+  detached_sheet,
+  merge_sheets,
+  connect_parts,
+  triangular_hole,
+  two_class_tet,
+  halved_lift,
+  moved_cut,
+  prism,
+  gluing,
+  gabriel_refinement,
+};
+inline constexpr int kRules = 15;
+[[nodiscard]] const char* name_of(Rule rule);
+
+/// The steps that time is told for.
+enum class Step : std::uint8_t {
+  sections,        ///< validation, nesting, conforming triangulations
+  delaunay,        ///< D of every slab
+  correspondence,  ///< classes
+  complex,         ///< seed and completion
+  subdivision,     ///< midpoints, lifting, truncation
+  contact,         ///< exact contact tests
+  assembly,        ///< gluing and numbering
+};
+inline constexpr int kSteps = 7;
+[[nodiscard]] const char* name_of(Step step);
+
+struct ReconstructReport {
+  std::size_t slices = 0;
+  std::size_t contours = 0;
+  std::size_t input_vertices = 0;
+  std::size_t split_vertices = 0;
+  std::size_t vertices = 0;
+  std::size_t tets = 0;
+  std::size_t components = 0;
+  double volume = 0;
+  /// Smallest fraction of the way to its target that a lifted vertex went; 1/2 or more is
+  /// ideal; 1 without lifted vertices.
+  double smallest_lift = 1;
+  std::array<std::uint64_t, kRules> rules{};
+  /// CPU seconds summed over threads, by step; and wall-clock seconds in all.
+  std::array<double, kSteps> seconds{};
+  double seconds_total = 0;
+};
+
+struct Reconstruction {
+  Model model;
+  ReconstructReport report;
+  /// The components as a partition of contours.
+  ContourPartition partition;
+  std::vector<Warning> warnings;
+};
+
+/// Reconstructs a solid that keeps the four guarantees (README), or refuses: invalid_input
+/// for an invalid stack or labels, unrepresentable where double precision holds no valid
+/// model, naming the place, usage for options out of range.
+[[nodiscard]] Result<Reconstruction> reconstruct(const SectionStack& stack,
+                                                 const ReconstructOptions& options = {});
+
+}  // namespace tetloft

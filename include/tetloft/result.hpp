@@ -1,0 +1,103 @@
+// Errors as values.
+//
+// The library never prints, exits or aborts, and no exception leaves its API: a function
+// that can fail returns a Result, which holds either a value or an Error that says what
+// is wrong and where.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <tetloft/ids.hpp>
+#include <tetloft/point.hpp>
+
+namespace tetloft {
+
+/// What kind of failure; the values are the exit codes of the command line.
+enum class ErrorCode : int {
+  usage = 2,            ///< options that contradict each other or make no sense
+  invalid_input = 3,    ///< the input is not a valid stack, mesh, label or point set
+  io = 4,               ///< a file cannot be read or written
+  unrepresentable = 5,  ///< double precision holds no valid model of this input
+  internal = 70,        ///< a defect of the library
+};
+
+/// Lower-case name of a code, as printed in JSON ("invalid_input").
+[[nodiscard]] const char* name_of(ErrorCode code);
+
+/// Where something is wrong; every part is optional.
+struct Place {
+  std::string file;
+  std::optional<std::size_t> line;    ///< one-based
+  std::optional<std::size_t> section;  ///< zero-based, like all below
+  std::optional<std::size_t> slab;     ///< between sections `slab` and `slab + 1`
+  std::optional<std::size_t> contour;
+  std::optional<std::size_t> vertex;
+  std::optional<Point3> point;  ///< coordinates, z included where known
+};
+
+/// "file.cnt:12: section 3, contour 0, vertex 7 (1.5, 2, 30)"; empty for an empty place.
+[[nodiscard]] std::string to_string(const Place& place);
+
+struct Error {
+  ErrorCode code = ErrorCode::internal;
+  std::string message;
+  Place where;
+};
+
+/// Place and message in one line, as the command line prints it.
+[[nodiscard]] std::string to_string(const Error& error);
+
+/// Something that was mended or that the user should know; never a failure.
+struct Warning {
+  std::string message;
+  Place where;
+};
+
+[[nodiscard]] std::string to_string(const Warning& warning);
+
+/// A value, or the Error that prevented it.
+template <class T>
+class [[nodiscard]] Result {
+ public:
+  Result(T value) : state_(std::in_place_index<0>, std::move(value)) {}
+  Result(Error error) : state_(std::in_place_index<1>, std::move(error)) {}
+
+  [[nodiscard]] bool ok() const { return state_.index() == 0; }
+  explicit operator bool() const { return ok(); }
+
+  /// The value. Requires ok().
+  [[nodiscard]] T& value() & { return std::get<0>(state_); }
+  [[nodiscard]] const T& value() const& { return std::get<0>(state_); }
+  [[nodiscard]] T&& value() && { return std::get<0>(std::move(state_)); }
+  T& operator*() & { return value(); }
+  const T& operator*() const& { return value(); }
+  T&& operator*() && { return std::move(*this).value(); }
+  T* operator->() { return &value(); }
+  const T* operator->() const { return &value(); }
+
+  /// The error. Requires !ok().
+  [[nodiscard]] const Error& error() const { return std::get<1>(state_); }
+
+ private:
+  std::variant<T, Error> state_;
+};
+
+/// Success without a value, or an Error.
+template <>
+class [[nodiscard]] Result<void> {
+ public:
+  Result() = default;
+  Result(Error error) : error_(std::move(error)) {}
+  [[nodiscard]] bool ok() const { return !error_.has_value(); }
+  explicit operator bool() const { return ok(); }
+  [[nodiscard]] const Error& error() const { return *error_; }
+
+ private:
+  std::optional<Error> error_;
+};
+
+}  // namespace tetloft

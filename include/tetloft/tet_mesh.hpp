@@ -1,0 +1,181 @@
+// The half-face tetrahedral mesh: pure combinatorics in flat arrays, no coordinates.
+//
+// Tet t has vertices vertex(t, 0 … 3). Face i of t lies opposite its vertex i; the half-
+// face of t at face i is HalfFaceId 4 t + i. opposite(h) is the half-face of the
+// neighbouring tet at the same face, or invalid on the boundary. Seen from inside tet
+// (a, b, c, d), with (b − a) × (c − a) · (d − a) > 0, the faces are listed so that their
+// normals by the right-hand rule point outwards: see kFaceVertex.
+//
+// Star and link follow Nonato et al. (2000), section 5: a vertex is regular iff its link
+// is a disc (boundary) or a sphere (interior); an edge iff its link is one arc or cycle.
+// All whole-mesh queries are linear in the mesh, all local ones in the star.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <tetloft/ids.hpp>
+#include <tetloft/result.hpp>
+
+namespace tetloft {
+
+/// kFaceVertex[i] are the local vertices of face i, in the order whose right-hand normal
+/// points out of a positive tet.
+inline constexpr std::array<std::array<int, 3>, 4> kFaceVertex{
+    {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+
+/// kEdgeVertex[e] are the local vertices of edge e; edges e and 5 − e are disjoint.
+inline constexpr std::array<std::array<int, 2>, 6> kEdgeVertex{
+    {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
+
+using TetVertices = std::array<VertexId, 4>;
+using TriangleVertices = std::array<VertexId, 3>;
+
+/// How a link looks, and if singular, why.
+enum class LinkKind : std::uint8_t {
+  disc,                 ///< vertex on the boundary; for an edge: one arc
+  sphere,               ///< vertex in the interior; for an edge: one cycle
+  empty,                ///< in no tet
+  singular_components,  ///< the link falls into several components
+  singular_pinch,       ///< connected, but pinched at a link vertex
+  singular_holes,       ///< a connected surface that is neither disc nor sphere
+};
+
+[[nodiscard]] constexpr bool is_regular(LinkKind kind) {
+  return kind == LinkKind::disc || kind == LinkKind::sphere;
+}
+
+/// One violated condition of TetMesh::validate(), numbered as there.
+struct MeshViolation {
+  int condition = 0;
+  std::string message;
+};
+
+class TetMesh {
+ public:
+  TetMesh() = default;
+
+  /// The mesh of `tets` over vertices 0 … vertex_count − 1. Refused (invalid_input) when a
+  /// vertex is out of range or repeated in a tet, when a face belongs to more than two
+  /// tets or to two tets on its same side, or at 2^30 tets or more. Singular vertices and
+  /// edges are accepted: classify them.
+  static Result<TetMesh> from_tets(std::size_t vertex_count, std::span<const TetVertices> tets);
+
+  /// As from_tets, with the adjacency given: opposite[4 t + i] is a half-face or invalid.
+  /// The caller vouches for it; validate() checks it.
+  static TetMesh from_adjacency(std::size_t vertex_count, std::vector<TetVertices> tets,
+                                std::vector<HalfFaceId> opposite);
+
+  [[nodiscard]] std::size_t vertex_count() const { return vertex_tet_.size(); }
+  /// Number of tet slots; all are live unless tets were removed since compact().
+  [[nodiscard]] std::size_t tet_slots() const { return tets_.size(); }
+  [[nodiscard]] std::size_t tet_count() const { return tets_.size() - free_.size(); }
+  [[nodiscard]] bool is_live(TetId t) const { return tets_[t.index()][0].valid(); }
+
+  [[nodiscard]] const TetVertices& vertices(TetId t) const { return tets_[t.index()]; }
+  [[nodiscard]] VertexId vertex(TetId t, int i) const {
+    return tets_[t.index()][static_cast<std::size_t>(i)];
+  }
+  [[nodiscard]] static HalfFaceId half_face(TetId t, int i) {
+    return HalfFaceId(4 * t.value() + static_cast<std::uint32_t>(i));
+  }
+  [[nodiscard]] static TetId tet_of(HalfFaceId h) { return TetId(h.value() >> 2); }
+  [[nodiscard]] static int face_of(HalfFaceId h) { return static_cast<int>(h.value() & 3U); }
+  [[nodiscard]] HalfFaceId opposite(HalfFaceId h) const { return opposite_[h.index()]; }
+  /// The tet across face i of t, or invalid on the boundary.
+  [[nodiscard]] TetId neighbour(TetId t, int i) const {
+    const HalfFaceId h = opposite(half_face(t, i));
+    return h.valid() ? tet_of(h) : TetId();
+  }
+  /// The vertices of a half-face, normal pointing out of its tet.
+  [[nodiscard]] TriangleVertices face_vertices(HalfFaceId h) const;
+  /// Local index of v in t, or −1.
+  [[nodiscard]] int index_in(TetId t, VertexId v) const;
+  /// Some tet of v, or invalid if v is in no tet.
+  [[nodiscard]] TetId any_tet(VertexId v) const { return vertex_tet_[v.index()]; }
+
+  /// The tets of v, also where v is singular (several face-connected sheets), by id.
+  [[nodiscard]] std::vector<TetId> star(VertexId v) const;
+  /// The tets that contain both ends, by id.
+  [[nodiscard]] std::vector<TetId> star(VertexId a, VertexId b) const;
+  /// The one or two tets of a face, the half-face's own first.
+  [[nodiscard]] std::vector<TetId> star(HalfFaceId h) const;
+  /// The tets around edge (a, b) in cyclic order starting at `start`, or along the path
+  /// from boundary to boundary that contains it. Requires: start contains a and b.
+  [[nodiscard]] std::vector<TetId> ring(VertexId a, VertexId b, TetId start) const;
+
+  /// The triangles opposite v in its star, outward normals away from v, by tet id.
+  [[nodiscard]] std::vector<TriangleVertices> link(VertexId v) const;
+  /// The edges opposite (a, b) in its star, by tet id.
+  [[nodiscard]] std::vector<std::array<VertexId, 2>> link(VertexId a, VertexId b) const;
+  /// The one or two vertices opposite a face.
+  [[nodiscard]] std::vector<VertexId> link(HalfFaceId h) const;
+
+  [[nodiscard]] LinkKind classify_link(VertexId v) const;
+  [[nodiscard]] LinkKind classify_link(VertexId a, VertexId b) const;
+  /// Every vertex whose link is neither empty nor regular, by id, with its kind.
+  [[nodiscard]] std::vector<std::pair<VertexId, LinkKind>> singular_vertices() const;
+
+  /// The half-faces without opposite, by id.
+  [[nodiscard]] std::vector<HalfFaceId> boundary() const;
+  /// Face-connected components of tets, numbered by their first tet; index = tet slot,
+  /// invalid for dead slots.
+  [[nodiscard]] IdVector<TetId, ComponentId> components() const;
+
+  /// Adds vertices without tets; returns the first.
+  VertexId add_vertices(std::size_t n);
+  /// Adds a tet and glues it to existing half-faces with the same vertices that are free
+  /// and oriented the other way. Linear in the star of its vertices. Refused as from_tets.
+  Result<TetId> add_tet(const TetVertices& tet);
+  /// Removes a live tet; its neighbours get boundary faces. Its slot may be reused.
+  void remove_tet(TetId t);
+  /// Removes dead slots, keeping order. Returns new ids by old slot (invalid for dead).
+  IdVector<TetId, TetId> compact();
+
+  /// The numbered conditions, in this order; empty if all hold.
+  /// 1 every live tet has four distinct vertices in range
+  /// 2 opposite is an involution between live half-faces
+  /// 3 opposite half-faces have the same vertices, oppositely oriented
+  /// 4 no two half-faces without opposite could be glued, no face has three tets
+  /// 5 any_tet(v) contains v; it is invalid iff v is in no tet
+  /// 6 the free list holds exactly the dead slots
+  [[nodiscard]] std::vector<MeshViolation> validate() const;
+
+ private:
+  // tets_[t][i]; [0] is invalid in a dead slot.
+  std::vector<TetVertices> tets_;
+  // opposite_[4 t + i]; invalid on the boundary and in dead slots.
+  std::vector<HalfFaceId> opposite_;
+  // Some tet of v, invalid if none.
+  std::vector<TetId> vertex_tet_;
+  // Dead slots, last freed last.
+  std::vector<TetId> free_;
+};
+
+/// Topology of one closed triangulated surface component.
+struct SurfaceTopology {
+  std::size_t vertices = 0;
+  std::size_t edges = 0;
+  std::size_t triangles = 0;
+  [[nodiscard]] long euler() const {
+    return static_cast<long>(vertices) - static_cast<long>(edges) +
+           static_cast<long>(triangles);
+  }
+  /// Genus of a closed orientable surface: χ = 2 − 2 g.
+  [[nodiscard]] long genus() const { return (2 - euler()) / 2; }
+};
+
+/// The components of a surface, triangles connected through shared edges, numbered by
+/// their first triangle; component[i] is the component of triangle i. An edge of more than
+/// two triangles connects all of them.
+struct SurfaceComponents {
+  std::vector<std::uint32_t> component;
+  std::vector<SurfaceTopology> topology;
+};
+[[nodiscard]] SurfaceComponents surface_components(std::span<const TriangleVertices> triangles);
+
+}  // namespace tetloft

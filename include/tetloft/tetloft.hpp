@@ -1,0 +1,17 @@
+// tetloft: solids from planar cross sections. This header includes the whole API; each
+// part can be included alone.
+#pragma once
+
+#include <tetloft/check.hpp>
+#include <tetloft/correspondence.hpp>
+#include <tetloft/delaunay.hpp>
+#include <tetloft/ids.hpp>
+#include <tetloft/io.hpp>
+#include <tetloft/model.hpp>
+#include <tetloft/point.hpp>
+#include <tetloft/predicates.hpp>
+#include <tetloft/reconstruct.hpp>
+#include <tetloft/result.hpp>
+#include <tetloft/sections.hpp>
+#include <tetloft/tet_mesh.hpp>
+#include <tetloft/version.hpp>

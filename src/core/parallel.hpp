@@ -1,0 +1,18 @@
+// Parallel loops over independent indices on standard threads.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace tetloft {
+
+/// The number of threads `requested` stands for: itself, or for 0 what the machine offers.
+[[nodiscard]] unsigned thread_count(unsigned requested);
+
+/// Calls body(i) once for every i in 0 … n−1 on up to `threads` threads (0: as many as the
+/// machine offers) and waits. Iterations must not depend on each other; they start in
+/// increasing order. Of exceptions thrown by iterations the one of the lowest index is
+/// rethrown, after all started iterations ended.
+void parallel_for(std::size_t n, unsigned threads, const std::function<void(std::size_t)>& body);
+
+}  // namespace tetloft

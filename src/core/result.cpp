@@ -1,0 +1,77 @@
+// Texts of errors, warnings and places.
+#include <tetloft/result.hpp>
+
+#include <cstdio>
+
+#include "core/check.hpp"
+
+namespace tetloft {
+
+const char* name_of(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::usage: return "usage";
+    case ErrorCode::invalid_input: return "invalid_input";
+    case ErrorCode::io: return "io";
+    case ErrorCode::unrepresentable: return "unrepresentable";
+    case ErrorCode::internal: return "internal";
+  }
+  return "internal";
+}
+
+namespace {
+
+// Digits enough to read back exactly.
+std::string digits(double value) {
+  char buffer[40];
+  std::snprintf(buffer, sizeof buffer, "%.17g", value);
+  return buffer;
+}
+
+void append_part(std::string& text, const char* name, const std::optional<std::size_t>& index) {
+  if (!index) return;
+  if (!text.empty()) text += text.back() == ':' ? " " : ", ";
+  text += name;
+  text += ' ';
+  text += std::to_string(*index);
+}
+
+std::string with_place(const Place& where, const std::string& message) {
+  const std::string place = to_string(where);
+  if (place.empty()) return message;
+  return place.back() == ':' ? place + ' ' + message : place + ": " + message;
+}
+
+}  // namespace
+
+std::string to_string(const Place& place) {
+  std::string text = place.file;
+  if (place.line) text += (text.empty() ? "line " : ":") + std::to_string(*place.line);
+  if (!text.empty()) text += ':';
+  append_part(text, "section", place.section);
+  append_part(text, "slab", place.slab);
+  append_part(text, "contour", place.contour);
+  append_part(text, "vertex", place.vertex);
+  if (place.point) {
+    if (!text.empty()) text += ' ';
+    text += '(' + digits(place.point->x) + ", " + digits(place.point->y) + ", " +
+            digits(place.point->z) + ')';
+  }
+  return text;
+}
+
+std::string to_string(const Error& error) { return with_place(error.where, error.message); }
+
+std::string to_string(const Warning& warning) {
+  return with_place(warning.where, warning.message);
+}
+
+void fail_check(const char* condition, const char* file, int line) {
+  std::string name = file;
+  if (const auto slash = name.find_last_of('/'); slash != std::string::npos) {
+    name.erase(0, slash + 1);
+  }
+  throw InternalError("internal check failed: " + std::string(condition) + " (" + name + ':' +
+                      std::to_string(line) + ')');
+}
+
+}  // namespace tetloft
