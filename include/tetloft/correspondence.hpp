@@ -1,5 +1,27 @@
 // Which contours form one component: the criteria of correspondence, as options and as a
 // result. Decided in reconstruct/correspondence; recomputed independently by check.
+//
+// The rule, in full. Its objects are the regions of all sections, numbered by (section,
+// region). A link joins two regions of neighbouring sections.
+//
+// 1. Candidates. By `overlap`: the pairs with ratio r > tau (exactly), except weak links
+//    between two well-connected regions: r < 1/2 while each of the two has another link
+//    of ratio ≥ 1/2 in the same slab. By `reverse`: the pairs (region of a vertex below,
+//    region of a vertex above) of every reverse tetrahedron (type II or IE).
+// 2. Without labels every candidate is accepted.
+// 3. With labels: candidates in order of decreasing overlap_ratio (both criteria), then
+//    by (slab, lower region, upper region); one is accepted unless it joins two sets of
+//    different labels, sets being the unions of accepted links over the whole stack and
+//    having the label of any member.
+// 4. For each label in increasing order, while its regions lie in several sets: from the
+//    set of the label's first region, the path to another set of this label by links
+//    between neighbouring sections through sets of this label or of none, that takes the
+//    fewest new links, then the least sum of distances (smallest vertex distance of the
+//    two regions), then the lowest regions. Its links are accepted. If there is none, the
+//    labels cannot be realised.
+//
+// Components of the object are the sets of step 4; classes of a slab are the unions of the
+// links accepted in that slab alone.
 #pragma once
 
 #include <cstdint>
