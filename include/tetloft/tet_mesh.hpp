@@ -9,6 +9,12 @@
 // Star and link follow Nonato et al. (2000), section 5: a vertex is regular iff its link
 // is a disc (boundary) or a sphere (interior); an edge iff its link is one arc or cycle.
 // All whole-mesh queries are linear in the mesh, all local ones in the star.
+//
+// A corner is a tet at one of its vertices. Corner and half-face are in bijection (the
+// half-face opposite the vertex), so corners are named by half-faces; the corners of a
+// vertex form a list, which reaches every sheet of a singular vertex.
+//
+// Const functions are safe to call from several threads at once.
 #pragma once
 
 #include <array>
@@ -16,6 +22,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <tetloft/ids.hpp>
@@ -70,7 +77,7 @@ class TetMesh {
   static TetMesh from_adjacency(std::size_t vertex_count, std::vector<TetVertices> tets,
                                 std::vector<HalfFaceId> opposite);
 
-  [[nodiscard]] std::size_t vertex_count() const { return vertex_tet_.size(); }
+  [[nodiscard]] std::size_t vertex_count() const { return first_corner_.size(); }
   /// Number of tet slots; all are live unless tets were removed since compact().
   [[nodiscard]] std::size_t tet_slots() const { return tets_.size(); }
   [[nodiscard]] std::size_t tet_count() const { return tets_.size() - free_.size(); }
@@ -96,7 +103,15 @@ class TetMesh {
   /// Local index of v in t, or −1.
   [[nodiscard]] int index_in(TetId t, VertexId v) const;
   /// Some tet of v, or invalid if v is in no tet.
-  [[nodiscard]] TetId any_tet(VertexId v) const { return vertex_tet_[v.index()]; }
+  [[nodiscard]] TetId any_tet(VertexId v) const {
+    const HalfFaceId c = first_corner(v);
+    return c.valid() ? tet_of(c) : TetId();
+  }
+  /// The half-faces opposite v, one in each of its tets, as a circular list in no particular
+  /// order: for loops over a star that must not allocate. Invalid if v is in no tet.
+  [[nodiscard]] HalfFaceId first_corner(VertexId v) const { return first_corner_[v.index()]; }
+  /// The next half-face opposite the same vertex.
+  [[nodiscard]] HalfFaceId next_corner(HalfFaceId c) const { return next_corner_[c.index()]; }
 
   /// The tets of v, also where v is singular (several face-connected sheets), by id.
   [[nodiscard]] std::vector<TetId> star(VertexId v) const;
@@ -104,8 +119,9 @@ class TetMesh {
   [[nodiscard]] std::vector<TetId> star(VertexId a, VertexId b) const;
   /// The one or two tets of a face, the half-face's own first.
   [[nodiscard]] std::vector<TetId> star(HalfFaceId h) const;
-  /// The tets around edge (a, b) in cyclic order starting at `start`, or along the path
-  /// from boundary to boundary that contains it. Requires: start contains a and b.
+  /// The tets around edge (a, b), counter-clockwise about a → b in a positive mesh: in
+  /// cyclic order starting at `start`, or along the path from boundary to boundary that
+  /// contains it. Requires: start contains a and b.
   [[nodiscard]] std::vector<TetId> ring(VertexId a, VertexId b, TetId start) const;
 
   /// The triangles opposite v in its star, outward normals away from v, by tet id.
@@ -131,27 +147,45 @@ class TetMesh {
   /// Adds a tet and glues it to existing half-faces with the same vertices that are free
   /// and oriented the other way. Linear in the star of its vertices. Refused as from_tets.
   Result<TetId> add_tet(const TetVertices& tet);
-  /// Removes a live tet; its neighbours get boundary faces. Its slot may be reused.
+  /// Removes a tet; its neighbours get boundary faces. Its slot may be reused. Requires:
+  /// t is live. Constant time.
   void remove_tet(TetId t);
   /// Removes dead slots, keeping order. Returns new ids by old slot (invalid for dead).
   IdVector<TetId, TetId> compact();
 
-  /// The numbered conditions, in this order; empty if all hold.
+  /// The violated conditions, in this order, one entry each that names the first offender
+  /// and how many there are; empty if all hold.
   /// 1 every live tet has four distinct vertices in range
   /// 2 opposite is an involution between live half-faces
   /// 3 opposite half-faces have the same vertices, oppositely oriented
-  /// 4 no two half-faces without opposite could be glued, no face has three tets
-  /// 5 any_tet(v) contains v; it is invalid iff v is in no tet
+  /// 4 no face has three half-faces, and two of one face are each other's opposite
+  /// 5 the corner list of v holds exactly the corners of v; any_tet(v) is invalid iff none
   /// 6 the free list holds exactly the dead slots
   [[nodiscard]] std::vector<MeshViolation> validate() const;
 
  private:
+  friend struct TetMeshTestAccess;  // lets tests break single conditions
+
+  [[nodiscard]] VertexId corner_vertex(HalfFaceId c) const { return vertex(tet_of(c), face_of(c)); }
+  void build_corner_lists();
+  void insert_corner(HalfFaceId c);
+  void erase_corner(HalfFaceId c);
+  void check_corner_lists(std::vector<MeshViolation>& violations) const;
+  void check_free_list(std::vector<MeshViolation>& violations) const;
+  // The half-face that face i of a new tet is to be glued to, invalid if there is none.
+  [[nodiscard]] Result<HalfFaceId> find_partner(const TetVertices& tet, std::size_t i) const;
+  // Of the given vertices one with the fewest tets, found in time linear in that number.
+  [[nodiscard]] VertexId smallest_star(std::span<const VertexId> candidates) const;
+
   // tets_[t][i]; [0] is invalid in a dead slot.
   std::vector<TetVertices> tets_;
   // opposite_[4 t + i]; invalid on the boundary and in dead slots.
   std::vector<HalfFaceId> opposite_;
-  // Some tet of v, invalid if none.
-  std::vector<TetId> vertex_tet_;
+  // first_corner_[v] = 4 t + i with vertex(t, i) = v; invalid if v is in no tet.
+  std::vector<HalfFaceId> first_corner_;
+  // Circular doubly linked list of the corners of each vertex; unspecified in dead slots.
+  std::vector<HalfFaceId> next_corner_;
+  std::vector<HalfFaceId> previous_corner_;
   // Dead slots, last freed last.
   std::vector<TetId> free_;
 };
@@ -162,8 +196,7 @@ struct SurfaceTopology {
   std::size_t edges = 0;
   std::size_t triangles = 0;
   [[nodiscard]] long euler() const {
-    return static_cast<long>(vertices) - static_cast<long>(edges) +
-           static_cast<long>(triangles);
+    return static_cast<long>(vertices) - static_cast<long>(edges) + static_cast<long>(triangles);
   }
   /// Genus of a closed orientable surface: χ = 2 − 2 g.
   [[nodiscard]] long genus() const { return (2 - euler()) / 2; }
@@ -171,11 +204,12 @@ struct SurfaceTopology {
 
 /// The components of a surface, triangles connected through shared edges, numbered by
 /// their first triangle; component[i] is the component of triangle i. An edge of more than
-/// two triangles connects all of them.
+/// two triangles connects all of them. A vertex of several components counts in each.
 struct SurfaceComponents {
   std::vector<std::uint32_t> component;
   std::vector<SurfaceTopology> topology;
 };
+/// Linear in the triangles and the largest vertex id.
 [[nodiscard]] SurfaceComponents surface_components(std::span<const TriangleVertices> triangles);
 
 }  // namespace tetloft

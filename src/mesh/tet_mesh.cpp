@@ -1,2 +1,153 @@
-// Placeholder until the module lands.
-namespace tetloft {}
+// Building the half-face mesh, and its whole-mesh traversals.
+#include <tetloft/tet_mesh.hpp>
+
+#include <optional>
+#include <string>
+
+#include "core/check.hpp"
+#include "mesh/face_groups.hpp"
+#include "mesh/tet_soup.hpp"
+
+namespace tetloft {
+
+using namespace mesh_detail;
+
+namespace {
+
+std::string tet_text(HalfFaceId h) { return std::to_string(TetMesh::tet_of(h).value()); }
+
+// Why the half-faces of one face cannot all be in a mesh; nothing if they can.
+std::optional<Error> refuse_face(VertexId lowest, std::span<const FaceMember> members) {
+  if (members.size() == 1) return std::nullopt;
+  const std::uint64_t upper = members[0].upper;
+  const std::string face = face_text(
+      {lowest.value(), static_cast<std::uint32_t>(upper >> 32), static_cast<std::uint32_t>(upper)});
+  if (members.size() > 2) {
+    return refusal(face + " belongs to tets " + tet_text(members[0].half_face) + ", " +
+                   tet_text(members[1].half_face) + " and " + tet_text(members[2].half_face));
+  }
+  if (members[0].even == members[1].even) {
+    return refusal("tets " + tet_text(members[0].half_face) + " and " +
+                   tet_text(members[1].half_face) + " lie on the same side of " + face);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result<TetMesh> TetMesh::from_tets(std::size_t vertex_count, std::span<const TetVertices> tets) {
+  return guard_internal([&]() -> Result<TetMesh> {
+    if (tets.size() > kMaxTetSlots) return refusal("a mesh holds fewer than 2^30 tets");
+    for (std::size_t t = 0; t < tets.size(); ++t) {
+      if (auto error = refuse_tet(tets[t], vertex_count, TetId(t))) return *std::move(error);
+    }
+
+    std::vector<HalfFaceId> opposite(4 * tets.size());
+    std::optional<Error> refused;
+    for_each_face_group(vertex_count, tets,
+                        [&](VertexId lowest, std::span<const FaceMember> members) {
+                          if (members.size() == 1 || refused) return;
+                          refused = refuse_face(lowest, members);
+                          if (refused) return;
+                          opposite[members[0].half_face.index()] = members[1].half_face;
+                          opposite[members[1].half_face.index()] = members[0].half_face;
+                        });
+    if (refused) return *std::move(refused);
+    return from_adjacency(vertex_count, std::vector<TetVertices>(tets.begin(), tets.end()),
+                          std::move(opposite));
+  });
+}
+
+TetMesh TetMesh::from_adjacency(std::size_t vertex_count, std::vector<TetVertices> tets,
+                                std::vector<HalfFaceId> opposite) {
+  TetMesh mesh;
+  mesh.tets_ = std::move(tets);
+  mesh.opposite_ = std::move(opposite);
+  mesh.opposite_.resize(4 * mesh.tets_.size());
+  mesh.first_corner_.resize(vertex_count);
+  for (std::size_t t = 0; t < mesh.tets_.size(); ++t) {
+    if (!mesh.is_live(TetId(t))) mesh.free_.push_back(TetId(t));
+  }
+  mesh.build_corner_lists();
+  return mesh;
+}
+
+void TetMesh::build_corner_lists() {
+  std::fill(first_corner_.begin(), first_corner_.end(), HalfFaceId());
+  next_corner_.assign(4 * tets_.size(), HalfFaceId());
+  previous_corner_.assign(4 * tets_.size(), HalfFaceId());
+  for (std::size_t c = 0; c < 4 * tets_.size(); ++c) {
+    const HalfFaceId corner(c);
+    if (!is_live(tet_of(corner))) continue;
+    // Only an unvalidated from_adjacency() has vertices out of range; validate() says so.
+    if (corner_vertex(corner).index() < first_corner_.size()) insert_corner(corner);
+  }
+}
+
+void TetMesh::insert_corner(HalfFaceId c) {
+  HalfFaceId& first = first_corner_[corner_vertex(c).index()];
+  if (!first.valid()) first = next_corner_[c.index()] = previous_corner_[c.index()] = c;
+  const HalfFaceId last = previous_corner_[first.index()];
+  next_corner_[last.index()] = c;
+  previous_corner_[c.index()] = last;
+  next_corner_[c.index()] = first;
+  previous_corner_[first.index()] = c;
+}
+
+void TetMesh::erase_corner(HalfFaceId c) {
+  HalfFaceId& first = first_corner_[corner_vertex(c).index()];
+  const HalfFaceId next = next_corner_[c.index()];
+  const HalfFaceId previous = previous_corner_[c.index()];
+  next_corner_[previous.index()] = next;
+  previous_corner_[next.index()] = previous;
+  if (first == c) first = next == c ? HalfFaceId() : next;
+}
+
+TriangleVertices TetMesh::face_vertices(HalfFaceId h) const {
+  const TetVertices& tet = vertices(tet_of(h));
+  const std::array<int, 3>& f = kFaceVertex[h.value() & 3U];
+  return {tet[static_cast<std::size_t>(f[0])], tet[static_cast<std::size_t>(f[1])],
+          tet[static_cast<std::size_t>(f[2])]};
+}
+
+int TetMesh::index_in(TetId t, VertexId v) const {
+  const TetVertices& tet = vertices(t);
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (tet[i] == v) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+std::vector<HalfFaceId> TetMesh::boundary() const {
+  std::vector<HalfFaceId> result;
+  for (std::size_t h = 0; h < opposite_.size(); ++h) {
+    if (!opposite_[h].valid() && is_live(TetId(h / 4))) result.push_back(HalfFaceId(h));
+  }
+  return result;
+}
+
+IdVector<TetId, ComponentId> TetMesh::components() const {
+  IdVector<TetId, ComponentId> component(tet_slots());
+  std::vector<TetId> stack;
+  std::size_t count = 0;
+  for (std::size_t s = 0; s < tet_slots(); ++s) {
+    const TetId seed(s);
+    if (!is_live(seed) || component[seed].valid()) continue;
+    const ComponentId id(count++);
+    component[seed] = id;
+    stack.push_back(seed);
+    while (!stack.empty()) {
+      const TetId t = stack.back();
+      stack.pop_back();
+      for (int i = 0; i < 4; ++i) {
+        const TetId n = neighbour(t, i);
+        if (!n.valid() || component[n].valid()) continue;
+        component[n] = id;
+        stack.push_back(n);
+      }
+    }
+  }
+  return component;
+}
+
+}  // namespace tetloft

@@ -1,0 +1,115 @@
+// Local edits: each keeps every condition of validate().
+#include <tetloft/tet_mesh.hpp>
+
+#include <optional>
+#include <string>
+
+#include "core/check.hpp"
+#include "mesh/face_groups.hpp"
+#include "mesh/tet_soup.hpp"
+
+namespace tetloft {
+
+using namespace mesh_detail;
+
+VertexId TetMesh::add_vertices(std::size_t n) {
+  const VertexId first(first_corner_.size());
+  first_corner_.resize(first_corner_.size() + n);
+  return first;
+}
+
+Result<HalfFaceId> TetMesh::find_partner(const TetVertices& tet, std::size_t i) const {
+  const SortedFace face = sorted_face(tet, i);
+  const std::array<VertexId, 3> corners{VertexId(face.vertex[0]), VertexId(face.vertex[1]),
+                                        VertexId(face.vertex[2])};
+  const HalfFaceId first = first_corner(smallest_star(corners));
+  if (!first.valid()) return HalfFaceId();
+  HalfFaceId c = first;
+  do {
+    const TetId t = tet_of(c);
+    for (int j = 0; j < 4; ++j) {
+      // Face j contains the vertex of c unless it is c itself.
+      if (j == face_of(c)) continue;
+      const SortedFace other = sorted_face(vertices(t), static_cast<std::size_t>(j));
+      if (other.vertex != face.vertex) continue;
+      const HalfFaceId h = half_face(t, j);
+      if (opposite(h).valid()) return refusal(face_text(face.vertex) + " has two tets already");
+      if (other.even == face.even) {
+        return refusal("tet " + std::to_string(t.value()) + " lies on the same side of " +
+                       face_text(face.vertex));
+      }
+      return h;
+    }
+    c = next_corner(c);
+  } while (c != first);
+  return HalfFaceId();
+}
+
+Result<TetId> TetMesh::add_tet(const TetVertices& tet) {
+  return guard_internal([&]() -> Result<TetId> {
+    const TetId t = free_.empty() ? TetId(tets_.size()) : free_.back();
+    if (t.index() >= kMaxTetSlots) return refusal("a mesh holds fewer than 2^30 tets");
+    if (auto error = refuse_tet(tet, vertex_count(), t)) return *std::move(error);
+    // Nothing changes before all four faces are accepted.
+    std::array<HalfFaceId, 4> partner;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Result<HalfFaceId> found = find_partner(tet, i);
+      if (!found) return found.error();
+      partner[i] = *found;
+    }
+
+    if (free_.empty()) {
+      tets_.emplace_back();
+      opposite_.resize(opposite_.size() + 4);
+      next_corner_.resize(next_corner_.size() + 4);
+      previous_corner_.resize(previous_corner_.size() + 4);
+    } else {
+      free_.pop_back();
+    }
+    tets_[t.index()] = tet;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const HalfFaceId h = half_face(t, static_cast<int>(i));
+      opposite_[h.index()] = partner[i];
+      if (partner[i].valid()) opposite_[partner[i].index()] = h;
+      insert_corner(h);
+    }
+    return t;
+  });
+}
+
+void TetMesh::remove_tet(TetId t) {
+  for (int i = 0; i < 4; ++i) {
+    const HalfFaceId h = half_face(t, i);
+    const HalfFaceId o = opposite(h);
+    if (o.valid()) opposite_[o.index()] = HalfFaceId();
+    opposite_[h.index()] = HalfFaceId();
+    erase_corner(h);
+  }
+  tets_[t.index()] = TetVertices{};
+  free_.push_back(t);
+}
+
+IdVector<TetId, TetId> TetMesh::compact() {
+  IdVector<TetId, TetId> new_id(tet_slots());
+  std::size_t count = 0;
+  for (std::size_t t = 0; t < tet_slots(); ++t) {
+    if (is_live(TetId(t))) new_id[TetId(t)] = TetId(count++);
+  }
+  for (std::size_t t = 0; t < tet_slots(); ++t) {
+    const TetId to = new_id[TetId(t)];
+    if (!to.valid()) continue;
+    tets_[to.index()] = tets_[t];
+    for (std::size_t i = 0; i < 4; ++i) {
+      const HalfFaceId o = opposite_[4 * t + i];
+      opposite_[4 * to.index() + i] =
+          o.valid() ? half_face(new_id[tet_of(o)], face_of(o)) : HalfFaceId();
+    }
+  }
+  tets_.resize(count);
+  opposite_.resize(4 * count);
+  free_.clear();
+  build_corner_lists();
+  return new_id;
+}
+
+}  // namespace tetloft

@@ -1,0 +1,150 @@
+// The validity conditions of the mesh, checked from the arrays alone and in bounds even
+// when they hold nonsense.
+#include <tetloft/tet_mesh.hpp>
+
+#include <string>
+
+#include "mesh/face_groups.hpp"
+
+namespace tetloft {
+
+using namespace mesh_detail;
+
+namespace {
+
+/// Keeps the first offender of one condition and counts the others.
+class Offences {
+ public:
+  void add(const std::string& what) {
+    if (count_++ == 0) first_ = what;
+  }
+  void report(int condition, std::vector<MeshViolation>& out) const {
+    if (count_ == 0) return;
+    out.push_back({condition, count_ == 1
+                                  ? first_
+                                  : first_ + " (and " + std::to_string(count_ - 1) + " more)"});
+  }
+
+ private:
+  std::string first_;
+  std::size_t count_ = 0;
+};
+
+std::string half_face_text(HalfFaceId h) {
+  return "half-face " + std::to_string(h.value()) + " (tet " +
+         std::to_string(TetMesh::tet_of(h).value()) + ", face " +
+         std::to_string(TetMesh::face_of(h)) + ")";
+}
+
+}  // namespace
+
+std::vector<MeshViolation> TetMesh::validate() const {
+  std::vector<MeshViolation> violations;
+  const std::size_t slots = tets_.size();
+  const auto live = [&](HalfFaceId h) { return h.index() < 4 * slots && is_live(tet_of(h)); };
+
+  Offences vertices_bad;
+  for (std::size_t t = 0; t < slots; ++t) {
+    if (!is_live(TetId(t))) continue;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const VertexId v = tets_[t][i];
+      if (v.index() >= vertex_count()) {
+        vertices_bad.add("tet " + std::to_string(t) + ": vertex " + std::to_string(v.value()) +
+                         " out of range");
+      }
+      for (std::size_t j = 0; j < i; ++j) {
+        if (tets_[t][j] == v) {
+          vertices_bad.add("tet " + std::to_string(t) + ": vertex " + std::to_string(v.value()) +
+                           " repeated");
+        }
+      }
+    }
+  }
+  vertices_bad.report(1, violations);
+
+  Offences not_involution;
+  Offences not_same_face;
+  for (std::size_t i = 0; i < 4 * slots; ++i) {
+    const HalfFaceId h(i);
+    const HalfFaceId o = opposite_[i];
+    if (!o.valid()) continue;
+    if (!live(h) || !live(o) || o == h || opposite(o) != h) {
+      not_involution.add(half_face_text(h) + ": opposite " + std::to_string(o.value()) +
+                         " does not answer");
+      continue;
+    }
+    const SortedFace a = sorted_face(vertices(tet_of(h)), i % 4);
+    const SortedFace b = sorted_face(vertices(tet_of(o)), o.index() % 4);
+    if (a.vertex != b.vertex) {
+      not_same_face.add(half_face_text(h) + " and its opposite have different vertices");
+    } else if (a.even == b.even) {
+      not_same_face.add(half_face_text(h) + " and its opposite have the same orientation");
+    }
+  }
+  not_involution.report(2, violations);
+  not_same_face.report(3, violations);
+
+  Offences not_glued;
+  for_each_face_group(vertex_count(), tets_, [&](VertexId, std::span<const FaceMember> members) {
+    if (members.size() > 2) {
+      not_glued.add(half_face_text(members[0].half_face) + ": its face belongs to " +
+                    std::to_string(members.size()) + " tets");
+    } else if (members.size() == 2 && opposite(members[0].half_face) != members[1].half_face) {
+      not_glued.add(half_face_text(members[0].half_face) + " and " +
+                    half_face_text(members[1].half_face) + " share a face but are not glued");
+    }
+  });
+  not_glued.report(4, violations);
+
+  check_corner_lists(violations);
+  check_free_list(violations);
+  return violations;
+}
+
+void TetMesh::check_corner_lists(std::vector<MeshViolation>& violations) const {
+  Offences bad;
+  std::vector<char> listed(4 * tets_.size(), 0);
+  for (std::size_t v = 0; v < vertex_count(); ++v) {
+    const HalfFaceId first = first_corner_[v];
+    if (!first.valid()) continue;
+    HalfFaceId c = first;
+    do {
+      // A corner met twice before coming round means a list that never does.
+      if (c.index() >= listed.size() || listed[c.index()] != 0 || corner_vertex(c) != VertexId(v) ||
+          next_corner(c).index() >= listed.size() ||
+          previous_corner_[next_corner(c).index()] != c) {
+        bad.add("vertex " + std::to_string(v) + ": broken corner list at " +
+                std::to_string(c.value()));
+        break;
+      }
+      listed[c.index()] = 1;
+      c = next_corner(c);
+    } while (c != first);
+  }
+  for (std::size_t i = 0; i < listed.size(); ++i) {
+    if (is_live(TetId(i / 4)) && tets_[i / 4][i % 4].index() < vertex_count() && listed[i] == 0) {
+      bad.add(half_face_text(HalfFaceId(i)) + " is in no corner list");
+    }
+  }
+  bad.report(5, violations);
+}
+
+void TetMesh::check_free_list(std::vector<MeshViolation>& violations) const {
+  Offences bad;
+  std::vector<char> freed(tets_.size(), 0);
+  for (const TetId t : free_) {
+    if (t.index() >= freed.size() || freed[t.index()] != 0 || is_live(t)) {
+      bad.add("tet " + std::to_string(t.value()) + " is wrongly in the free list");
+      continue;
+    }
+    freed[t.index()] = 1;
+  }
+  for (std::size_t t = 0; t < tets_.size(); ++t) {
+    if (!is_live(TetId(t)) && freed[t] == 0) {
+      bad.add("dead slot " + std::to_string(t) + " is missing in the free list");
+    }
+  }
+  bad.report(6, violations);
+}
+
+}  // namespace tetloft
