@@ -1,0 +1,52 @@
+// The determinants behind the predicates, over any ring: doubles (the filters, whose error
+// bounds count the roundings in exactly these expressions), expansions, big integers.
+//
+// Arguments are differences: a translation moves one of the points into the origin.
+#pragma once
+
+namespace tetloft::predicates {
+
+/// b × c, for b and c relative to a.
+template <class T>
+auto orient2d_determinant(const T& bx, const T& by, const T& cx, const T& cy) {
+  return bx * cy - by * cx;
+}
+
+/// b × c · d, for b, c, d relative to a.
+template <class T>
+auto orient3d_determinant(const T& bx, const T& by, const T& bz, const T& cx, const T& cy,
+                          const T& cz, const T& dx, const T& dy, const T& dz) {
+  return (bx * cy - by * cx) * dz + ((cx * dy - cy * dx) * bz + (dx * by - dy * bx) * cz);
+}
+
+/// Rows (x, y, x² + y²) of a, b, c relative to d.
+template <class T>
+auto incircle_determinant(const T& ax, const T& ay, const T& bx, const T& by, const T& cx,
+                          const T& cy) {
+  return (ax * ax + ay * ay) * (bx * cy - by * cx) +
+         ((bx * bx + by * by) * (cx * ay - cy * ax) + (cx * cx + cy * cy) * (ax * by - ay * bx));
+}
+
+/// Minus the determinant of rows (x, y, z, x² + y² + z²) of a, b, c, d relative to e.
+template <class T>
+auto insphere_determinant(const T& ax, const T& ay, const T& az, const T& bx, const T& by,
+                          const T& bz, const T& cx, const T& cy, const T& cz, const T& dx,
+                          const T& dy, const T& dz) {
+  const auto ab = ax * by - bx * ay;
+  const auto bc = bx * cy - cx * by;
+  const auto cd = cx * dy - dx * cy;
+  const auto da = dx * ay - ax * dy;
+  const auto ac = ax * cy - cx * ay;
+  const auto bd = bx * dy - dx * by;
+  const auto abc = (az * bc - bz * ac) + cz * ab;
+  const auto bcd = (bz * cd - cz * bd) + dz * bc;
+  const auto cda = (cz * da + dz * ac) + az * cd;
+  const auto dab = (dz * ab + az * bd) + bz * da;
+  const auto alift = (ax * ax + ay * ay) + az * az;
+  const auto blift = (bx * bx + by * by) + bz * bz;
+  const auto clift = (cx * cx + cy * cy) + cz * cz;
+  const auto dlift = (dx * dx + dy * dy) + dz * dz;
+  return (clift * dab - dlift * abc) + (alift * bcd - blift * cda);
+}
+
+}  // namespace tetloft::predicates

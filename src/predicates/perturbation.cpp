@@ -1,0 +1,104 @@
+// incircle and insphere with every point's lifting coordinate raised by an infinitesimal.
+//
+// The predicate is the sign of a determinant that is linear in each lift. Where it vanishes,
+// the perturbed one is Σ ε(p) · cofactor(p), and the ε of the point latest in canonical order
+// exceeds all others infinitely: the first nonzero cofactor in descending order decides.
+// The cofactor of a simplex vertex's lift is the orientation of the simplex with that vertex
+// replaced by the query point; that of the query point's is minus the orientation of the
+// simplex (a raised point lies outside). Equal points have equal lifts; the perturbed
+// determinant then vanishes as well.
+//
+// Products of infinitesimals do not occur: the determinant is linear in the column of lifts.
+//
+// Edelsbrunner and Mücke, "Simulation of simplicity", ACM TOG 9, 1990; for Delaunay
+// triangulations: Devillers and Teillaud, "Perturbations for Delaunay and weighted Delaunay
+// 3D triangulations", CGTA 44, 2011.
+#include <array>
+#include <cstddef>
+#include <utility>
+
+#include <tetloft/predicates.hpp>
+
+#include "predicates/counting.hpp"
+#include "predicates/exact.hpp"
+#include "predicates/filter.hpp"
+
+namespace tetloft {
+
+namespace {
+
+using predicates::Answer;
+using predicates::count;
+using predicates::Stages;
+
+// Orientations inside a perturbation are part of the call that needs them: not counted.
+
+Sign orientation(const std::array<Point2, 3>& p) {
+  const int s = predicates::orient2d_filter(p[0], p[1], p[2]);
+  return s != 0 ? static_cast<Sign>(s) : predicates::exact_orient2d(p[0], p[1], p[2]).sign;
+}
+
+Sign orientation(const std::array<Point3, 4>& p) {
+  const int s = predicates::orient3d_filter(p[0], p[1], p[2], p[3]);
+  return s != 0 ? static_cast<Sign>(s) : predicates::exact_orient3d(p[0], p[1], p[2], p[3]).sign;
+}
+
+/// The sign of the perturbed predicate of `simplex` and `query` where the unperturbed one
+/// is zero.
+template <class Point, std::size_t n>
+Sign perturbed_sign(const std::array<Point, n>& simplex, const Point& query) {
+  // Indices of the simplex's vertices, n for the query point; descending.
+  std::array<std::size_t, n + 1> order;
+  const auto point = [&](std::size_t i) -> const Point& { return i == n ? query : simplex[i]; };
+  for (std::size_t i = 0; i <= n; ++i) {
+    std::size_t k = i;
+    for (; k > 0 && canonical_less(point(order[k - 1]), point(i)); --k) order[k] = order[k - 1];
+    order[k] = i;
+  }
+  for (std::size_t k = 0; k < n; ++k) {
+    if (point(order[k]) == point(order[k + 1])) return Sign::zero;
+  }
+  for (const std::size_t i : order) {
+    if (i == n) {
+      if (const Sign s = orientation(simplex); s != Sign::zero) return -s;
+    } else {
+      std::array<Point, n> replaced = simplex;
+      replaced[i] = query;
+      if (const Sign s = orientation(replaced); s != Sign::zero) return s;
+    }
+  }
+  return Sign::zero;  // all points in one hyperplane
+}
+
+}  // namespace
+
+Sign incircle_perturbed(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
+  if (const int s = predicates::incircle_filter(a, b, c, d); s != 0) {
+    count(&PredicateCounters::incircle, &Stages::filter);
+    return static_cast<Sign>(s);
+  }
+  const Answer exact = predicates::exact_incircle(a, b, c, d);
+  if (exact.sign != Sign::zero) {
+    count(&PredicateCounters::incircle, exact.stage);
+    return exact.sign;
+  }
+  count(&PredicateCounters::incircle, &Stages::symbolic);
+  return perturbed_sign(std::array{a, b, c}, d);
+}
+
+Sign insphere_perturbed(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
+                        const Point3& e) {
+  if (const int s = predicates::insphere_filter(a, b, c, d, e); s != 0) {
+    count(&PredicateCounters::insphere, &Stages::filter);
+    return static_cast<Sign>(s);
+  }
+  const Answer exact = predicates::exact_insphere(a, b, c, d, e);
+  if (exact.sign != Sign::zero) {
+    count(&PredicateCounters::insphere, exact.stage);
+    return exact.sign;
+  }
+  count(&PredicateCounters::insphere, &Stages::symbolic);
+  return perturbed_sign(std::array{a, b, c, d}, e);
+}
+
+}  // namespace tetloft
