@@ -1,0 +1,30 @@
+// The finite tets of the engine as a mesh in canonical numbering: the order of insertion,
+// recycled slots and ghosts leave no trace.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include <tetloft/ids.hpp>
+#include <tetloft/tet_mesh.hpp>
+
+#include "delaunay3/incremental.hpp"
+
+namespace tetloft::delaunay3_detail {
+
+/// How the engine's vertices are named outside.
+struct VertexNames {
+  /// rank_of[v]: place of the engine's vertex v in canonical order.
+  std::span<const std::uint32_t> rank_of;
+  /// input_of[r]: the input index of the point of canonical rank r.
+  std::span<const VertexId> input_of;
+  /// Number of input points.
+  std::size_t input_count = 0;
+};
+
+/// The finite tets, numbered as struct Delaunay3 says. Linear in tets but for sorting the
+/// tets that share their lowest vertex.
+[[nodiscard]] TetMesh canonical_mesh(const Delaunay3Builder& built, const VertexNames& names);
+
+}  // namespace tetloft::delaunay3_detail

@@ -1,0 +1,31 @@
+// The order of insertion: a biased randomised insertion order (Amenta, Choi and Rote,
+// "Incremental constructions con BRIO", SoCG 2003).
+//
+// Every point draws its round; each round holds about kRoundRatio times the points of all
+// earlier ones, which keeps the expected cost of the randomised incremental construction.
+// Within a round the points follow a Hilbert curve, so that the next point is near the
+// last one: the walk is short and the memory it touches is hot.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <tetloft/point.hpp>
+
+namespace tetloft::delaunay3_detail {
+
+/// The places in `points` in the order they should be inserted.
+/// Requires: finite points in canonical order.
+/// (1) A permutation of 0 … n−1. (2) Depends on the points only.
+[[nodiscard]] std::vector<std::uint32_t> insertion_order(std::span<const Point3> points);
+
+/// The place along the Hilbert curve of the cell (x, y) of a 2^bits × 2^bits grid.
+/// Requires bits ≤ 32.
+[[nodiscard]] std::uint64_t hilbert_index(std::uint32_t x, std::uint32_t y, int bits);
+
+/// The same for the cell (x, y, z) of a cubic grid. Requires bits ≤ 21.
+[[nodiscard]] std::uint64_t hilbert_index(std::uint32_t x, std::uint32_t y, std::uint32_t z,
+                                          int bits);
+
+}  // namespace tetloft::delaunay3_detail
