@@ -1,0 +1,106 @@
+#include "delaunay3/spatial_order.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+
+#include "support.hpp"
+
+namespace tetloft::test {
+namespace {
+
+using delaunay3_detail::hilbert_index;
+using delaunay3_detail::insertion_order;
+
+TEST(HilbertIndex, VisitsEveryCellOfASquareByUnitSteps) {
+  constexpr int kBits = 3;
+  std::vector<std::array<int, 2>> cell(64, {-1, -1});
+  for (std::uint32_t x = 0; x < 8; ++x) {
+    for (std::uint32_t y = 0; y < 8; ++y) {
+      const std::uint64_t i = hilbert_index(x, y, kBits);
+      ASSERT_LT(i, cell.size());
+      ASSERT_EQ(cell[i][0], -1);
+      cell[i] = {static_cast<int>(x), static_cast<int>(y)};
+    }
+  }
+  for (std::size_t i = 1; i < cell.size(); ++i) {
+    EXPECT_EQ(std::abs(cell[i][0] - cell[i - 1][0]) + std::abs(cell[i][1] - cell[i - 1][1]), 1);
+  }
+}
+
+TEST(HilbertIndex, VisitsEveryCellOfACubeByUnitSteps) {
+  constexpr int kBits = 3;
+  std::vector<std::array<int, 3>> cell(512, {-1, -1, -1});
+  for (std::uint32_t x = 0; x < 8; ++x) {
+    for (std::uint32_t y = 0; y < 8; ++y) {
+      for (std::uint32_t z = 0; z < 8; ++z) {
+        const std::uint64_t i = hilbert_index(x, y, z, kBits);
+        ASSERT_LT(i, cell.size());
+        ASSERT_EQ(cell[i][0], -1);
+        cell[i] = {static_cast<int>(x), static_cast<int>(y), static_cast<int>(z)};
+      }
+    }
+  }
+  for (std::size_t i = 1; i < cell.size(); ++i) {
+    int distance = 0;
+    for (std::size_t k = 0; k < 3; ++k) distance += std::abs(cell[i][k] - cell[i - 1][k]);
+    EXPECT_EQ(distance, 1);
+  }
+}
+
+void expect_permutation(Points points) {
+  std::sort(points.begin(), points.end(),
+            [](const Point3& a, const Point3& b) { return canonical_less(a, b); });
+  std::vector<std::uint32_t> order = insertion_order(points);
+  std::sort(order.begin(), order.end());
+  ASSERT_EQ(order.size(), points.size());
+  for (std::size_t i = 0; i < order.size(); ++i) EXPECT_EQ(order[i], i);
+}
+
+TEST(InsertionOrder, IsAPermutation) {
+  Prng prng(31);
+  expect_permutation({});
+  expect_permutation({{1, 2, 3}});
+  expect_permutation(uniform(1000, prng));
+  expect_permutation(lattice(10, 10, 2));
+  const double top = std::numeric_limits<double>::max();
+  const double least = std::numeric_limits<double>::denorm_min();
+  expect_permutation({{-top, top, -top}, {top, -top, top}, {0, 0, 0}});
+  expect_permutation({{0, 0, 0}, {least, 0, 0}, {0, least, 0}, {0, 0, least}});
+}
+
+TEST(InsertionOrder, NeighboursInOrderAreNearInSpace) {
+  Prng prng(32);
+  Points points = uniform(20000, prng);
+  std::sort(points.begin(), points.end(),
+            [](const Point3& a, const Point3& b) { return canonical_less(a, b); });
+  const std::vector<std::uint32_t> order = insertion_order(points);
+  double sum = 0;
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    const Point3& a = points[order[i - 1]];
+    const Point3& b = points[order[i]];
+    sum += std::abs(a.x - b.x) + std::abs(a.y - b.y) + std::abs(a.z - b.z);
+  }
+  // A random order has mean distance 1; neighbours on the curve are a few grid widths
+  // 20000^(-1/3) = 0.037 apart.
+  EXPECT_LT(sum / static_cast<double>(order.size()), 0.08);
+}
+
+TEST(InsertionOrder, VisitsBothOfTwoPlanesTogether) {
+  // Equal sections far apart: each point and its twin follow each other within a round.
+  Points points = lattice(64, 64, 2);
+  for (Point3& p : points) p.z *= 1e6;
+  std::sort(points.begin(), points.end(),
+            [](const Point3& a, const Point3& b) { return canonical_less(a, b); });
+  const std::vector<std::uint32_t> order = insertion_order(points);
+  std::size_t changes = 0;
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    if (points[order[i]].z != points[order[i - 1]].z) ++changes;
+  }
+  EXPECT_GT(changes, order.size() / 4);
+}
+
+}  // namespace
+}  // namespace tetloft::test
