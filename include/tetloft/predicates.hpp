@@ -2,9 +2,9 @@
 //
 // Every predicate answers the sign of a determinant of its arguments exactly, for every
 // finite double, also where intermediate values over- or underflow. Stages: a floating-
-// point filter, exact expansion arithmetic, big integers where expansions leave the
-// range of doubles (Shewchuk, "Adaptive precision floating-point arithmetic and fast
-// robust geometric predicates", DCG 18, 1997).
+// point filter, exact expansion arithmetic (64-bit integers for lattice data), big
+// integers where expansions leave the range of doubles (Shewchuk, "Adaptive precision
+// floating-point arithmetic and fast robust geometric predicates", DCG 18, 1997).
 //
 // The perturbed predicates never return zero on distinct points in general enough
 // position (stated at each): Simulation of Simplicity (Edelsbrunner and Mücke, ACM TOG 9,
@@ -25,9 +25,7 @@ namespace tetloft {
 
 enum class Sign : std::int8_t { negative = -1, zero = 0, positive = 1 };
 
-[[nodiscard]] constexpr Sign operator-(Sign s) {
-  return static_cast<Sign>(-static_cast<int>(s));
-}
+[[nodiscard]] constexpr Sign operator-(Sign s) { return static_cast<Sign>(-static_cast<int>(s)); }
 
 /// Positive iff a, b, c turn counter-clockwise: the sign of (b − a) × (c − a).
 /// (1) Swapping two arguments negates the result. (2) Zero iff collinear.
@@ -61,10 +59,11 @@ enum class Sign : std::int8_t { negative = -1, zero = 0, positive = 1 };
 /// How many calls each stage answered, for tests and benchmarks.
 struct PredicateCounters {
   struct Stages {
-    std::uint64_t filter = 0;    ///< answered by the floating-point filter
+    std::uint64_t filter = 0;     ///< answered by the floating-point filter
     std::uint64_t expansion = 0;  ///< by exact expansion arithmetic
-    std::uint64_t integer = 0;   ///< by big integers (range of doubles left)
-    std::uint64_t symbolic = 0;  ///< by the perturbation (perturbed predicates only)
+    std::uint64_t integer = 0;    ///< by big integers (range of doubles left)
+    std::uint64_t symbolic = 0;   ///< by the perturbation (perturbed predicates only)
+    std::uint64_t lattice = 0;    ///< by 64-bit integers (differences of few bits)
   };
   Stages orient2d, orient3d, incircle, insphere;
 };

@@ -49,4 +49,18 @@ auto insphere_determinant(const T& ax, const T& ay, const T& az, const T& bx, co
   return (clift * dab - dlift * abc) + (alift * bcd - blift * cda);
 }
 
+/// Where p, q lie on one plane of constant z and r, s, t on another, h above it, the
+/// determinant of q, r, s, t relative to p is h times this one: rows (x, y, x² + y²) of q
+/// relative to p, and the differences of the rows s − r and t − r, with
+/// |s|² − |r|² = (s − r) · (s + r). u = s − r and v = t − r; all else is relative to p.
+template <class T>
+auto two_plane_insphere_determinant(const T& qx, const T& qy, const T& ux, const T& uy, const T& vx,
+                                    const T& vy, const T& rx, const T& ry, const T& sx, const T& sy,
+                                    const T& tx, const T& ty) {
+  const auto qlift = qx * qx + qy * qy;
+  const auto ulift = ux * (sx + rx) + uy * (sy + ry);
+  const auto vlift = vx * (tx + rx) + vy * (ty + ry);
+  return qlift * (ux * vy - uy * vx) + (vlift * (qx * uy - qy * ux) - ulift * (qx * vy - qy * vx));
+}
+
 }  // namespace tetloft::predicates

@@ -5,17 +5,21 @@
 // and rounding errors on the way are multiples of 2^(k (L − 52)) with k <= n: representable,
 // hence exact without underflow, if n (L − 52) >= -1074. Differences are below 2^(H + 1) and
 // the sum of the monomials' magnitudes is below 2^(n (H + 1) + s) (s: 1 for orient2d's 2, 3 for
-// orient3d's 6, 4 for incircle's 12, 7 for insphere's 72 of pure coordinates). No partial sum,
-// product or component exceeds twice that, and cutting a factor into halves multiplies it by
+// orient3d's 6, 5 for incircle's 12 or 20, 7 for insphere's 72 of pure coordinates). No partial
+// sum, product or component exceeds twice that, and cutting a factor into halves multiplies it by
 // 2^27 + 1: no overflow if n (H + 1) + s + 1 + 28 <= 1023.
 #include "predicates/exact.hpp"
 
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 
 #include "predicates/big_integer.hpp"
 #include "predicates/determinants.hpp"
 #include "predicates/expansion.hpp"
+#include "predicates/filter.hpp"
+#include "predicates/lattice.hpp"
 
 namespace tetloft::predicates {
 
@@ -36,81 +40,201 @@ struct Range {
 
 constexpr Range kOrient2dRange{0x1p-485, 0x1p+495};  // 2 · -537 = -1074, 2 · 496 + 30 = 1022
 constexpr Range kOrient3dRange{0x1p-306, 0x1p+329};  // 3 · -358 = -1074, 3 · 330 + 32 = 1022
-constexpr Range kIncircleRange{0x1p-216, 0x1p+246};  // 4 · -268 = -1072, 4 · 247 + 33 = 1021
+constexpr Range kIncircleRange{0x1p-216, 0x1p+246};  // 4 · -268 = -1072, 4 · 247 + 34 = 1022
 constexpr Range kInsphereRange{0x1p-162, 0x1p+196};  // 5 · -214 = -1070, 5 · 197 + 36 = 1021
 
 Sign to_sign(int s) { return static_cast<Sign>(s); }
 
 /// Largest power of two that divides all coordinates as doubles.
 template <std::size_t n>
-int common_unit(const std::array<double, n>& coordinates) {
+int common_unit(const std::array<double, n>& p, const std::array<double, n>& q) {
   int unit = 971;
-  for (const double v : coordinates) {
-    if (v != 0) unit = std::min(unit, Decomposed(v).exponent);
+  for (std::size_t i = 0; i < n; ++i) {
+    if (p[i] != 0) unit = std::min(unit, Decomposed(p[i]).exponent);
+    if (q[i] != 0) unit = std::min(unit, Decomposed(q[i]).exponent);
   }
   return unit;
 }
 
-/// Evaluates a determinant of differences exactly. The last `dimension` coordinates are the
-/// origin, subtracted from all other points; `determinant` takes the array of differences
-/// over any ring and returns an element of it.
-template <std::size_t dimension, std::size_t n, class Determinant>
-Answer exact_sign(const std::array<double, n>& coordinates, const Range& range,
-                  const Determinant& determinant) {
-  constexpr std::size_t m = n - dimension;
-  const auto origin = [](std::size_t i) { return m + i % dimension; };
-  if (!range.holds(coordinates)) {
-    const int unit = common_unit(coordinates);
-    std::array<BigInteger<kCoordinateLimbs + 1>, m> difference;
-    for (std::size_t i = 0; i < m; ++i) {
-      difference[i] =
-          to_big_integer(coordinates[i], unit) - to_big_integer(coordinates[origin(i)], unit);
+/// The exact sign of a determinant of the differences p[i] − q[i], `determinant` taking their
+/// array over any ring. `bits` is what differences may have for 64 bits to hold all
+/// intermediate values.
+template <int bits, std::size_t n, class Determinant>
+Answer exact_sign(const std::array<double, n>& p, const std::array<double, n>& q,
+                  const Range& range, const Determinant& determinant) {
+  if (!range.holds(p) || !range.holds(q)) {
+    const int unit = common_unit(p, q);
+    std::array<BigInteger<kCoordinateLimbs + 1>, n> difference;
+    for (std::size_t i = 0; i < n; ++i) {
+      difference[i] = to_big_integer(p[i], unit) - to_big_integer(q[i], unit);
     }
     return {to_sign(determinant(difference).sign()), &Stages::integer};
   }
-  std::array<Rounded, m> difference;
+  std::array<double, n> value;
+  std::array<double, n> error;
   bool rounded = false;
-  for (std::size_t i = 0; i < m; ++i) {
-    difference[i] = two_difference(coordinates[i], coordinates[origin(i)]);
-    rounded = rounded || difference[i].error != 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Rounded difference = two_difference(p[i], q[i]);
+    value[i] = difference.value;
+    error[i] = difference.error;
+    rounded |= difference.error != 0;
   }
   if (rounded) {
-    std::array<Expansion<2>, m> sum;
-    for (std::size_t i = 0; i < m; ++i) sum[i] = to_expansion(difference[i]);
+    std::array<Expansion<2>, n> sum;
+    for (std::size_t i = 0; i < n; ++i) sum[i] = to_expansion(Rounded{value[i], error[i]});
     return {to_sign(determinant(sum).sign()), &Stages::expansion};
   }
-  // Most differences of nearby points are doubles, and this is eight times shorter.
-  std::array<Expansion<1>, m> single;
-  for (std::size_t i = 0; i < m; ++i) single[i] = to_expansion(difference[i].value);
+  if (const auto integers = to_lattice<bits>(value)) {
+    const std::int64_t result = determinant(*integers);
+    return {to_sign((result > 0) - (result < 0)), &Stages::lattice};
+  }
+  // Most differences of nearby points are doubles, and products of single components are
+  // several times shorter.
+  std::array<Expansion<1>, n> single;
+  for (std::size_t i = 0; i < n; ++i) single[i] = to_expansion(value[i]);
   return {to_sign(determinant(single).sign()), &Stages::expansion};
+}
+
+// Bits of the lattice stage: (monomials) · 2^(degree · bits) < 2^63.
+constexpr int kOrient2dBits = 30;  // 2 · 2^60
+constexpr int kOrient3dBits = 20;  // 6 · 2^60
+constexpr int kIncircleBits = 14;  // 20 · 2^56
+constexpr int kInsphereBits = 11;  // 72 · 2^55
+
+/// (q − p) × (s − r).
+Answer exact_cross(const Point3& p, const Point3& q, const Point3& r, const Point3& s) {
+  return exact_sign<kOrient2dBits>(
+      std::array{q.x, q.y, s.x, s.y}, std::array{p.x, p.y, r.x, r.y}, kOrient2dRange,
+      [](const auto& d) { return orient2d_determinant(d[0], d[1], d[2], d[3]); });
+}
+
+/// See two_plane_insphere_determinant.
+Answer exact_two_three(const Point3& p, const Point3& q, const Point3& r, const Point3& s,
+                       const Point3& t) {
+  return exact_sign<kIncircleBits>(
+      std::array{q.x, q.y, s.x, s.y, t.x, t.y, r.x, r.y, s.x, s.y, t.x, t.y},
+      std::array{p.x, p.y, r.x, r.y, r.x, r.y, p.x, p.y, p.x, p.y, p.x, p.y}, kIncircleRange,
+      [](const auto& d) {
+        return two_plane_insphere_determinant(d[0], d[1], d[2], d[3], d[4], d[5], d[6], d[7], d[8],
+                                              d[9], d[10], d[11]);
+      });
+}
+
+Point2 flat(const Point3& p) { return {p.x, p.y}; }
+
+Answer incircle_of(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
+  if (const int s = incircle_filter(flat(a), flat(b), flat(c), flat(d)); s != 0) {
+    return {to_sign(s), &Stages::filter};
+  }
+  return exact_incircle(flat(a), flat(b), flat(c), flat(d));
+}
+
+Answer orient2d_of(const Point3& a, const Point3& b, const Point3& c) {
+  if (const int s = orient2d_filter(flat(a), flat(b), flat(c)); s != 0) {
+    return {to_sign(s), &Stages::filter};
+  }
+  return exact_orient2d(flat(a), flat(b), flat(c));
+}
+
+/// Points on two planes of constant z, those of the emptier plane first.
+template <std::size_t n>
+struct TwoPlanes {
+  std::array<const Point3*, n> point;
+  std::size_t first = 0;  ///< how many lie in the first plane; 0 if all lie in one
+  bool even = true;       ///< whether `point` is an even permutation of the arguments
+
+  const Point3& operator[](std::size_t i) const { return *point[i]; }
+  /// The sign of (z of the second plane) − (z of the first), negated by an odd permutation.
+  [[nodiscard]] Sign gap() const {
+    return (point[0]->z < point[n - 1]->z) == even ? Sign::positive : Sign::negative;
+  }
+};
+
+/// Nothing if the points lie on more than two planes.
+template <std::size_t n>
+std::optional<TwoPlanes<n>> split_by_plane(const std::array<const Point3*, n>& p) {
+  const double z = p[0]->z;
+  std::size_t other = 0;
+  while (other < n && p[other]->z == z) ++other;
+  if (other == n) return TwoPlanes<n>{p};
+  const double other_z = p[other]->z;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (p[i]->z == other_z) {
+      ++count;
+    } else if (p[i]->z != z) {
+      return std::nullopt;
+    }
+  }
+  const double first_z = 2 * count <= n ? other_z : z;
+  TwoPlanes<n> result;
+  result.first = std::min(count, n - count);
+  std::size_t first = 0;
+  std::size_t second = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (p[i]->z == first_z) {
+      // It moves past all points of the second plane before it.
+      if (second % 2 != 0) result.even = !result.even;
+      result.point[first++] = p[i];
+    } else {
+      result.point[result.first + second++] = p[i];
+    }
+  }
+  return result;
+}
+
+Answer times(Sign s, const Answer& answer) {
+  return s == Sign::positive ? answer : Answer{-answer.sign, answer.stage};
 }
 
 }  // namespace
 
 Answer exact_orient2d(const Point2& a, const Point2& b, const Point2& c) {
-  return exact_sign<2>(std::array{b.x, b.y, c.x, c.y, a.x, a.y}, kOrient2dRange,
-                       [](const auto& d) { return orient2d_determinant(d[0], d[1], d[2], d[3]); });
+  return exact_sign<kOrient2dBits>(
+      std::array{b.x, b.y, c.x, c.y}, std::array{a.x, a.y, a.x, a.y}, kOrient2dRange,
+      [](const auto& d) { return orient2d_determinant(d[0], d[1], d[2], d[3]); });
 }
 
 Answer exact_orient3d(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
-  return exact_sign<3>(std::array{b.x, b.y, b.z, c.x, c.y, c.z, d.x, d.y, d.z, a.x, a.y, a.z},
-                       kOrient3dRange, [](const auto& p) {
-                         return orient3d_determinant(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7],
-                                                     p[8]);
-                       });
+  if (const auto p = split_by_plane(std::array{&a, &b, &c, &d})) {
+    switch (p->first) {
+      case 0: return {Sign::zero, &Stages::lattice};
+      // Moving the apex p0 to the end is odd, and it lies gap() below its base.
+      case 1: return times(p->gap(), orient2d_of((*p)[1], (*p)[2], (*p)[3]));
+      // det(q, r, s) relative to p with heights 0, h, h is −h q × (s − r).
+      default: return times(-p->gap(), exact_cross((*p)[0], (*p)[1], (*p)[2], (*p)[3]));
+    }
+  }
+  return exact_sign<kOrient3dBits>(
+      std::array{b.x, b.y, b.z, c.x, c.y, c.z, d.x, d.y, d.z},
+      std::array{a.x, a.y, a.z, a.x, a.y, a.z, a.x, a.y, a.z}, kOrient3dRange, [](const auto& p) {
+        return orient3d_determinant(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]);
+      });
 }
 
 Answer exact_incircle(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
-  return exact_sign<2>(
-      std::array{a.x, a.y, b.x, b.y, c.x, c.y, d.x, d.y}, kIncircleRange,
+  return exact_sign<kIncircleBits>(
+      std::array{a.x, a.y, b.x, b.y, c.x, c.y}, std::array{d.x, d.y, d.x, d.y, d.x, d.y},
+      kIncircleRange,
       [](const auto& p) { return incircle_determinant(p[0], p[1], p[2], p[3], p[4], p[5]); });
 }
 
 Answer exact_insphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
                       const Point3& e) {
-  return exact_sign<3>(
-      std::array{a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, d.x, d.y, d.z, e.x, e.y, e.z},
-      kInsphereRange, [](const auto& p) {
+  // In a slab between two sections this is every call; z² is linear in z there, and the
+  // determinant loses one degree and the gap.
+  if (const auto p = split_by_plane(std::array{&a, &b, &c, &d, &e})) {
+    switch (p->first) {
+      case 0: return {Sign::zero, &Stages::lattice};
+      // Moving p0 to the fourth place is odd, and it lies gap() below the circle.
+      case 1: return times(p->gap(), incircle_of((*p)[1], (*p)[2], (*p)[3], (*p)[4]));
+      default: return times(p->gap(), exact_two_three((*p)[0], (*p)[1], (*p)[2], (*p)[3], (*p)[4]));
+    }
+  }
+  return exact_sign<kInsphereBits>(
+      std::array{a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, d.x, d.y, d.z},
+      std::array{e.x, e.y, e.z, e.x, e.y, e.z, e.x, e.y, e.z, e.x, e.y, e.z}, kInsphereRange,
+      [](const auto& p) {
         return insphere_determinant(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], p[9],
                                     p[10], p[11]);
       });
