@@ -1,0 +1,53 @@
+// A cursor over text: tokens between white space, and the line it is in.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace tetloft::io {
+
+/// Space, tab, vertical tab, form feed, carriage return, line feed.
+[[nodiscard]] constexpr bool is_white(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
+class TextCursor {
+ public:
+  /// Skips a UTF-8 byte order mark at the start.
+  explicit TextCursor(std::string_view text) : at_(text.data()), end_(text.data() + text.size()) {
+    if (text.substr(0, 3) == "\xEF\xBB\xBF") at_ += 3;
+  }
+
+  void skip_white() {
+    for (; at_ != end_ && is_white(*at_); ++at_) {
+      if (*at_ == '\n') ++line_;
+    }
+  }
+  /// Skips white space within the line.
+  void skip_blanks() {
+    while (at_ != end_ && is_white(*at_) && *at_ != '\n') ++at_;
+  }
+  /// Goes to the end of the line, before its line feed.
+  void skip_line() {
+    while (at_ != end_ && *at_ != '\n') ++at_;
+  }
+
+  [[nodiscard]] bool at_end() const { return at_ == end_; }
+  /// The next byte, or 0 at the end.
+  [[nodiscard]] char peek() const { return at_ == end_ ? '\0' : *at_; }
+  void advance() { ++at_; }
+  /// One-based.
+  [[nodiscard]] std::size_t line() const { return line_; }
+
+  /// The bytes up to the next white space or one of `stops`, passed over.
+  std::string_view token(char stop_a = ' ', char stop_b = ' ') {
+    const char* const from = at_;
+    while (at_ != end_ && !is_white(*at_) && *at_ != stop_a && *at_ != stop_b) ++at_;
+    return {from, static_cast<std::size_t>(at_ - from)};
+  }
+
+ private:
+  const char* at_;
+  const char* end_;
+  std::size_t line_ = 1;
+};
+
+}  // namespace tetloft::io

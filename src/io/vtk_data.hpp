@@ -1,0 +1,70 @@
+// The values of DataArray elements: text, base64, or appended bytes.
+//
+// Every size that a file claims is compared with the bytes that are there before anything
+// is allocated, so memory is bounded by the size of the file.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <tetloft/result.hpp>
+
+#include "io/xml.hpp"
+
+namespace tetloft::io {
+
+enum class ScalarType : std::uint8_t {
+  int8,
+  uint8,
+  int16,
+  uint16,
+  int32,
+  uint32,
+  int64,
+  uint64,
+  float32,
+  float64
+};
+
+[[nodiscard]] constexpr bool is_float(ScalarType type) {
+  return type == ScalarType::float32 || type == ScalarType::float64;
+}
+
+/// A DataArray as declared.
+struct DataArray {
+  enum class Format : std::uint8_t { ascii, binary, appended };
+  std::string name;
+  ScalarType type = ScalarType::float32;
+  std::size_t components = 1;
+  Format format = Format::ascii;
+  std::size_t offset = 0;    ///< into the appended data
+  std::string_view text;     ///< what stands between its tags
+  std::size_t position = 0;  ///< of its tag, for messages
+};
+
+/// What the file says about all its arrays.
+struct DataSource {
+  bool little_endian = true;
+  std::size_t header_bytes = 4;              ///< of the byte counts before binary data
+  std::string compressor;                    ///< empty: uncompressed
+  std::optional<std::string_view> appended;  ///< behind the underscore, to the end of file
+  bool appended_base64 = false;
+};
+
+/// The declaration in a DataArray tag.
+[[nodiscard]] Result<DataArray> declare_array(const XmlTag& tag, const XmlScanner& scanner);
+
+/// All values, converted. Integer arrays may be read as double (inexactly above 2^53);
+/// floating arrays are refused as integers.
+[[nodiscard]] Result<std::vector<double>> read_doubles(const DataArray& array,
+                                                       const DataSource& source,
+                                                       const XmlScanner& scanner);
+[[nodiscard]] Result<std::vector<std::int64_t>> read_integers(const DataArray& array,
+                                                              const DataSource& source,
+                                                              const XmlScanner& scanner);
+
+}  // namespace tetloft::io
