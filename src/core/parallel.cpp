@@ -14,8 +14,7 @@ unsigned thread_count(unsigned requested) {
   return std::max(1U, std::thread::hardware_concurrency());
 }
 
-void parallel_for(std::size_t n, unsigned threads,
-                  const std::function<void(std::size_t)>& body) {
+void parallel_for(std::size_t n, unsigned threads, const std::function<void(std::size_t)>& body) {
   std::atomic<std::size_t> next{0};
   std::atomic<bool> failed{false};
   std::mutex mutex;

@@ -61,9 +61,7 @@ std::string to_string(const Place& place) {
 
 std::string to_string(const Error& error) { return with_place(error.where, error.message); }
 
-std::string to_string(const Warning& warning) {
-  return with_place(warning.where, warning.message);
-}
+std::string to_string(const Warning& warning) { return with_place(warning.where, warning.message); }
 
 void fail_check(const char* condition, const char* file, int line) {
   std::string name = file;

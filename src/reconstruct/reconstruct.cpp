@@ -1,2 +1,353 @@
-// Placeholder until the module lands.
-namespace tetloft {}
+// The API: validates, runs the steps over all sections and slabs, glues, reports.
+#include <tetloft/reconstruct.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <mutex>
+#include <optional>
+
+#include <tetloft/predicates.hpp>
+
+#include "core/check.hpp"
+#include "core/parallel.hpp"
+#include "reconstruct/assembly.hpp"
+#include "reconstruct/correspondence.hpp"
+#include "reconstruct/slab_solid.hpp"
+
+namespace tetloft {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+// Runs body(i) -> std::optional<Error> in parallel; the error of the lowest index, if any.
+template <class Body>
+std::optional<Error> parallel_errors(std::size_t n, unsigned threads, const Body& body) {
+  std::vector<std::optional<Error>> errors(n);
+  parallel_for(n, threads, [&](std::size_t i) { errors[i] = body(i); });
+  for (std::optional<Error>& error : errors) {
+    if (error) return std::move(error);
+  }
+  return std::nullopt;
+}
+
+class Reconstructor {
+ public:
+  Reconstructor(const SectionStack& stack, const ReconstructOptions& options)
+      : stack_(stack), options_(options) {}
+
+  Result<Reconstruction> run() {
+    const auto start = Clock::now();
+    if (auto error = check_options()) return *error;
+    if (auto error = prepare_sections()) return *error;
+
+    // Usually once; again when a class needs Gabriel edges to be connectable.
+    for (;;) {
+      if (auto error = find_correspondence()) return *error;
+      if (auto error = build_slabs()) return *error;
+      const std::optional<Unconnected> unconnected = first_unconnected();
+      if (!unconnected) break;
+      if (auto error = refine(*unconnected)) return *error;
+    }
+    if (auto error = add_ends()) return *error;
+
+    const auto assembling = Clock::now();
+    result_.model = assemble(sections_, correspondence_, parts_);
+    result_.partition = correspondence_.partition;
+    add_seconds(Step::assembly, seconds_since(assembling));
+    report(seconds_since(start));
+    return std::move(result_);
+  }
+
+ private:
+  struct Unconnected {
+    SlabId slab;
+    std::vector<SlabRegionId> regions;
+  };
+
+  [[nodiscard]] std::size_t section_count() const { return stack_.sections.size(); }
+  [[nodiscard]] std::size_t slab_count() const { return section_count() - 1; }
+
+  void add_seconds(Step step, double seconds) {
+    result_.report.seconds[static_cast<std::size_t>(step)] += seconds;
+  }
+
+  void step_done() {
+    if (!options_.progress) return;
+    const std::scoped_lock lock(progress_mutex_);
+    options_.progress(++done_, section_count() + slab_count());
+  }
+
+  [[nodiscard]] std::optional<Error> check_options() const {
+    const double tau = options_.correspondence.tau;
+    if (!(tau >= 0 && tau < 1)) {
+      return Error{ErrorCode::usage, "the overlap threshold must be in [0, 1)", {}};
+    }
+    if (options_.thickness && !(*options_.thickness > 0 && std::isfinite(*options_.thickness))) {
+      return Error{ErrorCode::usage, "the thickness must be positive and finite", {}};
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Error> prepare_sections() {
+    const auto start = Clock::now();
+    if (Result<void> valid = validate(stack_); !valid) return valid.error();
+    nestings_.resize(section_count());
+    sections_.resize(section_count());
+    gabriel_.resize(section_count());
+    auto error = parallel_errors(section_count(), options_.threads, [&](std::size_t s) {
+      nestings_[SectionId(s)] = nest(stack_.sections[SectionId(s)]);
+      auto failed = conform_section(SectionId(s));
+      step_done();
+      return failed;
+    });
+    add_seconds(Step::sections, seconds_since(start));
+    return error;
+  }
+
+  std::optional<Error> conform_section(SectionId s) {
+    Result<ConformingSection> section = conform(stack_.sections[s], s, gabriel_[s]);
+    if (!section) return section.error();
+    sections_[s] = std::move(section.value());
+    return std::nullopt;
+  }
+
+  std::optional<Error> find_correspondence() {
+    const auto start = Clock::now();
+    IdVector<SlabId, std::vector<Link>> candidates(slab_count());
+    auto error = parallel_errors(slab_count(), options_.threads, [&](std::size_t k) {
+      return find_candidates(SlabId(k), candidates[SlabId(k)]);
+    });
+    if (error) return error;
+    Result<Correspondence> decided =
+        decide_correspondence(stack_, nestings_, candidates, options_.correspondence.labels);
+    if (!decided) return decided.error();
+    correspondence_ = std::move(decided.value());
+    add_seconds(Step::correspondence, seconds_since(start));
+    return std::nullopt;
+  }
+
+  std::optional<Error> find_candidates(SlabId slab, std::vector<Link>& links) const {
+    const SectionId below(slab.index());
+    const SectionId above(slab.index() + 1);
+    if (options_.correspondence.criterion == Criterion::overlap) {
+      links = overlap_links(slab, stack_.sections[below], nestings_[below], stack_.sections[above],
+                            nestings_[above], options_.correspondence.tau);
+      return std::nullopt;
+    }
+    if (sections_[below].vertex_count() == 0 || sections_[above].vertex_count() == 0) {
+      return std::nullopt;
+    }
+    Result<TetMesh> d = slab_delaunay(sections_[below], sections_[above]);
+    if (!d) return d.error();
+    links = reverse_links(slab, Slab(sections_[below], sections_[above], std::move(d.value())));
+    return std::nullopt;
+  }
+
+  std::optional<Error> build_slabs() {
+    parts_.assign(slab_count(), {});
+    return parallel_errors(
+        slab_count(), options_.threads, [&](std::size_t k) -> std::optional<Error> {
+          const SectionId below(k);
+          const SectionId above(k + 1);
+          Result<SlabSolid> solid = build_slab_solid(SlabId(k), sections_[below], sections_[above],
+                                                     correspondence_.links[SlabId(k)]);
+          if (!solid) return solid.error();
+          parts_[k] = {SlabId(k), below, above, std::move(solid.value())};
+          step_done();
+          return std::nullopt;
+        });
+  }
+
+  [[nodiscard]] std::optional<Unconnected> first_unconnected() const {
+    for (const Part& part : parts_) {
+      if (!part.solid.unconnectable.empty()) {
+        return Unconnected{part.slab, part.solid.unconnectable.front().regions};
+      }
+    }
+    return std::nullopt;
+  }
+
+  // Refines the contours of a class to Gabriel edges, after which overlapping regions have
+  // an own–own edge of D between them.
+  std::optional<Error> refine(const Unconnected& unconnected) {
+    const SectionId below(unconnected.slab.index());
+    const SectionId above(unconnected.slab.index() + 1);
+    const std::size_t lows = nestings_[below].outer.size();
+    bool news = false;
+    for (const SlabRegionId r : unconnected.regions) {
+      const bool upper = r.index() >= lows;
+      const SectionId s = upper ? above : below;
+      const RegionId region(upper ? r.index() - lows : r.index());
+      const Nesting& nesting = nestings_[s];
+      if (gabriel_[s].empty()) gabriel_[s].assign(nesting.region.size(), false);
+      for (std::size_t c = 0; c < nesting.region.size(); ++c) {
+        if (nesting.region[ContourId(c)] != region || gabriel_[s][ContourId(c)]) continue;
+        gabriel_[s][ContourId(c)] = true;
+        news = true;
+      }
+    }
+    if (!news) return cannot_connect(unconnected);
+    ++refinements_;
+    if (auto error = conform_section(below)) return error;
+    return conform_section(above);
+  }
+
+  [[nodiscard]] Error cannot_connect(const Unconnected& unconnected) const {
+    const SectionId below(unconnected.slab.index());
+    const std::size_t lows = nestings_[below].outer.size();
+    std::string names;
+    for (const SlabRegionId r : unconnected.regions) {
+      const bool upper = r.index() >= lows;
+      const SectionId s(below.index() + (upper ? 1 : 0));
+      const RegionId region(upper ? r.index() - lows : r.index());
+      if (!names.empty()) names += ", ";
+      names += "section " + std::to_string(s.index()) + " contour " +
+               std::to_string(nestings_[s].outer[region].index());
+    }
+    Place place;
+    place.slab = unconnected.slab.index();
+    return {ErrorCode::unrepresentable,
+            "regions to be united have no Delaunay edge between them: " + names, place};
+  }
+
+  // Prisms beyond the first and last section.
+  std::optional<Error> add_ends() {
+    const SectionId first(0);
+    const SectionId last(section_count() - 1);
+    const double z0 = sections_[first].z;
+    const double z1 = sections_[last].z;
+    double below = 0;
+    double above = 0;
+    if (section_count() == 1) {
+      below = above = 0.5 * single_thickness();
+    } else if (options_.ends == Ends::half) {
+      below = 0.5 * (sections_[SectionId(1)].z - z0);
+      above = 0.5 * (z1 - sections_[SectionId(section_count() - 2)].z);
+    } else {
+      return std::nullopt;
+    }
+    const SlabId last_slab(section_count() == 1 ? 0 : slab_count() - 1);
+    if (!(z0 - below < z0) || !(z1 + above > z1)) {
+      Place place;
+      place.section = z0 - below < z0 ? last.index() : 0;
+      return Error{ErrorCode::unrepresentable,
+                   "the end is too thin for a double beside the section's z", place};
+    }
+    parts_.insert(parts_.begin(),
+                  {SlabId(0), SectionId(), first, build_end(sections_[first], z0 - below)});
+    parts_.push_back({last_slab, last, SectionId(), build_end(sections_[last], z1 + above)});
+    return std::nullopt;
+  }
+
+  double single_thickness() {
+    if (options_.thickness) return *options_.thickness;
+    Point2 low{};
+    Point2 high{};
+    bool first = true;
+    for (const Contour& contour : stack_.sections[SectionId(0)].contours) {
+      for (const Point2& p : contour.vertices) {
+        low = first ? p : Point2{std::min(low.x, p.x), std::min(low.y, p.y)};
+        high = first ? p : Point2{std::max(high.x, p.x), std::max(high.y, p.y)};
+        first = false;
+      }
+    }
+    if (first) return 1;  // nothing to extrude
+    const double thickness = std::max(high.x - low.x, high.y - low.y) / 10;
+    Place place;
+    place.section = 0;
+    result_.warnings.push_back(
+        {"a single section has no thickness of its own: a tenth of its "
+         "larger side is taken; give one to be sure",
+         place});
+    return thickness;
+  }
+
+  void report(double seconds_total) {
+    ReconstructReport& report = result_.report;
+    report.slices = section_count();
+    report.contours = stack_.contour_count();
+    report.input_vertices = stack_.vertex_count();
+    report.vertices = result_.model.points.size();
+    report.tets = result_.model.tets.size();
+    report.components = result_.model.component_count;
+    report.volume = volume(result_.model);
+    for (const PointOrigin origin : result_.model.origin) {
+      report.split_vertices += origin == PointOrigin::contour_split ? 1 : 0;
+    }
+    for (const Part& part : parts_) {
+      for (std::size_t r = 0; r < kRules; ++r) report.rules[r] += part.solid.rules[r];
+      for (std::size_t s = 0; s < kSteps; ++s) report.seconds[s] += part.solid.seconds[s];
+      report.smallest_lift = std::min(report.smallest_lift, part.solid.smallest_lift);
+    }
+    report.rules[static_cast<std::size_t>(Rule::gabriel_refinement)] = refinements_;
+    for (std::size_t s = 1; s + 1 < section_count(); ++s) {
+      const auto& internal = sections_[SectionId(s)].internal;
+      report.rules[static_cast<std::size_t>(Rule::gluing)] +=
+          static_cast<std::uint64_t>(std::count(internal.begin(), internal.end(), std::uint8_t{1}));
+    }
+    report.seconds_total = seconds_total;
+  }
+
+  const SectionStack& stack_;
+  const ReconstructOptions& options_;
+  IdVector<SectionId, Nesting> nestings_;
+  IdVector<SectionId, ConformingSection> sections_;
+  IdVector<SectionId, IdVector<ContourId, bool>> gabriel_;  // empty: none
+  Correspondence correspondence_;
+  std::vector<Part> parts_;
+  std::uint64_t refinements_ = 0;
+  std::mutex progress_mutex_;
+  std::size_t done_ = 0;
+  Reconstruction result_;
+};
+
+}  // namespace
+
+Result<Reconstruction> reconstruct(const SectionStack& stack, const ReconstructOptions& options) {
+  return guard_internal([&]() -> Result<Reconstruction> {
+    if (Result<void> sound = fp_self_check(); !sound) return sound.error();
+    return Reconstructor(stack, options).run();
+  });
+}
+
+const char* name_of(Rule rule) {
+  switch (rule) {
+    case Rule::run_at_contour_edge: return "run_at_contour_edge";
+    case Rule::run_at_external_edge: return "run_at_external_edge";
+    case Rule::run_at_cross_edge: return "run_at_cross_edge";
+    case Rule::gap_at_cross_edge: return "gap_at_cross_edge";
+    case Rule::hole_in_link: return "hole_in_link";
+    case Rule::detached_sheet: return "detached_sheet";
+    case Rule::merge_sheets: return "merge_sheets";
+    case Rule::connect_parts: return "connect_parts";
+    case Rule::triangular_hole: return "triangular_hole";
+    case Rule::two_class_tet: return "two_class_tet";
+    case Rule::halved_lift: return "halved_lift";
+    case Rule::moved_cut: return "moved_cut";
+    case Rule::prism: return "prism";
+    case Rule::gluing: return "gluing";
+    case Rule::gabriel_refinement: return "gabriel_refinement";
+  }
+  return "unknown";
+}
+
+const char* name_of(Step step) {
+  switch (step) {
+    case Step::sections: return "sections";
+    case Step::delaunay: return "delaunay";
+    case Step::correspondence: return "correspondence";
+    case Step::complex: return "complex";
+    case Step::subdivision: return "subdivision";
+    case Step::contact: return "contact";
+    case Step::assembly: return "assembly";
+  }
+  return "unknown";
+}
+
+}  // namespace tetloft

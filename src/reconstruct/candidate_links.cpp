@@ -1,0 +1,96 @@
+// The two automatic criteria of correspondence.
+#include <algorithm>
+#include <array>
+
+#include "reconstruct/correspondence.hpp"
+
+namespace tetloft {
+
+namespace {
+
+struct Box {
+  Point2 low, high;
+  [[nodiscard]] bool meets(const Box& other) const {
+    return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y &&
+           other.low.y <= high.y;
+  }
+};
+
+Box box_of(const Contour& contour) {
+  Box box{contour.vertices.front(), contour.vertices.front()};
+  for (const Point2& p : contour.vertices) {
+    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
+    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
+  }
+  return box;
+}
+
+}  // namespace
+
+std::vector<Link> overlap_links(SlabId slab, const Section& below, const Nesting& nesting_below,
+                                const Section& above, const Nesting& nesting_above, double tau) {
+  struct Candidate {
+    Link link;
+    bool strong;
+  };
+  const std::size_t lows = nesting_below.outer.size();
+  const std::size_t highs = nesting_above.outer.size();
+  std::vector<Box> high_box(highs);
+  std::vector<RegionOutline> high_outline(highs);
+  for (std::size_t j = 0; j < highs; ++j) {
+    high_box[j] = box_of(above.contours[nesting_above.outer[RegionId(j)]]);
+    high_outline[j] = outline(above, nesting_above, RegionId(j));
+  }
+
+  std::vector<Candidate> candidates;
+  std::vector<std::uint32_t> strong_below(lows, 0);  // number of strong links of a region
+  std::vector<std::uint32_t> strong_above(highs, 0);
+  for (std::size_t i = 0; i < lows; ++i) {
+    const Box low_box = box_of(below.contours[nesting_below.outer[RegionId(i)]]);
+    const RegionOutline low_outline = outline(below, nesting_below, RegionId(i));
+    for (std::size_t j = 0; j < highs; ++j) {
+      if (!low_box.meets(high_box[j])) continue;
+      const bool strong =
+          compare_overlap(low_outline, high_outline[j], kStrongOverlap) != Sign::negative;
+      if (strong) {
+        ++strong_below[i];
+        ++strong_above[j];
+      }
+      if (compare_overlap(low_outline, high_outline[j], tau) != Sign::positive) continue;
+      candidates.push_back({{slab, RegionId(i), RegionId(j)}, strong});
+    }
+  }
+
+  std::vector<Link> links;
+  for (const Candidate& c : candidates) {
+    // The guard: a weak link between two regions that are well connected elsewhere is
+    // taken for a coincidence of neighbours.
+    if (!c.strong && strong_below[c.link.lower.index()] > 0 &&
+        strong_above[c.link.upper.index()] > 0) {
+      continue;
+    }
+    links.push_back(c.link);
+  }
+  return links;
+}
+
+std::vector<Link> reverse_links(SlabId id, const Slab& slab) {
+  std::vector<Link> links;
+  for (std::size_t k = 0; k < slab.mesh().tet_slots(); ++k) {
+    const TetId t(k);
+    if (slab.kind(t) != TetKind::ii && slab.kind(t) != TetKind::ie) continue;
+    for (int i = 0; i < 4; ++i) {
+      for (int j = 0; j < 4; ++j) {
+        const VertexId low = slab.mesh().vertex(t, i);
+        const VertexId high = slab.mesh().vertex(t, j);
+        if (slab.is_upper(low) || !slab.is_upper(high)) continue;
+        links.push_back({id, slab.lower().region[low], slab.upper().region[slab.in_section(high)]});
+      }
+    }
+  }
+  std::sort(links.begin(), links.end());
+  links.erase(std::unique(links.begin(), links.end()), links.end());
+  return links;
+}
+
+}  // namespace tetloft

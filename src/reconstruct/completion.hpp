@@ -1,0 +1,110 @@
+// Completion (CUT): adds external and redundant tets to the seed until every own vertex is
+// regular, and every class is connected.
+//
+// At each own vertex the *primary sheet* is the face-connected part of its kept star that
+// holds its internal triangles; only there the class is attached. Other sheets are detached:
+// truncation parts them from the vertex instead of bridging them. Rules, within the primary
+// sheet, to a fixpoint, lowest vertex first, edges before links:
+//   run   around an in-plane edge, or a cross edge on the hull: the attached tets form one
+//         run (at a contour edge it starts at the internal triangle by itself)
+//   gap   around an interior cross edge: at most one gap; the longest stays open (tie: the
+//         one with the larger smallest tet id)
+//   hole  the link of the sheet is a disc: complements that touch no hull facet are filled
+// The sheet's link is then connected, without pinch, with connected complement in the
+// sphere: a disc. Tets are only added, and keeping every tet with an own corner satisfies
+// all rules; so it ends. At an edge with two own ends the attached sets of both ends are
+// equal or disjoint.
+//
+// While a class is not connected through attached corners: *merge* a detached sheet with
+// its vertex's primary sheet by a shortest path of tets; where there is none, *connect*:
+// keep a tet at the shortest own–own edge of D between two parts.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/union_find.hpp"
+#include "reconstruct/complex.hpp"
+
+namespace tetloft {
+
+/// A class that D offers no edge to connect.
+struct Unconnectable {
+  ClassId id;
+  std::vector<SlabRegionId> regions;  ///< of the class
+};
+
+class Completion {
+ public:
+  Completion(const Slab& slab, const SlabClasses& classes,
+             const IdVector<ClassId, std::uint8_t>& active, Complex complex, RuleCounts& rules);
+
+  /// Completes all active classes; returns those left in several parts.
+  std::vector<Unconnectable> run();
+
+  [[nodiscard]] Complex& complex() { return complex_; }
+
+ private:
+  // A tet of the current vertex's star.
+  struct Spoke {
+    TetId tet;
+    int corner;                        // of the current vertex
+    std::array<std::int32_t, 4> next;  // spoke across face i; kHull; unused at `corner`
+  };
+  static constexpr std::int32_t kHull = -1;
+
+  struct Merge {
+    bool attached = false;  // the sheet reaches an attached corner of another part
+    std::size_t length = 0;
+    VertexId vertex;
+    TetId sheet;  // its lowest tet
+    std::vector<TetId> path;
+    [[nodiscard]] bool better_than(const Merge& other) const;
+  };
+
+  void enqueue(VertexId v);
+  void keep(TetId t, ClassId c);
+  void settle_queue();
+
+  void gather_star(VertexId p);
+  void find_primary_sheet();
+  bool fill_rings(VertexId p);
+  bool fill_holes(VertexId p);
+  void settle(VertexId p);
+  [[nodiscard]] bool in_primary(TetId t) const {
+    return primary_[static_cast<std::size_t>(spoke_of_[t])] != 0;
+  }
+  [[nodiscard]] bool spoke_kept(std::size_t k) const {
+    return complex_.keeps(spokes_[k].tet, spokes_[k].corner);
+  }
+
+  [[nodiscard]] UnionFind parts() const;
+  [[nodiscard]] bool connect_class(ClassId c, const UnionFind& parts);
+  [[nodiscard]] std::optional<Merge> best_merge(ClassId c, const UnionFind& parts);
+  void offer_merges(VertexId p, ClassId c, const UnionFind& parts, std::optional<Merge>& best);
+  [[nodiscard]] std::optional<TetId> connecting_tet(ClassId c, const UnionFind& parts) const;
+
+  const Slab& slab_;
+  const SlabClasses& classes_;
+  const IdVector<ClassId, std::uint8_t>& active_;
+  Complex complex_;
+  RuleCounts& rules_;
+
+  // Vertices to settle, lowest first; queued_[v] while v is among them.
+  std::vector<VertexId> heap_;
+  IdVector<VertexId, std::uint8_t> queued_;
+
+  // The star of the current vertex, and its spokes by tet (meaningful for its tets only).
+  std::vector<Spoke> spokes_;
+  IdVector<TetId, std::int32_t> spoke_of_;
+  std::vector<std::uint8_t> primary_;  // by spoke
+  std::vector<std::uint32_t> stack_;
+  std::vector<TetId> ring_;
+  std::vector<TetId> to_keep_;
+  // Epoch stamps of link vertices whose ring was looked at.
+  IdVector<VertexId, std::uint32_t> seen_;
+  std::uint32_t epoch_ = 0;
+};
+
+}  // namespace tetloft

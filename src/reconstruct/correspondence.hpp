@@ -1,0 +1,48 @@
+// Which regions form one component, decided for the whole stack before any complex is
+// built: the rule of include/tetloft/correspondence.hpp.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <tetloft/correspondence.hpp>
+#include <tetloft/result.hpp>
+#include <tetloft/sections.hpp>
+
+#include "reconstruct/slab.hpp"
+
+namespace tetloft {
+
+/// A link between a region below and a region above one slab.
+struct Link {
+  SlabId slab;
+  RegionId lower;
+  RegionId upper;
+  friend auto operator<=>(const Link&, const Link&) = default;
+};
+
+struct Correspondence {
+  /// Accepted links of each slab, sorted.
+  IdVector<SlabId, std::vector<Link>> links;
+  /// The component of each region: component[section][region], numbered in order of their
+  /// first contour by (section, contour).
+  IdVector<SectionId, IdVector<RegionId, ComponentId>> component;
+  ContourPartition partition;
+};
+
+/// The links of criterion `overlap` in one slab, sorted.
+[[nodiscard]] std::vector<Link> overlap_links(SlabId slab, const Section& below,
+                                              const Nesting& nesting_below, const Section& above,
+                                              const Nesting& nesting_above, double tau);
+
+/// The links of criterion `reverse` in one slab, sorted: Definition 2 of the paper.
+[[nodiscard]] std::vector<Link> reverse_links(SlabId id, const Slab& slab);
+
+/// Decides the correspondence from the candidates of each slab and the labels. Refused:
+/// invalid_input for labels that name no contour or disagree within a region;
+/// unrepresentable for labels that cannot be realised, naming contours.
+[[nodiscard]] Result<Correspondence> decide_correspondence(
+    const SectionStack& stack, const IdVector<SectionId, Nesting>& nestings,
+    const IdVector<SlabId, std::vector<Link>>& candidates, const std::vector<Label>& labels);
+
+}  // namespace tetloft

@@ -1,0 +1,198 @@
+#include "reconstruct/embedding.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+#include <tetloft/predicates.hpp>
+
+#include "contact/contact.hpp"
+#include "core/check.hpp"
+
+namespace tetloft {
+
+namespace {
+
+// Every round halves what is at fault; after this many nothing is left of a double.
+constexpr int kRounds = 200;
+// A cut nearer to its kept corner than this share of its first distance is useless.
+constexpr double kSmallestCut = 0x1p-30;
+
+void sort_unique(std::vector<std::size_t>& items) {
+  std::sort(items.begin(), items.end());
+  items.erase(std::unique(items.begin(), items.end()), items.end());
+}
+
+}  // namespace
+
+Embedding::Embedding(const Slab& slab, const SlabClasses& classes, const Subdivision& subdivision,
+                     Truncation& truncation, std::vector<LoneEnd>& lone, RuleCounts& rules)
+    : slab_(slab),
+      classes_(classes),
+      subdivision_(subdivision),
+      truncation_(truncation),
+      lone_(lone),
+      rules_(rules),
+      lifting_(slab, subdivision),
+      first_cut_(slab.vertex_count() + subdivision.lifted.size()),
+      first_cap_(first_cut_ + truncation.cuts.size()),
+      pieces_(truncation.pieces) {
+  add_prisms();
+  collect_boundary();
+}
+
+void Embedding::add_prisms() {
+  for (const bool upper : {false, true}) {
+    const ConformingSection& section = upper ? slab_.upper() : slab_.lower();
+    const std::size_t first_base = upper ? slab_.lower().vertex_count() : 0;
+    const auto triangles = triangles_by_region(section);
+    const auto vertices = vertices_by_region(section);
+    for (std::size_t k = 0; k < lone_.size(); ++k) {
+      const SlabRegionId region = lone_[k].region;
+      if (!lone_[k].is_prism() || classes_.is_upper(region) != upper) continue;
+      const RegionId r = classes_.in_section(region);
+      extrude(section, triangles[r], vertices[r], region, first_base, first_cap_ + caps_.size(),
+              !upper, pieces_);
+      for (const VertexId v : vertices[r]) caps_.push_back({VertexId(first_base + v.index()), k});
+    }
+  }
+}
+
+// The faces that one piece alone has, oriented outwards.
+void Embedding::collect_boundary() {
+  struct Face {
+    TriangleVertices sorted;
+    TriangleVertices oriented;
+  };
+  std::vector<Face> faces;
+  faces.reserve(4 * pieces_.size());
+  for (const Piece& piece : pieces_) {
+    for (const auto& f : kFaceVertex) {
+      Face face;
+      for (std::size_t i = 0; i < 3; ++i) {
+        face.oriented[i] = piece.node[static_cast<std::size_t>(f[i])];
+      }
+      face.sorted = face.oriented;
+      std::sort(face.sorted.begin(), face.sorted.end());
+      faces.push_back(face);
+    }
+  }
+  std::sort(faces.begin(), faces.end(),
+            [](const Face& a, const Face& b) { return a.sorted < b.sorted; });
+  for (std::size_t i = 0; i < faces.size();) {
+    std::size_t j = i + 1;
+    while (j < faces.size() && faces[j].sorted == faces[i].sorted) ++j;
+    TETLOFT_CHECK(j - i <= 2);
+    if (j - i == 1) boundary_.push_back(faces[i].oriented);
+    i = j;
+  }
+}
+
+PointOrigin Embedding::origin(std::size_t node) const {
+  if (node < first_cut_) return PointOrigin::lifted;
+  return node < first_cap_ ? PointOrigin::cut : PointOrigin::cap;
+}
+
+void Embedding::place() {
+  points_ = lifting_.points();
+  points_.reserve(first_cap_ + caps_.size());
+  for (const Cut& cut : truncation_.cuts) {
+    points_.push_back(
+        place_cut(cut, points_[cut.kept.index()], points_[cut.away.index()], slab_.gap()));
+  }
+  for (const Cap& cap : caps_) {
+    Point3 p = slab_.point(cap.of);
+    const double towards = slab_.is_upper(cap.of) ? slab_.lower().z : slab_.upper().z;
+    double height = 0.5;
+    for (int l = 0; l < lone_[cap.lone].level; ++l) height *= 0.5;
+    p.z += height * (towards - p.z);
+    points_.push_back(p);
+  }
+}
+
+void Embedding::blame_node(VertexId node, Blame& blame) const {
+  const std::size_t k = node.index();
+  if (k < slab_.vertex_count()) return;
+  if (k < first_cut_) {
+    blame.lifted.push_back(k - slab_.vertex_count());
+  } else if (k < first_cap_) {
+    blame.cuts.push_back(k - first_cut_);
+  } else {
+    blame.prisms.push_back(caps_[k - first_cap_].lone);
+  }
+}
+
+Embedding::Blame Embedding::find_fault() {
+  Blame blame;
+  for (const Piece& piece : pieces_) {
+    const auto& [a, b, c, d] = piece.node;
+    if (orient3d(points_[a.index()], points_[b.index()], points_[c.index()], points_[d.index()]) ==
+        Sign::positive) {
+      continue;
+    }
+    at_ = points_[a.index()];
+    for (const VertexId v : piece.node) blame_node(v, blame);
+  }
+  if (!blame.empty()) return blame;
+
+  const auto start = std::chrono::steady_clock::now();
+  const std::vector<Contact> contacts = find_contacts(points_, boundary_);
+  contact_seconds_ +=
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  for (const Contact& contact : contacts) {
+    at_ = points_[boundary_[contact.first][0].index()];
+    Blame pair;
+    for (const VertexId v : boundary_[contact.first]) blame_node(v, pair);
+    for (const VertexId v : boundary_[contact.second]) blame_node(v, pair);
+    // A prism gives way before anything else does.
+    if (pair.prisms.empty()) {
+      blame.lifted.insert(blame.lifted.end(), pair.lifted.begin(), pair.lifted.end());
+      blame.cuts.insert(blame.cuts.end(), pair.cuts.begin(), pair.cuts.end());
+      TETLOFT_CHECK(!pair.empty());
+    }
+    blame.prisms.insert(blame.prisms.end(), pair.prisms.begin(), pair.prisms.end());
+  }
+  return blame;
+}
+
+Embedding::Outcome Embedding::give_way(Blame blame) {
+  sort_unique(blame.lifted);
+  sort_unique(blame.cuts);
+  sort_unique(blame.prisms);
+  bool truncated = false;
+  for (const std::size_t k : blame.prisms) {
+    ++lone_[k].level;
+    truncated = truncated || !lone_[k].is_prism();
+  }
+  if (truncated) return Outcome::more_truncated;
+  for (const std::size_t k : blame.cuts) {
+    Cut& cut = truncation_.cuts[k];
+    count(rules_, Rule::moved_cut);
+    cut.scale *= 0.5;
+    if (cut.scale < kSmallestCut) return Outcome::failed;
+  }
+  for (const std::size_t k : blame.lifted) {
+    count(rules_, Rule::halved_lift);
+    if (!lifting_.halve(k)) {
+      at_ = lifting_.at();
+      return Outcome::failed;
+    }
+  }
+  return Outcome::embedded;
+}
+
+Embedding::Outcome Embedding::settle() {
+  for (int round = 0; round < kRounds; ++round) {
+    if (!lifting_.settle(rules_)) {
+      at_ = lifting_.at();
+      return Outcome::failed;
+    }
+    place();
+    Blame blame = find_fault();
+    if (blame.empty()) return Outcome::embedded;
+    const Outcome outcome = give_way(std::move(blame));
+    if (outcome != Outcome::embedded) return outcome;
+  }
+  return Outcome::failed;
+}
+
+}  // namespace tetloft

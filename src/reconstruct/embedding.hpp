@@ -1,0 +1,96 @@
+// Embedding: positions for the constructed nodes of a slab under which the solid is
+// embedded, proven exactly in output coordinates.
+//
+// Proof. All pieces are positive by the exact predicate, and the boundary surface of the
+// slab's solid has no contact with itself. The degree of the piecewise linear map from the
+// abstract complex to space is locally constant off the image of the boundary; an embedded
+// boundary and positive tets make it 0 or 1 everywhere: no two tets overlap.
+//
+// Where a test fails, the constructed nodes it involves come closer to where they came
+// from: cuts to their kept corner, lifted vertices to their plane, prisms get lower and
+// are replaced by truncated caps at last.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <tetloft/result.hpp>
+
+#include "reconstruct/lifting.hpp"
+#include "reconstruct/prism.hpp"
+
+namespace tetloft {
+
+/// A lone class and how it ends.
+struct LoneEnd {
+  ClassId id;
+  SlabRegionId region;
+  int level = 0;                        ///< prism of height gap / 2^(level + 1)
+  static constexpr int kTruncated = 3;  ///< from this level on: a truncated cap
+  [[nodiscard]] bool is_prism() const { return level < kTruncated; }
+};
+
+class Embedding {
+ public:
+  enum class Outcome {
+    embedded,
+    more_truncated,  ///< a lone class gave up its prism: complete it and start again
+    failed,          ///< at() is the place
+  };
+
+  /// Keeps references to its arguments; `lone` has its levels raised.
+  Embedding(const Slab& slab, const SlabClasses& classes, const Subdivision& subdivision,
+            Truncation& truncation, std::vector<LoneEnd>& lone, RuleCounts& rules);
+
+  [[nodiscard]] Outcome settle();
+
+  [[nodiscard]] const Point3& at() const { return at_; }
+  [[nodiscard]] double smallest_lift() const { return lifting_.smallest_fraction(); }
+
+  /// The result, once embedded: positions of all nodes, and all pieces.
+  [[nodiscard]] const std::vector<Point3>& points() const { return points_; }
+  [[nodiscard]] const std::vector<Piece>& pieces() const { return pieces_; }
+  [[nodiscard]] PointOrigin origin(std::size_t node) const;
+  /// Seconds spent in contact tests.
+  [[nodiscard]] double contact_seconds() const { return contact_seconds_; }
+
+ private:
+  // What a test found fault with.
+  struct Blame {
+    std::vector<std::size_t> lifted;
+    std::vector<std::size_t> cuts;
+    std::vector<std::size_t> prisms;  // by index into lone_
+    [[nodiscard]] bool empty() const { return lifted.empty() && cuts.empty() && prisms.empty(); }
+  };
+
+  void add_prisms();
+  void collect_boundary();
+  void place();
+  [[nodiscard]] Blame find_fault();
+  void blame_node(VertexId node, Blame& blame) const;
+  [[nodiscard]] Outcome give_way(Blame blame);
+
+  const Slab& slab_;
+  const SlabClasses& classes_;
+  const Subdivision& subdivision_;
+  Truncation& truncation_;
+  std::vector<LoneEnd>& lone_;
+  RuleCounts& rules_;
+  Lifting lifting_;
+
+  std::size_t first_cut_;
+  std::size_t first_cap_;
+  // Copies of region vertices on the far side of prisms.
+  struct Cap {
+    VertexId of;       // slab vertex
+    std::size_t lone;  // index into lone_
+  };
+  std::vector<Cap> caps_;
+  std::vector<Piece> pieces_;
+  std::vector<TriangleVertices> boundary_;
+  std::vector<Point3> points_;
+  Point3 at_;
+  double contact_seconds_ = 0;
+};
+
+}  // namespace tetloft

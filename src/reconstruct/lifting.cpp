@@ -1,0 +1,166 @@
+#include "reconstruct/lifting.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <tetloft/predicates.hpp>
+
+namespace tetloft {
+
+namespace {
+
+// Six times the signed volume, rounded: for comparing sizes only.
+double volume6(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
+  const double bx = b.x - a.x, by = b.y - a.y, bz = b.z - a.z;
+  const double cx = c.x - a.x, cy = c.y - a.y, cz = c.z - a.z;
+  const double dx = d.x - a.x, dy = d.y - a.y, dz = d.z - a.z;
+  return (by * cz - bz * cy) * dx + (bz * cx - bx * cz) * dy + (bx * cy - by * cx) * dz;
+}
+
+// A child flatter than this share of its unlifted self is lifted less …
+constexpr double kFlat = 0.1;
+// … unless its vertices are this low already: shape is a wish, positivity a must.
+constexpr double kLowEnough = 0x1p-8;
+
+}  // namespace
+
+Lifting::Lifting(const Slab& slab, const Subdivision& subdivision)
+    : slab_(slab), subdivision_(subdivision) {
+  const std::size_t n = slab.vertex_count();
+  const std::size_t lifted = subdivision.lifted.size();
+  points_.reserve(n + lifted);
+  for (std::size_t v = 0; v < n; ++v) points_.push_back(slab.point(VertexId(v)));
+  for (const LiftedVertex& vertex : subdivision.lifted) {
+    points_.push_back(vertex.base);
+    target_.push_back(vertex.target);
+  }
+  fraction_.assign(lifted, 0.5);
+  ceiling_.assign(lifted, 0.5);
+  vertical_.assign(lifted, 0);
+
+  first_child_.assign(lifted + 1, 0);
+  for (const Child& child : subdivision.children) {
+    for (const VertexId v : child.node) {
+      if (v.index() >= n) ++first_child_[v.index() - n + 1];
+    }
+  }
+  for (std::size_t k = 0; k < lifted; ++k) first_child_[k + 1] += first_child_[k];
+  child_.resize(first_child_.back());
+  std::vector<std::uint32_t> cursor(first_child_.begin(), first_child_.end() - 1);
+  unlifted_volume_.reserve(subdivision.children.size());
+  for (std::size_t c = 0; c < subdivision.children.size(); ++c) {
+    const auto& node = subdivision.children[c].node;
+    for (const VertexId v : node) {
+      if (v.index() >= n) child_[cursor[v.index() - n]++] = static_cast<std::uint32_t>(c);
+    }
+    unlifted_volume_.push_back(
+        std::abs(volume6(points_[node[0].index()], points_[node[1].index()],
+                         points_[node[2].index()], points_[node[3].index()])));
+  }
+  for (std::size_t k = 0; k < lifted; ++k) place(k);
+}
+
+void Lifting::place(std::size_t k) {
+  const Point3& base = subdivision_.lifted[k].base;
+  const Point3& target = target_[k];
+  const double f = fraction_[k];
+  points_[slab_.vertex_count() + k] = {base.x + f * (target.x - base.x),
+                                       base.y + f * (target.y - base.y),
+                                       base.z + f * (target.z - base.z)};
+}
+
+bool Lifting::good(std::size_t child) const {
+  const auto& node = subdivision_.children[child].node;
+  const Point3& a = points_[node[0].index()];
+  const Point3& b = points_[node[1].index()];
+  const Point3& c = points_[node[2].index()];
+  const Point3& d = points_[node[3].index()];
+  if (orient3d(a, b, c, d) != Sign::positive) return false;
+  if (volume6(a, b, c, d) >= kFlat * unlifted_volume_[child]) return true;
+  return std::all_of(node.begin(), node.end(), [&](VertexId v) {
+    return v.index() < slab_.vertex_count() ||
+           fraction_[v.index() - slab_.vertex_count()] <= kLowEnough;
+  });
+}
+
+bool Lifting::halve(std::size_t k) {
+  ceiling_[k] = 0.5 * fraction_[k];
+  return lower(k);
+}
+
+bool Lifting::lower(std::size_t k) {
+  fraction_[k] *= 0.5;
+  if (fraction_[k] < kSmallestLift) {
+    at_ = points_[slab_.vertex_count() + k];
+    if (vertical_[k] != 0) return false;
+    // Another direction: straight towards the opposite plane.
+    vertical_[k] = 1;
+    const Point3& base = subdivision_.lifted[k].base;
+    target_[k] = {base.x, base.y, target_[k].z};
+    fraction_[k] = ceiling_[k] = 0.5;
+  }
+  place(k);
+  return true;
+}
+
+bool Lifting::settle(RuleCounts& rules) {
+  const std::size_t n = slab_.vertex_count();
+  std::vector<std::uint8_t> marked(subdivision_.lifted.size(), 0);
+  std::vector<std::uint32_t> todo(subdivision_.children.size());
+  for (std::size_t c = 0; c < todo.size(); ++c) todo[c] = static_cast<std::uint32_t>(c);
+
+  // Rounds: all vertices of bad children are halved together, then the children they touch
+  // are looked at again.
+  while (!todo.empty()) {
+    std::vector<std::size_t> halved;
+    for (const std::uint32_t c : todo) {
+      if (good(c)) continue;
+      for (const VertexId v : subdivision_.children[c].node) {
+        if (v.index() < n) continue;  // nothing to move: a tet of D is positive
+        if (marked[v.index() - n] != 0) continue;
+        marked[v.index() - n] = 1;
+        halved.push_back(v.index() - n);
+      }
+    }
+    std::sort(halved.begin(), halved.end());
+    todo.clear();
+    for (const std::size_t k : halved) {
+      count(rules, Rule::halved_lift);
+      marked[k] = 0;
+      if (!lower(k)) return false;
+      todo.insert(todo.end(), child_.begin() + first_child_[k],
+                  child_.begin() + first_child_[k + 1]);
+    }
+    std::sort(todo.begin(), todo.end());
+    todo.erase(std::unique(todo.begin(), todo.end()), todo.end());
+  }
+  raise();
+  return true;
+}
+
+// Halving together overshoots: raise one at a time, lowest first, while all of its children
+// stay good.
+void Lifting::raise() {
+  for (std::size_t k = 0; k < fraction_.size(); ++k) {
+    while (fraction_[k] < ceiling_[k]) {
+      const double before = fraction_[k];
+      fraction_[k] = std::min(ceiling_[k], 2 * before);
+      place(k);
+      const bool fits =
+          std::all_of(child_.begin() + first_child_[k], child_.begin() + first_child_[k + 1],
+                      [&](std::uint32_t c) { return good(c); });
+      if (fits) continue;
+      fraction_[k] = before;
+      place(k);
+      break;
+    }
+  }
+}
+
+double Lifting::smallest_fraction() const {
+  double smallest = 1;
+  for (const double f : fraction_) smallest = std::min(smallest, f);
+  return smallest;
+}
+
+}  // namespace tetloft

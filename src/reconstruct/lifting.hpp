@@ -1,0 +1,62 @@
+// Lifting: how far each new vertex leaves its section plane.
+//
+// A vertex moves from its base towards its target by a fraction, 1/2 at first. Fractions
+// are halved at every child tet that is not positive, or flatter than a tenth of what it
+// was unlifted, until none is left; then raised again one vertex at a time where there is
+// room. Every placement is rounded once, and its tets are tested exactly as stored. That
+// pieces of the solid do not touch each other is tested afterwards (embedding.hpp); no
+// isotopy is needed for the proof.
+#pragma once
+
+#include <vector>
+
+#include <tetloft/point.hpp>
+#include <tetloft/result.hpp>
+
+#include "reconstruct/subdivision.hpp"
+
+namespace tetloft {
+
+/// A lifted vertex rises at least this fraction of the gap, or the slab is refused: below
+/// it a model would be valid and useless.
+inline constexpr double kSmallestLift = 0x1p-20;
+
+class Lifting {
+ public:
+  /// Keeps references to its arguments.
+  Lifting(const Slab& slab, const Subdivision& subdivision);
+
+  /// Finds fractions under which all children are positive. Returns false if some vertex
+  /// would fall below kSmallestLift; at() then is the place.
+  [[nodiscard]] bool settle(RuleCounts& rules);
+
+  /// Halves the fraction of lifted vertex k (for contacts found later); settle() again
+  /// afterwards. Returns false below kSmallestLift.
+  [[nodiscard]] bool halve(std::size_t k);
+
+  /// Positions of all nodes: slab vertices, then lifted vertices.
+  [[nodiscard]] const std::vector<Point3>& points() const { return points_; }
+  [[nodiscard]] double smallest_fraction() const;
+  [[nodiscard]] const Point3& at() const { return at_; }
+
+ private:
+  void place(std::size_t k);
+  [[nodiscard]] bool lower(std::size_t k);
+  [[nodiscard]] bool good(std::size_t child) const;
+  void raise();
+
+  const Slab& slab_;
+  const Subdivision& subdivision_;
+  std::vector<double> fraction_;  // by lifted vertex
+  std::vector<double> ceiling_;   // what raise() may go up to
+  std::vector<Point3> target_;    // by lifted vertex; vertical after a failed try
+  std::vector<std::uint8_t> vertical_;
+  std::vector<Point3> points_;
+  std::vector<double> unlifted_volume_;  // by child
+  // child_[first_child_[k] … first_child_[k + 1]]: the children at lifted vertex k.
+  std::vector<std::uint32_t> first_child_;
+  std::vector<std::uint32_t> child_;
+  Point3 at_;
+};
+
+}  // namespace tetloft

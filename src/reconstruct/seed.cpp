@@ -1,0 +1,61 @@
+#include <bit>
+
+#include "reconstruct/complex.hpp"
+
+namespace tetloft {
+
+namespace {
+
+// Marks the class of corner i as keeping t.
+void keep_for_corner(const Slab& slab, const SlabClasses& classes,
+                     const IdVector<ClassId, std::uint8_t>& active, TetId t, int corner,
+                     std::uint8_t& mask) {
+  const ClassId c = classes.of(slab.mesh().vertex(t, corner));
+  if (active[c] != 0) mask = static_cast<std::uint8_t>(mask | own_corners(slab, classes, t, c));
+}
+
+}  // namespace
+
+Complex seed(const Slab& slab, const SlabClasses& classes,
+             const IdVector<ClassId, std::uint8_t>& active, RuleCounts& rules) {
+  const std::size_t n = slab.mesh().tet_slots();
+  Complex complex;
+  complex.kept.assign(n, 0);
+  complex.attached.assign(n, 0);
+  for (std::size_t k = 0; k < n; ++k) {
+    const TetId t(k);
+    const TetKind kind = slab.kind(t);
+    std::uint8_t mask = 0;
+    if (kind == TetKind::t1_internal) {
+      // The triangle's corners are the three in one plane.
+      const bool triangle_above = std::popcount(slab.upper_corners(t)) == 3;
+      int corner = 0;
+      while ((((slab.upper_corners(t) >> corner) & 1U) != 0) != triangle_above) ++corner;
+      keep_for_corner(slab, classes, active, t, corner, mask);
+    } else if (kind == TetKind::ii || kind == TetKind::ie || kind == TetKind::ic) {
+      for (int i = 0; i < 4; ++i) {
+        for (int j = i + 1; j < 4; ++j) {
+          if (!slab.same_plane(t, i, j)) continue;
+          const EdgeKind edge = slab.edge_kind(slab.mesh().vertex(t, i), slab.mesh().vertex(t, j));
+          if (edge == EdgeKind::internal) keep_for_corner(slab, classes, active, t, i, mask);
+        }
+      }
+    }
+    complex.kept[t] = mask;
+    if (kind == TetKind::ii && mask != 0) {
+      ClassId first;
+      for (int i = 0; i < 4; ++i) {
+        if (((mask >> i) & 1U) == 0) continue;
+        const ClassId c = classes.of(slab.mesh().vertex(t, i));
+        if (!first.valid()) first = c;
+        if (c != first) {
+          count(rules, Rule::two_class_tet);
+          break;
+        }
+      }
+    }
+  }
+  return complex;
+}
+
+}  // namespace tetloft

@@ -1,0 +1,138 @@
+#include "reconstruct/slab_solid.hpp"
+
+#include <chrono>
+#include <utility>
+
+#include "core/check.hpp"
+#include "reconstruct/embedding.hpp"
+
+namespace tetloft {
+
+namespace {
+
+// Adds the time since the last call to a step.
+class StepClock {
+ public:
+  explicit StepClock(std::array<double, kSteps>& seconds) : seconds_(seconds) {}
+  void end(Step step) {
+    const auto now = Clock::now();
+    seconds_[static_cast<std::size_t>(step)] += std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  std::array<double, kSteps>& seconds_;
+  Clock::time_point last_ = Clock::now();
+};
+
+Error no_room(SlabId id, const Point3& at, const char* what) {
+  Place place;
+  place.slab = id.index();
+  place.point = at;
+  return {ErrorCode::unrepresentable, what, place};
+}
+
+// Extrudes every region of one section; its vertices are nodes from 0.
+void extrude_all(const ConformingSection& section, double z, SlabSolid& solid) {
+  const auto triangles = triangles_by_region(section);
+  const auto vertices = vertices_by_region(section);
+  solid.section_vertices = section.vertex_count();
+  for (std::size_t k = 0; k < triangles.size(); ++k) {
+    const RegionId r(k);
+    extrude(section, triangles[r], vertices[r], SlabRegionId(k), 0,
+            solid.section_vertices + solid.constructed.size(), z > section.z, solid.pieces);
+    for (const VertexId v : vertices[r]) {
+      const Point2& p = section.point(v);
+      solid.constructed.push_back({p.x, p.y, z});
+      solid.origin.push_back(PointOrigin::cap);
+    }
+    count(solid.rules, Rule::prism);
+  }
+}
+
+Result<SlabSolid> build_between(SlabId id, const ConformingSection& lower,
+                                const ConformingSection& upper, const std::vector<Link>& links) {
+  SlabSolid solid;
+  StepClock clock(solid.seconds);
+  Result<TetMesh> d = slab_delaunay(lower, upper);
+  if (!d) return d.error();
+  const Slab slab(lower, upper, std::move(d.value()));
+  clock.end(Step::delaunay);
+
+  const SlabClasses classes(lower, upper, links);
+  IdVector<ClassId, std::uint8_t> active(classes.class_count(), 1);
+  std::vector<LoneEnd> lone;
+  for (std::size_t k = 0; k < classes.class_count(); ++k) {
+    const ClassId c(k);
+    if (classes.is_lone(c)) lone.push_back({c, classes.regions(c).front(), 0});
+  }
+
+  // Each round completes one more lone class at least that has no room for a prism.
+  for (;;) {
+    for (const LoneEnd& end : lone) active[end.id] = end.is_prism() ? 0 : 1;
+    RuleCounts rules{};
+    Completion completion(slab, classes, active, seed(slab, classes, active, rules), rules);
+    solid.unconnectable = completion.run();
+    clock.end(Step::complex);
+    if (!solid.unconnectable.empty()) return solid;
+
+    const Complex& complex = completion.complex();
+    for (std::size_t k = 0; k < complex.kept.size(); ++k) {
+      // Kept at an own corner and not attached there.
+      if ((complex.kept[TetId(k)] & ~complex.attached[TetId(k)]) != 0) {
+        count(rules, Rule::detached_sheet);
+      }
+    }
+    const Subdivision subdivision = subdivide(slab, complex, rules);
+    Truncation truncation = truncate(slab, classes, complex, subdivision);
+    Embedding embedding(slab, classes, subdivision, truncation, lone, rules);
+    const Embedding::Outcome outcome = embedding.settle();
+    clock.end(Step::subdivision);
+    solid.seconds[static_cast<std::size_t>(Step::subdivision)] -= embedding.contact_seconds();
+    solid.seconds[static_cast<std::size_t>(Step::contact)] += embedding.contact_seconds();
+    if (outcome == Embedding::Outcome::more_truncated) continue;
+    if (outcome == Embedding::Outcome::failed) {
+      return no_room(id, embedding.at(),
+                     "doubles leave no room for a valid model here: features are too close for "
+                     "the coordinates' precision");
+    }
+
+    solid.section_vertices = slab.vertex_count();
+    solid.constructed.assign(
+        embedding.points().begin() + static_cast<std::ptrdiff_t>(slab.vertex_count()),
+        embedding.points().end());
+    for (std::size_t k = slab.vertex_count(); k < embedding.points().size(); ++k) {
+      solid.origin.push_back(embedding.origin(k));
+    }
+    solid.pieces = embedding.pieces();
+    solid.smallest_lift = embedding.smallest_lift();
+    for (const LoneEnd& end : lone) count(rules, Rule::prism, end.is_prism() ? 1 : 0);
+    solid.rules = rules;
+    return solid;
+  }
+}
+
+}  // namespace
+
+SlabSolid build_end(const ConformingSection& section, double z) {
+  SlabSolid solid;
+  extrude_all(section, z, solid);
+  return solid;
+}
+
+Result<SlabSolid> build_slab_solid(SlabId id, const ConformingSection& lower,
+                                   const ConformingSection& upper, const std::vector<Link>& links) {
+  const bool has_lower = lower.vertex_count() > 0;
+  const bool has_upper = upper.vertex_count() > 0;
+  const double middle = lower.z + 0.5 * (upper.z - lower.z);
+  if (!(lower.z < middle && middle < upper.z)) {
+    return no_room(id, {0, 0, lower.z}, "no double lies between the two section planes");
+  }
+  if (has_lower && has_upper) return build_between(id, lower, upper, links);
+  if (has_lower) return build_end(lower, middle);
+  if (has_upper) return build_end(upper, middle);
+  return SlabSolid{};
+}
+
+}  // namespace tetloft
