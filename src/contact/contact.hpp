@@ -5,6 +5,8 @@
 #pragma once
 
 #include <array>
+#include <compare>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -16,9 +18,10 @@ namespace tetloft {
 
 /// True iff the closed triangles a and b, vertices by id into `points`, have a common
 /// point outside the simplex spanned by their shared vertices. Distinct ids with equal
-/// coordinates are distinct vertices (and thus a contact). Requires non-degenerate
-/// triangles (checked exactly: a degenerate one is reported as a contact with whatever
-/// its closed segment or point meets).
+/// coordinates are distinct vertices (and thus a contact). Three shared vertices, the same
+/// triangle twice, are a contact. A degenerate triangle (collinear, checked exactly) is in
+/// contact with whatever its closed segment or point meets, sharing vertices or not.
+/// (1) Symmetric in a and b. (2) Independent of the order of vertices in a triangle.
 [[nodiscard]] bool triangles_touch(std::span<const Point3> points, const TriangleVertices& a,
                                    const TriangleVertices& b);
 
@@ -30,9 +33,12 @@ struct Contact {
 };
 
 /// All contacts of a soup, sorted, at most `limit` (the lowest). Near-linear for
-/// triangles of similar size: a bounding-volume tree over the triangles' boxes.
+/// triangles of similar size: a bounding-volume tree over the triangles' boxes. Where
+/// `active` is not empty, only pairs with active[first] or active[second] nonzero count:
+/// after a change, flag the changed triangles.
 [[nodiscard]] std::vector<Contact> find_contacts(std::span<const Point3> points,
                                                  std::span<const TriangleVertices> triangles,
-                                                 std::size_t limit = static_cast<std::size_t>(-1));
+                                                 std::size_t limit = static_cast<std::size_t>(-1),
+                                                 std::span<const std::uint8_t> active = {});
 
 }  // namespace tetloft

@@ -1,0 +1,117 @@
+#include "contact/box_tree.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tetloft::contact_detail {
+
+namespace {
+
+/// Measured: leaves of 4 to 8 are equally fast, smaller and larger ones slower.
+constexpr std::uint32_t kLeafSize = 6;
+
+Box box_of(const Point3& a, const Point3& b, const Point3& c) {
+  return {{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::min({a.z, b.z, c.z})},
+          {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z})}};
+}
+
+}  // namespace
+
+void Box::extend(const Box& b) {
+  low = {std::min(low.x, b.low.x), std::min(low.y, b.low.y), std::min(low.z, b.low.z)};
+  high = {std::max(high.x, b.high.x), std::max(high.y, b.high.y), std::max(high.z, b.high.z)};
+}
+
+BoxTree::BoxTree(std::span<const Point3> points, std::span<const TriangleVertices> triangles,
+                 std::span<const std::uint8_t> active) {
+  const std::size_t n = triangles.size();
+  if (n == 0) return;
+  std::vector<Item> unordered(n);
+  Box all;
+  for (std::size_t i = 0; i < n; ++i) {
+    const TriangleVertices& t = triangles[i];
+    const Box box = box_of(points[t[0].index()], points[t[1].index()], points[t[2].index()]);
+    unordered[i] = {box, static_cast<std::uint32_t>(i), active.empty() || active[i] != 0};
+    if (i == 0) all = box;
+    all.extend(box);
+  }
+
+  // Centres in units of the whole extent, lest they leave the range of float. Halved before
+  // subtracting, lest the extent overflow.
+  const double extent =
+      std::max({all.high.x / 2 - all.low.x / 2, all.high.y / 2 - all.low.y / 2,
+                all.high.z / 2 - all.low.z / 2, std::numeric_limits<double>::min()});
+  const auto centre = [extent](double low, double high, double origin) {
+    return static_cast<float>(((low / 2 - origin / 2) + (high / 2 - origin / 2)) / extent);
+  };
+  std::vector<Centre> centres(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const Box& b = unordered[i].box;
+    centres[i] = {{centre(b.low.x, b.high.x, all.low.x), centre(b.low.y, b.high.y, all.low.y),
+                   centre(b.low.z, b.high.z, all.low.z)},
+                  static_cast<std::uint32_t>(i)};
+  }
+  build(centres);
+  items_.reserve(n);
+  for (const Centre& c : centres) items_.push_back(unordered[c.triangle]);
+  fit_boxes();
+}
+
+void BoxTree::build(std::vector<Centre>& centres) {
+  nodes_.reserve(2 * (centres.size() / (kLeafSize / 2) + 1));
+  nodes_.emplace_back();
+  nodes_[0].end = static_cast<std::uint32_t>(centres.size());
+  // Children are appended, so this visits every node.
+  for (std::size_t k = 0; k < nodes_.size(); ++k) {
+    const std::uint32_t begin = nodes_[k].begin;
+    const std::uint32_t end = nodes_[k].end;
+    if (end - begin <= kLeafSize) continue;
+    std::array<float, 3> low{centres[begin].at[0], centres[begin].at[1], centres[begin].at[2]};
+    std::array<float, 3> high = low;
+    for (std::uint32_t i = begin; i < end; ++i) {
+      for (std::size_t d = 0; d < 3; ++d) {
+        low[d] = std::min(low[d], centres[i].at[d]);
+        high[d] = std::max(high[d], centres[i].at[d]);
+      }
+    }
+    std::size_t axis = 0;
+    for (std::size_t d = 1; d < 3; ++d) {
+      if (high[d] - low[d] > high[axis] - low[axis]) axis = d;
+    }
+    // A total order: which triangles come before the median is then determined, and with
+    // it the set of every node.
+    const std::uint32_t middle = begin + (end - begin) / 2;
+    std::nth_element(centres.begin() + begin, centres.begin() + middle, centres.begin() + end,
+                     [axis](const Centre& a, const Centre& b) {
+                       return a.at[axis] != b.at[axis] ? a.at[axis] < b.at[axis]
+                                                       : a.triangle < b.triangle;
+                     });
+    const auto left = static_cast<std::uint32_t>(nodes_.size());
+    nodes_[k].left = left;
+    nodes_.emplace_back();
+    nodes_.emplace_back();
+    nodes_[left].begin = begin;
+    nodes_[left].end = nodes_[left + 1].begin = middle;
+    nodes_[left + 1].end = end;
+  }
+}
+
+void BoxTree::fit_boxes() {
+  for (std::size_t k = nodes_.size(); k-- > 0;) {
+    Node& node = nodes_[k];
+    if (node.left != 0) {
+      node.box = nodes_[node.left].box;
+      node.box.extend(nodes_[node.left + 1].box);
+      node.active = nodes_[node.left].active || nodes_[node.left + 1].active;
+      continue;
+    }
+    node.box = items_[node.begin].box;
+    for (std::uint32_t i = node.begin; i < node.end; ++i) {
+      node.box.extend(items_[i].box);
+      node.active = node.active || items_[i].active;
+    }
+  }
+}
+
+}  // namespace tetloft::contact_detail

@@ -1,0 +1,130 @@
+// A balanced tree of axis-parallel boxes over the triangles of a soup, in flat arrays.
+//
+// Each node halves its triangles at the median of their box centres along the longest
+// extent of these. Everything but exact box comparisons is a matter of speed, not of truth.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include <tetloft/point.hpp>
+#include <tetloft/tet_mesh.hpp>
+
+namespace tetloft::contact_detail {
+
+struct Box {
+  Point3 low;
+  Point3 high;
+  [[nodiscard]] bool meets(const Box& b) const {
+    return low.x <= b.high.x && b.low.x <= high.x && low.y <= b.high.y && b.low.y <= high.y &&
+           low.z <= b.high.z && b.low.z <= high.z;
+  }
+  void extend(const Box& b);
+};
+
+class BoxTree {
+ public:
+  /// An empty `active` makes all triangles active.
+  BoxTree(std::span<const Point3> points, std::span<const TriangleVertices> triangles,
+          std::span<const std::uint8_t> active);
+
+  /// Calls visit(i, j) once for each unordered pair of triangles, i != j, whose closed boxes
+  /// meet and of which one is active. The order depends on the input alone.
+  template <class Visit>
+  void for_each_pair(Visit&& visit) const;
+
+ private:
+  /// A node of one triangle or more: leaf iff `left` is 0; else its children are left and
+  /// left + 1. Triangles order_[begin … end − 1].
+  struct Node {
+    Box box;
+    std::uint32_t begin = 0;
+    std::uint32_t end = 0;
+    std::uint32_t left = 0;
+    bool active = false;
+  };
+  struct Centre {
+    float at[3];
+    std::uint32_t triangle;
+  };
+  struct Item {
+    Box box;
+    std::uint32_t triangle;
+    bool active;
+  };
+
+  void build(std::vector<Centre>& centres);
+  void fit_boxes();
+
+  template <class Visit>
+  void visit_leaf(const Node& a, Visit& visit) const;
+  template <class Visit>
+  void visit_leaves(const Node& a, const Node& b, Visit& visit) const;
+
+  std::vector<Node> nodes_;  // root first, children after their parent
+  std::vector<Item> items_;  // the triangles in the order of the leaves
+};
+
+template <class Visit>
+void BoxTree::visit_leaf(const Node& a, Visit& visit) const {
+  for (std::uint32_t i = a.begin; i < a.end; ++i) {
+    for (std::uint32_t j = i + 1; j < a.end; ++j) {
+      const Item& p = items_[i];
+      const Item& q = items_[j];
+      if ((p.active || q.active) && p.box.meets(q.box)) visit(p.triangle, q.triangle);
+    }
+  }
+}
+
+template <class Visit>
+void BoxTree::visit_leaves(const Node& a, const Node& b, Visit& visit) const {
+  for (std::uint32_t i = a.begin; i < a.end; ++i) {
+    const Item& p = items_[i];
+    if (!(p.active || b.active) || !p.box.meets(b.box)) continue;
+    for (std::uint32_t j = b.begin; j < b.end; ++j) {
+      const Item& q = items_[j];
+      if ((p.active || q.active) && p.box.meets(q.box)) visit(p.triangle, q.triangle);
+    }
+  }
+}
+
+template <class Visit>
+void BoxTree::for_each_pair(Visit&& visit) const {
+  if (nodes_.empty()) return;
+  struct Pair {
+    std::uint32_t a, b;
+  };
+  std::vector<Pair> stack{{0, 0}};
+  while (!stack.empty()) {
+    const Pair pair = stack.back();
+    stack.pop_back();
+    const Node& a = nodes_[pair.a];
+    const Node& b = nodes_[pair.b];
+    if (!a.active && !b.active) continue;
+    if (pair.a == pair.b) {
+      if (a.left == 0) {
+        visit_leaf(a, visit);
+        continue;
+      }
+      stack.push_back({a.left, a.left + 1});
+      stack.push_back({a.left + 1, a.left + 1});
+      stack.push_back({a.left, a.left});
+      continue;
+    }
+    if (!a.box.meets(b.box)) continue;
+    if (a.left == 0 && b.left == 0) {
+      visit_leaves(a, b, visit);
+    } else if (b.left == 0 || (a.left != 0 && a.end - a.begin >= b.end - b.begin)) {
+      stack.push_back({a.left, pair.b});
+      stack.push_back({a.left + 1, pair.b});
+    } else {
+      stack.push_back({pair.a, b.left});
+      stack.push_back({pair.a, b.left + 1});
+    }
+  }
+}
+
+}  // namespace tetloft::contact_detail

@@ -1,0 +1,35 @@
+// One triangle against another, in space.
+//
+// What is asked of a triangle alone is computed once and kept in its Facing: a coordinate
+// plane onto which it projects without degenerating, and whether its own plane is parallel
+// to that one. Then the side of a point is a comparison and no determinant; the caps of a
+// solid between planar sections are like that.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include <tetloft/point.hpp>
+#include <tetloft/tet_mesh.hpp>
+
+namespace tetloft::contact_detail {
+
+using Triangle3 = std::array<Point3, 3>;
+
+/// The coordinate along which a projection looks; none for a degenerate triangle.
+enum class Axis : std::uint8_t { x, y, z, none };
+
+struct Facing {
+  Axis axis = Axis::none;
+  bool positive = false;  ///< the projection along axis turns counter-clockwise
+  bool parallel = false;  ///< the coordinate `axis` is the same at all three vertices
+};
+
+[[nodiscard]] Facing facing_of(const Triangle3& t);
+
+/// The contract of triangles_touch(); f and g are the facings of a and b.
+[[nodiscard]] bool touch(std::span<const Point3> points, const TriangleVertices& a, const Facing& f,
+                         const TriangleVertices& b, const Facing& g);
+
+}  // namespace tetloft::contact_detail
