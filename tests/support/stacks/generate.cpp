@@ -1,0 +1,116 @@
+#include "support/stacks/generate.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "core/check.hpp"
+#include "support/stacks/kinds.hpp"
+#include "support/stacks/shapes.hpp"
+
+namespace tetloft::testing {
+namespace {
+
+SectionStack draft_for_labels(Prng& prng) {
+  switch (number(prng, 0, 4)) {
+    case 0: return draft_branching_one_to_many(prng);
+    case 1: return draft_crossing_bars(prng);
+    case 2: return draft_isolated_contours(prng);
+    case 3: return draft_checkerboard(prng);
+    default: return draft_branching_many_to_many(prng);
+  }
+}
+
+struct Kind {
+  StackKind kind;
+  const char* name;
+  SectionStack (*draft)(Prng&);
+  bool near_coincident = false;
+};
+
+// In the order of the enumeration.
+constexpr std::array kKinds{
+    Kind{StackKind::lattice_marching_squares, "lattice_marching_squares",
+         draft_lattice_marching_squares},
+    Kind{StackKind::lattice_staircase, "lattice_staircase", draft_lattice_staircase},
+    Kind{StackKind::small_grid, "small_grid", draft_small_grid},
+    Kind{StackKind::checkerboard, "checkerboard", draft_checkerboard},
+    Kind{StackKind::identical_sections, "identical_sections", draft_identical_sections},
+    Kind{StackKind::nesting, "nesting", draft_nesting},
+    Kind{StackKind::branching_one_to_many, "branching_one_to_many", draft_branching_one_to_many},
+    Kind{StackKind::branching_many_to_many, "branching_many_to_many", draft_branching_many_to_many},
+    Kind{StackKind::holes, "holes", draft_holes},
+    Kind{StackKind::triangular_holes, "triangular_holes", draft_triangular_holes},
+    Kind{StackKind::isolated_contours, "isolated_contours", draft_isolated_contours},
+    Kind{StackKind::empty_sections, "empty_sections", draft_empty_sections},
+    Kind{StackKind::far_apart, "far_apart", draft_far_apart},
+    Kind{StackKind::extreme_gaps, "extreme_gaps", draft_extreme_gaps},
+    Kind{StackKind::scale_offset, "scale_offset", draft_scale_offset},
+    Kind{StackKind::near_coincident, "near_coincident", draft_near_coincident, true},
+    Kind{StackKind::near_touching, "near_touching", draft_near_touching, true},
+    Kind{StackKind::stars_combs, "stars_combs", draft_stars_combs},
+    Kind{StackKind::slivers, "slivers", draft_slivers},
+    Kind{StackKind::u_over_blobs, "u_over_blobs", draft_u_over_blobs},
+    Kind{StackKind::crossing_bars, "crossing_bars", draft_crossing_bars},
+    Kind{StackKind::oblique, "oblique", draft_oblique},
+    Kind{StackKind::random_labels, "random_labels", draft_for_labels},
+};
+
+constexpr auto kAllKinds = [] {
+  std::array<StackKind, kKinds.size()> kinds{};
+  for (std::size_t i = 0; i < kinds.size(); ++i) kinds[i] = kKinds[i].kind;
+  return kinds;
+}();
+
+const Kind& entry(StackKind kind) { return kKinds[static_cast<std::size_t>(kind)]; }
+
+// Nothing may depend on the direction of a contour, its first vertex or its number.
+void scramble(Prng& prng, SectionStack& stack) {
+  for (Section& section : stack.sections) {
+    for (Contour& contour : section.contours) {
+      auto& vertices = contour.vertices;
+      if (vertices.empty()) continue;
+      if (prng.chance(0.5)) std::reverse(vertices.begin(), vertices.end());
+      const auto first = static_cast<std::ptrdiff_t>(prng.below(vertices.size()));
+      std::rotate(vertices.begin(), vertices.begin() + first, vertices.end());
+    }
+    prng.shuffle(section.contours.raw());
+  }
+}
+
+}  // namespace
+
+std::span<const StackKind> all_kinds() { return kAllKinds; }
+
+const char* name_of(StackKind kind) { return entry(kind).name; }
+
+std::optional<StackKind> kind_named(std::string_view name) {
+  for (const Kind& kind : kKinds) {
+    if (name == kind.name) return kind.kind;
+  }
+  return std::nullopt;
+}
+
+bool is_near_coincident(StackKind kind) { return entry(kind).near_coincident; }
+
+GeneratedStack generate(StackKind kind, std::uint64_t seed) {
+  // Streams of different kinds with the same seed have nothing in common.
+  Prng prng(seed ^ (0xD1B54A32D192ED03ULL * (static_cast<std::uint64_t>(kind) + 1)));
+  // More than nine drafts in ten of the worst kind would have to fail for this bound to be
+  // reached once in 10^9 stacks.
+  constexpr int kDrafts = 200;
+  for (int draft = 1; draft <= kDrafts; ++draft) {
+    GeneratedStack generated;
+    generated.drafts = draft;
+    generated.stack = entry(kind).draft(prng);
+    scramble(prng, generated.stack);
+    if (generated.stack.contour_count() == 0 || !validate(generated.stack)) continue;
+    if (kind == StackKind::random_labels) {
+      generated.correspondence.labels = random_labels(prng, generated.stack);
+    }
+    return generated;
+  }
+  fail_check("a valid draft", __FILE__, __LINE__);
+}
+
+}  // namespace tetloft::testing
