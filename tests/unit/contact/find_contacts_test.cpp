@@ -1,0 +1,181 @@
+// find_contacts() against all pairs.
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "contact/contact.hpp"
+#include "core/prng.hpp"
+
+namespace tetloft::contact_test {
+namespace {
+
+struct Soup {
+  std::vector<Point3> points;
+  std::vector<TriangleVertices> triangles;
+};
+
+std::vector<Contact> all_pairs(const Soup& soup, const std::vector<std::uint8_t>& active = {}) {
+  std::vector<Contact> result;
+  const auto& t = soup.triangles;
+  for (std::uint32_t i = 0; i < t.size(); ++i) {
+    for (std::uint32_t j = i + 1; j < t.size(); ++j) {
+      if (!active.empty() && active[i] == 0 && active[j] == 0) continue;
+      if (triangles_touch(soup.points, t[i], t[j])) result.push_back({i, j});
+    }
+  }
+  return result;
+}
+
+/// Small triangles with vertices near a random place, some vertices shared.
+Soup random_soup(std::size_t count, double size, bool lattice, Prng& random) {
+  Soup soup;
+  const auto snap = [&](double x) {
+    return lattice ? static_cast<double>(static_cast<int>(x)) : x;
+  };
+  for (std::size_t i = 0; i < count; ++i) {
+    const Point3 at{random.between(0, 20), random.between(0, 20), random.between(0, 5)};
+    TriangleVertices t;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!soup.points.empty() && random.chance(0.3)) {
+        const std::size_t back = std::min<std::size_t>(soup.points.size(), 6);
+        t[k] = VertexId(soup.points.size() - 1 - random.below(back));
+        continue;
+      }
+      t[k] = VertexId(soup.points.size());
+      soup.points.push_back({snap(at.x + random.between(0, size)),
+                             snap(at.y + random.between(0, size)),
+                             snap(at.z + random.between(0, size))});
+    }
+    soup.triangles.push_back(t);
+  }
+  return soup;
+}
+
+/// The closed surface of a box of n × n × n squares, each cut in two.
+void append_box(int n, const Point3& corner, Soup& soup) {
+  const std::size_t first = soup.points.size();
+  std::vector<std::size_t> id(static_cast<std::size_t>((n + 1) * (n + 1) * (n + 1)), 0);
+  const auto vertex = [&](const std::array<int, 3>& at) {
+    std::size_t& v = id[static_cast<std::size_t>(at[0] + (n + 1) * (at[1] + (n + 1) * at[2]))];
+    if (v == 0) {
+      soup.points.push_back({corner.x + at[0], corner.y + at[1], corner.z + at[2]});
+      v = soup.points.size() - first;
+    }
+    return VertexId(first + v - 1);
+  };
+  for (std::size_t a = 0; a < 3; ++a) {
+    for (const int side : {0, n}) {
+      for (int i = 0; i < n; ++i) {
+        for (int j = 0; j < n; ++j) {
+          const auto at = [&](int u, int v) {
+            std::array<int, 3> p{};
+            p[a] = side;
+            p[(a + 1) % 3] = u;
+            p[(a + 2) % 3] = v;
+            return vertex(p);
+          };
+          soup.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+          soup.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+        }
+      }
+    }
+  }
+}
+
+TEST(FindContacts, AgreesWithAllPairsOnRandomSoups) {
+  Prng random(31);
+  std::size_t found = 0;
+  for (int round = 0; round < 30; ++round) {
+    const Soup soup =
+        random_soup(20 + random.below(300), random.between(0.5, 4), round % 2 == 0, random);
+    const std::vector<Contact> expected = all_pairs(soup);
+    ASSERT_EQ(find_contacts(soup.points, soup.triangles), expected) << "round " << round;
+    found += expected.size();
+  }
+  EXPECT_GT(found, 1000U);
+}
+
+TEST(FindContacts, ReportsTheLowestUpToTheLimit) {
+  Prng random(32);
+  const Soup soup = random_soup(300, 4, true, random);
+  const std::vector<Contact> all = all_pairs(soup);
+  ASSERT_GT(all.size(), 200U);
+  for (const std::size_t limit : {0UL, 1UL, 2UL, 50UL, all.size() - 1, all.size(), 9999999UL}) {
+    std::vector<Contact> expected = all;
+    expected.resize(std::min(limit, all.size()));
+    EXPECT_EQ(find_contacts(soup.points, soup.triangles, limit), expected) << limit;
+  }
+}
+
+TEST(FindContacts, TestsOnlyPairsWithAnActiveTriangle) {
+  Prng random(33);
+  for (const double share : {0.0, 0.01, 0.3, 1.0}) {
+    const Soup soup = random_soup(400, 3, true, random);
+    std::vector<std::uint8_t> active(soup.triangles.size());
+    for (std::uint8_t& flag : active) flag = random.chance(share) ? 2 : 0;
+    EXPECT_EQ(find_contacts(soup.points, soup.triangles, static_cast<std::size_t>(-1), active),
+              all_pairs(soup, active))
+        << share;
+  }
+}
+
+TEST(FindContacts, ClosedSurfaceHasNone) {
+  Soup soup;
+  append_box(6, {0, 0, 0}, soup);
+  EXPECT_TRUE(find_contacts(soup.points, soup.triangles).empty());
+}
+
+TEST(FindContacts, BoxesThatTouchAtACornerHaveContactsThere) {
+  Soup soup;
+  append_box(3, {0, 0, 0}, soup);
+  append_box(3, {3, 3, 3}, soup);
+  const std::vector<Contact> contacts = find_contacts(soup.points, soup.triangles);
+  EXPECT_EQ(contacts, all_pairs(soup));
+  ASSERT_FALSE(contacts.empty());
+  for (const Contact& c : contacts) {
+    EXPECT_LT(c.first, soup.triangles.size() / 2);
+    EXPECT_GE(c.second, soup.triangles.size() / 2);
+  }
+}
+
+TEST(FindContacts, BoxesThatShareAWallAreInContactAllOverIt) {
+  Soup soup;
+  append_box(4, {0, 0, 0}, soup);
+  append_box(4, {4, 0, 0}, soup);
+  const std::vector<Contact> contacts = find_contacts(soup.points, soup.triangles);
+  EXPECT_EQ(contacts, all_pairs(soup));
+  EXPECT_GE(contacts.size(), 32U);
+}
+
+TEST(FindContacts, SurvivesTheWholeRangeOfDoubles) {
+  Prng random(34);
+  for (const double scale : {0x1p1019, 0x1p-1074, 0x1p-1030}) {
+    Soup soup = random_soup(100, 4, true, random);
+    for (Point3& p : soup.points) p = {p.x * scale, p.y * scale, (p.z - 3) * scale};
+    EXPECT_EQ(find_contacts(soup.points, soup.triangles), all_pairs(soup)) << scale;
+  }
+}
+
+TEST(FindContacts, AllTrianglesAtOnePlace) {
+  // Identical boxes: the tree cannot separate them, and must still end.
+  Soup soup;
+  for (int i = 0; i < 40; ++i) {
+    const std::size_t v = soup.points.size();
+    soup.points.insert(soup.points.end(), {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+    soup.triangles.push_back({VertexId(v), VertexId(v + 1), VertexId(v + 2)});
+  }
+  EXPECT_EQ(find_contacts(soup.points, soup.triangles).size(), 40U * 39U / 2U);
+}
+
+TEST(FindContacts, NothingTouchesInASoupOfNoneOrOne) {
+  Soup soup;
+  EXPECT_TRUE(find_contacts(soup.points, soup.triangles).empty());
+  soup.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  soup.triangles = {{VertexId(0), VertexId(1), VertexId(2)}};
+  EXPECT_TRUE(find_contacts(soup.points, soup.triangles).empty());
+}
+
+}  // namespace
+}  // namespace tetloft::contact_test
