@@ -14,7 +14,7 @@ using Ranks = std::array<std::uint32_t, 4>;
 // Local vertex numbers in some order, two bits each: number k at bits 2 k and 2 k + 1.
 using Permutation = std::uint8_t;
 
-constexpr std::size_t kSlots = 4;
+constexpr std::size_t kCorners = 4;
 
 // A tet with its vertices named by rank and put into canonical order.
 struct NamedTet {
@@ -27,16 +27,21 @@ Permutation with_number(Permutation p, std::size_t k, std::size_t number) {
   return static_cast<Permutation>(p | (number << (2 * k)));
 }
 
-std::size_t number_of(Permutation p, std::size_t k) { return (p >> (2 * k)) & 3U; }
+int number_of(Permutation p, int k) { return (p >> (2 * k)) & 3; }
 
 NamedTet name_tet(const TetVertices& tet, std::span<const std::uint32_t> rank_of) {
-  std::array<std::pair<std::uint32_t, std::uint32_t>, kSlots> entry;  // rank, engine's place
-  for (std::uint32_t k = 0; k < kSlots; ++k) entry[k] = {rank_of[tet[k].index()], k};
+  // Rank and engine's place: sorts by rank, as ranks are distinct.
+  std::array<std::uint64_t, kCorners> entry;
+  for (std::size_t k = 0; k < kCorners; ++k) {
+    entry[k] = (std::uint64_t{rank_of[tet[k].index()]} << 2) | k;
+  }
   NamedTet named;
   const auto order = [&](std::size_t i, std::size_t j) {
-    if (entry[i].first < entry[j].first) return;
-    std::swap(entry[i], entry[j]);
-    named.odd = !named.odd;
+    const bool swapped = entry[j] < entry[i];
+    const std::uint64_t low = std::min(entry[i], entry[j]);
+    entry[j] = std::max(entry[i], entry[j]);
+    entry[i] = low;
+    named.odd = named.odd != swapped;
   };
   // The optimal sorting network of four.
   order(0, 1);
@@ -44,85 +49,104 @@ NamedTet name_tet(const TetVertices& tet, std::span<const std::uint32_t> rank_of
   order(0, 2);
   order(1, 3);
   order(1, 2);
-  for (std::size_t i = 0; i < kSlots; ++i) named.increasing[i] = entry[i].first;
+  for (std::size_t i = 0; i < kCorners; ++i) {
+    named.increasing[i] = static_cast<std::uint32_t>(entry[i] >> 2);
+  }
   // The engine's tets are positive: an odd order is made even by swapping the last two.
   if (named.odd) std::swap(entry[2], entry[3]);
-  for (std::size_t i = 0; i < kSlots; ++i) {
-    named.position = with_number(named.position, entry[i].second, i);
+  for (std::size_t i = 0; i < kCorners; ++i) {
+    named.position = with_number(named.position, entry[i] & 3U, i);
   }
   return named;
 }
 
-// The engine's slots of the finite tets in canonical order.
-struct TetOrder {
-  struct Entry {
-    std::array<std::uint32_t, 3> upper;  // ranks of the tet but the lowest
-    TetId slot;
-  };
-  std::vector<Entry> entries;
-  std::vector<std::size_t> bucket;  // entries of lowest rank r: from bucket[r] to bucket[r + 1]
+// A finite tet on its way into canonical order; its lowest rank is that of its bucket.
+struct Entry {
+  std::array<std::uint32_t, 3> upper;  // the other ranks, increasing
+  std::uint32_t slot : 31;             // the engine's; 31 bits hold it, there are below 2^30
+  std::uint32_t odd : 1;               // whether the last two vertices are to be swapped
 };
 
-TetOrder sort_tets(const Delaunay3Builder& built, std::span<const std::uint32_t> rank_of) {
-  TetOrder order;
-  order.bucket.assign(rank_of.size() + 1, 0);
-  const auto lowest_rank = [&](TetId t) {
-    const TetVertices& tet = built.vertices(t);
-    return std::min(std::min(rank_of[tet[0].index()], rank_of[tet[1].index()]),
-                    std::min(rank_of[tet[2].index()], rank_of[tet[3].index()]));
+// Where the engine's tets went.
+struct Renaming {
+  IdVector<TetId, TetId> name;            // invalid for ghosts and dead slots
+  IdVector<TetId, Permutation> position;  // of the vertices
+
+  // The new name of half-face `face` of slot t, which is finite.
+  [[nodiscard]] HalfFaceId half_face(TetId t, int face) const {
+    return TetMesh::half_face(name[t], number_of(position[t], face));
+  }
+};
+
+// Collects the finite tets in buckets of equal lowest rank, bucket r from bucket[r] to
+// bucket[r + 1], and sorts each. Fills renaming.position.
+std::vector<Entry> sort_tets(const Delaunay3Builder& built, std::span<const std::uint32_t> rank_of,
+                             std::vector<std::size_t>& bucket, Renaming& renaming) {
+  const auto for_each_finite = [&](const auto& visit) {
+    for (TetId t(0U); t.index() < built.tet_slots(); t = TetId(t.value() + 1)) {
+      if (built.is_finite(t)) visit(t, built.vertices(t));
+    }
   };
-  for (TetId t(0); t.index() < built.tet_slots(); t = TetId(t.value() + 1)) {
-    if (built.is_finite(t)) ++order.bucket[lowest_rank(t)];
-  }
+  bucket.assign(rank_of.size() + 1, 0);
+  for_each_finite([&](TetId, const TetVertices& tet) {
+    ++bucket[std::min(std::min(rank_of[tet[0].index()], rank_of[tet[1].index()]),
+                      std::min(rank_of[tet[2].index()], rank_of[tet[3].index()]))];
+  });
   std::size_t total = 0;
-  for (std::size_t& end : order.bucket) end = total += end;
-  order.entries.resize(total);
+  for (std::size_t& end : bucket) end = total += end;
+
+  std::vector<Entry> entries(total);
+  renaming.position = IdVector<TetId, Permutation>(built.tet_slots());
   // Filling from the ends leaves every bucket[r] at the start of its bucket.
-  for (TetId t(0); t.index() < built.tet_slots(); t = TetId(t.value() + 1)) {
-    if (!built.is_finite(t)) continue;
-    const Ranks ranks = name_tet(built.vertices(t), rank_of).increasing;
-    order.entries[--order.bucket[ranks[0]]] = {{ranks[1], ranks[2], ranks[3]}, t};
-  }
-  for (std::size_t r = 0; r + 1 < order.bucket.size(); ++r) {
+  for_each_finite([&](TetId t, const TetVertices& tet) {
+    const NamedTet named = name_tet(tet, rank_of);
+    const auto& [r0, r1, r2, r3] = named.increasing;
+    renaming.position[t] = named.position;
+    entries[--bucket[r0]] = {{r1, r2, r3}, t.value() & 0x7FFFFFFFU, named.odd ? 1U : 0U};
+  });
+  for (std::size_t r = 0; r + 1 < bucket.size(); ++r) {
     const auto at = [&](std::size_t i) {
-      return order.entries.begin() + static_cast<std::ptrdiff_t>(order.bucket[i]);
+      return entries.begin() + static_cast<std::ptrdiff_t>(bucket[i]);
     };
-    std::sort(at(r), at(r + 1), [](const auto& a, const auto& b) { return a.upper < b.upper; });
+    std::sort(at(r), at(r + 1), [](const Entry& a, const Entry& b) { return a.upper < b.upper; });
   }
-  return order;
+  return entries;
+}
+
+// The tets in canonical order. Fills `renaming`.
+std::vector<TetVertices> canonical_tets(const Delaunay3Builder& built, const VertexNames& names,
+                                        Renaming& renaming) {
+  std::vector<std::size_t> bucket;
+  const std::vector<Entry> entries = sort_tets(built, names.rank_of, bucket, renaming);
+  std::vector<TetVertices> tets(entries.size());
+  renaming.name = IdVector<TetId, TetId>(built.tet_slots());
+  for (std::size_t r = 0; r + 1 < bucket.size(); ++r) {
+    for (std::size_t i = bucket[r]; i < bucket[r + 1]; ++i) {
+      const Entry& entry = entries[i];
+      renaming.name[TetId(std::uint32_t{entry.slot})] = TetId(i);
+      tets[i] = {names.input_of[r], names.input_of[entry.upper[0]], names.input_of[entry.upper[1]],
+                 names.input_of[entry.upper[2]]};
+      if (entry.odd != 0) std::swap(tets[i][2], tets[i][3]);
+    }
+  }
+  return tets;
 }
 
 }  // namespace
 
 TetMesh canonical_mesh(const Delaunay3Builder& built, const VertexNames& names) {
-  const TetOrder order = sort_tets(built, names.rank_of);
-  const std::size_t count = order.entries.size();
-
-  // name[t] of the engine's slot t, invalid if not finite, and where its vertices went.
-  IdVector<TetId, TetId> name(built.tet_slots());
-  IdVector<TetId, Permutation> position(built.tet_slots());
-  std::vector<TetVertices> tets(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const TetId slot = order.entries[i].slot;
-    const TetVertices& tet = built.vertices(slot);
-    name[slot] = TetId(i);
-    position[slot] = name_tet(tet, names.rank_of).position;
-    for (std::size_t k = 0; k < kSlots; ++k) {
-      tets[i][number_of(position[slot], k)] = names.input_of[names.rank_of[tet[k].index()]];
-    }
-  }
-
-  std::vector<HalfFaceId> opposite(4 * count);
-  const auto renamed = [&](TetId slot, int face) {
-    return TetMesh::half_face(
-        name[slot], static_cast<int>(number_of(position[slot], static_cast<std::size_t>(face))));
-  };
-  for (const TetOrder::Entry& entry : order.entries) {
+  Renaming renaming;
+  std::vector<TetVertices> tets = canonical_tets(built, names, renaming);
+  // In the engine's order, in which neighbours are near each other in memory.
+  std::vector<HalfFaceId> opposite(4 * tets.size());
+  for (TetId t(0U); t.index() < built.tet_slots(); t = TetId(t.value() + 1)) {
+    if (!renaming.name[t].valid()) continue;
     for (int face = 0; face < 4; ++face) {
-      const HalfFaceId across = built.opposite(TetMesh::half_face(entry.slot, face));
+      const HalfFaceId across = built.opposite(TetMesh::half_face(t, face));
       const TetId neighbour = TetMesh::tet_of(across);
-      if (!name[neighbour].valid()) continue;  // a ghost: the face is on the hull
-      opposite[renamed(entry.slot, face).index()] = renamed(neighbour, TetMesh::face_of(across));
+      if (!renaming.name[neighbour].valid()) continue;  // a ghost: the face is on the hull
+      opposite[renaming.half_face(t, face).index()] =
+          renaming.half_face(neighbour, TetMesh::face_of(across));
     }
   }
   return TetMesh::from_adjacency(names.input_count, std::move(tets), std::move(opposite));

@@ -50,6 +50,8 @@ bool Delaunay3Builder::insert_all() {
     complete = insert(v);
   }
   for (const TetId t : free_) tets_[t][0] = VertexId();
+  points_ = {};
+  mark_ = {};
   return complete;
 }
 

@@ -28,7 +28,7 @@ class Delaunay3Builder {
   /// independent; fewer than 2^30 points.
   explicit Delaunay3Builder(IdVector<VertexId, Point3> points);
 
-  /// Inserts all vertices in order. Returns false, leaving the triangulation without the
+  /// Inserts all vertices in order, once. Returns false, leaving the triangulation without the
   /// vertices from there on, where it would take 2^30 tet slots or more.
   [[nodiscard]] bool insert_all();
 
