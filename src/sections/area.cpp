@@ -1,0 +1,59 @@
+// Areas of contours and regions: intervals, and integers where these cannot tell the sign.
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <tetloft/sections.hpp>
+
+#include "sections/trapezoids.hpp"
+
+namespace tetloft {
+
+namespace {
+
+using sections::BigInteger;
+using sections::Interval;
+using sections::Trapezoid;
+using sections::Trapezoids;
+
+// Twice a signed area as value · 2^scale; value has the exact sign.
+struct ScaledArea {
+  double value = 0;
+  int scale = 0;
+
+  [[nodiscard]] double rounded() const { return std::ldexp(value, scale); }
+};
+
+ScaledArea twice_area_of(const Trapezoids& shape) {
+  if (shape.edges.empty()) return {};
+  const int scale = sections::scale_of(shape.box);
+  std::vector<Trapezoid> scaled = shape.edges;
+  if (sections::rescale(scaled, scale)) {
+    const Interval area = sections::twice_area(scaled);
+    if (area.positive() || area.negative()) {
+      return {area.lo + (area.hi - area.lo) / 2, -2 * scale};
+    }
+  }
+  const int unit = std::min(sections::lattice_exponent(shape.edges), 0);
+  const BigInteger area =
+      sections::twice_area(sections::in_units<BigInteger>(shape.edges, {0, 0}, unit));
+  const int shift = static_cast<int>(area.bits());
+  return {area.to_double(-shift), shift + 2 * unit};
+}
+
+}  // namespace
+
+double twice_area(const Contour& contour) {
+  return twice_area_of(sections::trapezoids_of(contour)).rounded();
+}
+
+Sign area_sign(const Contour& contour) {
+  const double value = twice_area_of(sections::trapezoids_of(contour)).value;
+  return value > 0 ? Sign::positive : (value < 0 ? Sign::negative : Sign::zero);
+}
+
+double area(const RegionOutline& region) {
+  return twice_area_of(sections::trapezoids_of(region)).rounded() / 2;
+}
+
+}  // namespace tetloft

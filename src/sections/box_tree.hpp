@@ -1,0 +1,101 @@
+// Axis-parallel boxes and a static tree over them, to find the boxes that meet a query.
+//
+// Packed bottom-up after one sort-tile-recursive pass (Leutenegger, Lopez and Edgington,
+// "STR: a simple and efficient algorithm for R-tree packing", ICDE 1997). Only compares
+// coordinates: what it leaves out is exactly disjoint.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include <tetloft/point.hpp>
+
+namespace tetloft::sections {
+
+/// A closed box; the default one is empty.
+struct Box {
+  double x0 = std::numeric_limits<double>::infinity();
+  double y0 = std::numeric_limits<double>::infinity();
+  double x1 = -std::numeric_limits<double>::infinity();
+  double y1 = -std::numeric_limits<double>::infinity();
+
+  void add(const Point2& p) {
+    x0 = std::min(x0, p.x);
+    y0 = std::min(y0, p.y);
+    x1 = std::max(x1, p.x);
+    y1 = std::max(y1, p.y);
+  }
+  void add(const Box& b) {
+    x0 = std::min(x0, b.x0);
+    y0 = std::min(y0, b.y0);
+    x1 = std::max(x1, b.x1);
+    y1 = std::max(y1, b.y1);
+  }
+  /// Do the closed boxes share a point?
+  [[nodiscard]] bool meets(const Box& b) const {
+    return x0 <= b.x1 && b.x0 <= x1 && y0 <= b.y1 && b.y0 <= y1;
+  }
+  /// Do the open boxes share a point?
+  [[nodiscard]] bool overlaps(const Box& b) const {
+    return x0 < b.x1 && b.x0 < x1 && y0 < b.y1 && b.y0 < y1;
+  }
+};
+
+[[nodiscard]] inline Box box_of(const Point2& a, const Point2& b) {
+  Box box;
+  box.add(a);
+  box.add(b);
+  return box;
+}
+
+class BoxTree {
+ public:
+  explicit BoxTree(std::span<const Box> boxes);
+
+  /// Calls visit(i) for every box i that meets `query`, in no particular but reproducible
+  /// order.
+  template <class Visit>
+  void query(const Box& query, Visit visit) const {
+    if (level_.empty() || !nodes_[level_.back()].meets(query)) return;
+    // At most kFanOut − 1 siblings wait on each of at most 11 levels (8^11 > 2^32).
+    Waiting stack[kFanOut * 12];
+    std::size_t top = 0;
+    stack[top++] = {static_cast<std::uint32_t>(level_.size() - 1), 0};
+    while (top > 0) {
+      const Waiting node = stack[--top];
+      const std::size_t first = std::size_t{node.index} * kFanOut;
+      if (node.level == 0) {
+        const std::size_t last = std::min(first + kFanOut, order_.size());
+        for (std::size_t k = first; k < last; ++k) {
+          if (leaf_[k].meets(query)) visit(std::size_t{order_[k]});
+        }
+        continue;
+      }
+      const std::uint32_t below = node.level - 1;
+      const std::size_t count = level_[below + 1] - level_[below];
+      const std::size_t last = std::min(first + kFanOut, count);
+      for (std::size_t k = first; k < last; ++k) {
+        if (nodes_[level_[below] + k].meets(query)) {
+          stack[top++] = {below, static_cast<std::uint32_t>(k)};
+        }
+      }
+    }
+  }
+
+ private:
+  static constexpr std::size_t kFanOut = 8;
+  struct Waiting {
+    std::uint32_t level, index;
+  };
+
+  std::vector<std::uint32_t> order_;  // box indices, tile by tile
+  std::vector<Box> leaf_;             // leaf_[k] is box order_[k]
+  std::vector<Box> nodes_;            // level by level, leaves' parents first
+  std::vector<std::size_t> level_;    // level_[h]: the first node of level h
+};
+
+}  // namespace tetloft::sections

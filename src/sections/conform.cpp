@@ -1,0 +1,245 @@
+// One section's conforming Delaunay triangulation with all its labels.
+//
+// Split vertices bend the contours by rounding. What has to be validated again is little,
+// because every piece of a bent contour is an edge of one planar triangulation, and such
+// edges meet at common ends only. Contours stay simple and disjoint iff every vertex lies
+// on exactly one of them, once; their nesting is unchanged iff across every piece of
+// contour c the innermost contour changes between c and its parent, across no other edge,
+// and outside the hull there is none; and none turned inside out iff its interior is on
+// the same side as before. All of this is combinatorial. See README.md.
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <tetloft/sections.hpp>
+
+#include "core/check.hpp"
+#include "sections/conforming_section.hpp"
+#include "sections/nesting.hpp"
+
+namespace tetloft {
+
+namespace {
+
+// Contour vertices numbered through; segment i starts at vertex i.
+struct Flat {
+  std::vector<Point2> points;
+  std::vector<Segment> segments;
+  std::vector<ContourId> contour;
+  std::vector<std::size_t> vertex;  // index in its contour
+};
+
+Flat flatten(const Section& section) {
+  Flat flat;
+  for (std::size_t c = 0; c < section.contours.size(); ++c) {
+    const std::vector<Point2>& vertices = section.contours[ContourId(c)].vertices;
+    const std::size_t first = flat.points.size();
+    for (std::size_t v = 0; v < vertices.size(); ++v) {
+      flat.points.push_back(vertices[v]);
+      flat.segments.push_back({VertexId(first + v), VertexId(first + (v + 1) % vertices.size())});
+      flat.contour.emplace_back(c);
+      flat.vertex.push_back(v);
+    }
+  }
+  return flat;
+}
+
+class Conformer {
+ public:
+  Conformer(const Section& section, SectionId id) : section_(section), id_(id) {
+    result_.z = section.z;
+    result_.nesting = nest(section);
+    flat_ = flatten(section);
+  }
+
+  Result<ConformingSection> run(const IdVector<ContourId, bool>& gabriel) {
+    if (flat_.points.empty()) {
+      result_.first_edge = {0};
+      return std::move(result_);
+    }
+    ConformingOptions options;
+    if (!gabriel.empty()) {
+      for (const ContourId c : flat_.contour) options.gabriel.push_back(gabriel[c]);
+    }
+    Result<Conforming2> conforming = conforming_delaunay2(flat_.points, flat_.segments, options);
+    if (!conforming) return placed(conforming.error());
+    number_ = sections::adopt(conforming->triangulation, result_);
+    if (Result<void> walked = walk_chains(conforming->chains); !walked) return walked.error();
+    label_triangles();
+    if (Result<void> valid = check_labels(); !valid) return valid.error();
+    label_vertices_and_edges();
+    return std::move(result_);
+  }
+
+ private:
+  // The error of the triangulation, with its place in the stack.
+  [[nodiscard]] Error placed(Error error) const {
+    if (error.where.vertex && *error.where.vertex < flat_.points.size()) {
+      const std::size_t v = *error.where.vertex;
+      error.where.contour = flat_.contour[v].index();
+      error.where.vertex = flat_.vertex[v];
+    }
+    error.where.section = id_.index();
+    if (error.where.point) error.where.point->z = section_.z;
+    return error;
+  }
+
+  [[nodiscard]] Error unrepresentable(VertexId v, const char* reason) const {
+    Error error{ErrorCode::unrepresentable, reason, {}};
+    error.where.section = id_.index();
+    if (result_.contour[v].valid()) {
+      error.where.contour = result_.contour[v].index();
+      error.where.vertex = result_.edge_of[v];
+    }
+    error.where.point = result_.point3(v);
+    return error;
+  }
+
+  // Enters every chain into contour, next, input_vertex and edge_of, and marks its edges.
+  // Fails unless every vertex is on exactly one contour, once.
+  Result<void> walk_chains(const std::vector<std::vector<VertexId>>& chains) {
+    const std::size_t n = result_.triangulation.points.size();
+    result_.contour.resize(n);
+    result_.region.resize(n);
+    result_.next.resize(n);
+    result_.previous.resize(n);
+    result_.input_vertex.assign(n, ConformingSection::kNotInput);
+    result_.edge_of.assign(n, ConformingSection::kNotInput);
+    contour_of_edge_.resize(result_.edges.size());
+    TETLOFT_CHECK(chains.size() == flat_.segments.size());
+    for (std::size_t s = 0; s < chains.size(); ++s) {
+      const std::vector<VertexId>& chain = chains[s];
+      TETLOFT_CHECK(chain.size() >= 2);
+      for (std::size_t k = 0; k + 1 < chain.size(); ++k) {
+        const VertexId from = number_[chain[k]];
+        const VertexId to = number_[chain[k + 1]];
+        if (result_.contour[from].valid()) {
+          return unrepresentable(from, "rounding brings two points of contours together");
+        }
+        result_.contour[from] = flat_.contour[s];
+        result_.next[from] = to;
+        result_.edge_of[from] = flat_.vertex[s];
+        if (k == 0) result_.input_vertex[from] = flat_.vertex[s];
+      }
+    }
+    for (std::size_t v = 0; v < n; ++v) {
+      const VertexId from(v);
+      const EdgeId edge =
+          result_.contour[from].valid() ? result_.find_edge(from, result_.next[from]) : EdgeId();
+      // Of coinciding points the triangulation uses one only.
+      if (!edge.valid()) {
+        return unrepresentable(from, "rounding brings two points of contours together");
+      }
+      contour_of_edge_[edge] = result_.contour[from];
+    }
+    return {};
+  }
+
+  // The innermost contour around each triangle, by flood fill from outside: entering a
+  // contour at its pieces, leaving it for its parent.
+  void label_triangles() {
+    const Triangulation2& t = result_.triangulation;
+    around_.resize(t.triangles.size());
+    result_.internal.assign(t.triangles.size(), 0);
+    std::vector<bool> reached(t.triangles.size(), false);
+    std::vector<TriangleId> front;
+    const auto reach = [&](TriangleId triangle, ContourId outside, ContourId crossed) {
+      if (!triangle.valid() || reached[triangle.index()]) return;
+      reached[triangle.index()] = true;
+      around_[triangle] = !crossed.valid()     ? outside
+                          : outside == crossed ? result_.nesting.parent[crossed]
+                                               : crossed;
+      front.push_back(triangle);
+    };
+    for (std::size_t e = 0; e < result_.edges.size(); ++e) {
+      const ConformingSection::Edge& edge = result_.edges[EdgeId(e)];
+      if (edge.left.valid() && edge.right.valid()) continue;
+      reach(edge.left.valid() ? edge.left : edge.right, ContourId(), contour_of_edge_[EdgeId(e)]);
+    }
+    while (!front.empty()) {
+      const TriangleId triangle = front.back();
+      front.pop_back();
+      const TriangleVertices& v = t.triangles[triangle];
+      for (std::size_t i = 0; i < 3; ++i) {
+        const EdgeId edge = result_.find_edge(v[(i + 1) % 3], v[(i + 2) % 3]);
+        reach(t.neighbours[triangle][i], around_[triangle], contour_of_edge_[edge]);
+      }
+    }
+    for (std::size_t k = 0; k < around_.size(); ++k) {
+      const ContourId c = around_[TriangleId(k)];
+      result_.internal[TriangleId(k)] = c.valid() && result_.nesting.depth[c] % 2 == 0 ? 1 : 0;
+    }
+  }
+
+  // Is the nesting of the bent contours that of the input, and is no contour inside out?
+  [[nodiscard]] Result<void> check_labels() const {
+    std::vector<bool> ccw;
+    for (const Contour& contour : section_.contours) {
+      ccw.push_back(sections::is_counter_clockwise(contour));
+    }
+    for (std::size_t e = 0; e < result_.edges.size(); ++e) {
+      const ConformingSection::Edge& edge = result_.edges[EdgeId(e)];
+      const ContourId left = edge.left.valid() ? around_[edge.left] : ContourId();
+      const ContourId right = edge.right.valid() ? around_[edge.right] : ContourId();
+      const ContourId c = contour_of_edge_[EdgeId(e)];
+      if (!c.valid()) {
+        if (left != right) return unrepresentable(edge.a, "rounding changes how contours nest");
+        continue;
+      }
+      const bool forward = result_.next[edge.a] == edge.b;
+      const bool inside_left = ccw[c.index()] == forward;
+      const ContourId inside = inside_left ? left : right;
+      const ContourId outside = inside_left ? right : left;
+      if (inside != c || outside != result_.nesting.parent[c]) {
+        return unrepresentable(edge.a, "rounding turns a contour or changes how contours nest");
+      }
+    }
+    return {};
+  }
+
+  // Regions, directions along the contours, kinds of edges.
+  void label_vertices_and_edges() {
+    for (std::size_t e = 0; e < result_.edges.size(); ++e) {
+      ConformingSection::Edge& edge = result_.edges[EdgeId(e)];
+      if (contour_of_edge_[EdgeId(e)].valid()) {
+        edge.kind = EdgeKind::contour;
+      } else if (edge.left.valid() && result_.internal[edge.left] != 0) {
+        edge.kind = EdgeKind::internal;
+      }
+    }
+    const IdVector<VertexId, VertexId> along = result_.next;
+    for (std::size_t v = 0; v < along.size(); ++v) {
+      const VertexId a(v);
+      const VertexId b = along[a];
+      result_.region[a] = result_.nesting.region[result_.contour[a]];
+      const ConformingSection::Edge& edge = result_.edges[result_.find_edge(a, b)];
+      const TriangleId left = a < b ? edge.left : edge.right;
+      const bool region_left = left.valid() && result_.internal[left] != 0;
+      result_.next[region_left ? a : b] = region_left ? b : a;
+      result_.previous[region_left ? b : a] = region_left ? a : b;
+    }
+  }
+
+  const Section& section_;
+  SectionId id_;
+  Flat flat_;
+  IdVector<VertexId, VertexId> number_;          // of the triangulation's vertices
+  IdVector<EdgeId, ContourId> contour_of_edge_;  // invalid: not on a contour
+  IdVector<TriangleId, ContourId> around_;       // the innermost contour around it
+  ConformingSection result_;
+};
+
+}  // namespace
+
+Result<ConformingSection> conform(const Section& section, SectionId id,
+                                  const IdVector<ContourId, bool>& gabriel) {
+  return guard_internal([&]() -> Result<ConformingSection> {
+    if (!gabriel.empty() && gabriel.size() != section.contours.size()) {
+      return Error{ErrorCode::usage, "gabriel needs one flag for each contour", {}};
+    }
+    return Conformer(section, id).run(gabriel);
+  });
+}
+
+}  // namespace tetloft

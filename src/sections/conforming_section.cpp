@@ -1,0 +1,141 @@
+// Canonical numbering, the edge table and its look-ups.
+#include "sections/conforming_section.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+
+#include "core/check.hpp"
+
+namespace tetloft {
+
+namespace {
+
+// A side of a triangle, seen from the lower end of its edge.
+struct Side {
+  VertexId a, b;  // a < b
+  TriangleId triangle;
+  std::uint8_t opposite;  // the triangle's vertex that is not on the edge
+  bool left;              // the triangle lies to the left of a → b
+};
+
+IdVector<VertexId, VertexId> canonical_numbers(const IdVector<VertexId, Point2>& points) {
+  std::vector<VertexId> order(points.size());
+  for (std::size_t v = 0; v < order.size(); ++v) order[v] = VertexId(v);
+  std::sort(order.begin(), order.end(), [&](VertexId u, VertexId v) {
+    const Point2& p = points[u];
+    const Point2& q = points[v];
+    return p == q ? u < v : canonical_less(p, q);
+  });
+  IdVector<VertexId, VertexId> number(points.size());
+  for (std::size_t k = 0; k < order.size(); ++k) number[order[k]] = VertexId(k);
+  return number;
+}
+
+// Triangles in new numbers, each from its lowest vertex, sorted.
+IdVector<TriangleId, TriangleVertices> canonical_triangles(
+    const IdVector<TriangleId, TriangleVertices>& triangles,
+    const IdVector<VertexId, VertexId>& number) {
+  IdVector<TriangleId, TriangleVertices> result = triangles;
+  for (TriangleVertices& t : result) {
+    for (VertexId& v : t) v = number[v];
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+// All sides sorted by edge, the left side of an edge first.
+std::vector<Side> sorted_sides(const IdVector<TriangleId, TriangleVertices>& triangles,
+                               std::size_t vertices) {
+  std::vector<std::uint32_t> first(vertices + 1, 0);
+  for (const TriangleVertices& t : triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      ++first[std::min(t[(i + 1) % 3], t[(i + 2) % 3]).index() + 1];
+    }
+  }
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<Side> sides(first.back());
+  std::vector<std::uint32_t> end(first.begin(), first.end() - 1);
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const TriangleVertices& v = triangles[TriangleId(t)];
+    for (std::uint8_t i = 0; i < 3; ++i) {
+      const VertexId from = v[(i + 1U) % 3];
+      const VertexId to = v[(i + 2U) % 3];
+      const bool left = from < to;
+      const VertexId low = left ? from : to;
+      sides[end[low.index()]++] = {low, left ? to : from, TriangleId(t), i, left};
+    }
+  }
+  for (std::size_t v = 0; v < vertices; ++v) {
+    std::sort(
+        sides.begin() + first[v], sides.begin() + first[v + 1],
+        [](const Side& s, const Side& t) { return s.b != t.b ? s.b < t.b : s.left > t.left; });
+  }
+  return sides;
+}
+
+}  // namespace
+
+IdVector<VertexId, VertexId> sections::adopt(const Triangulation2& triangulation,
+                                             ConformingSection& section) {
+  const std::size_t n = triangulation.points.size();
+  IdVector<VertexId, VertexId> number = canonical_numbers(triangulation.points);
+  Triangulation2& own = section.triangulation;
+  own.points.resize(n);
+  for (std::size_t v = 0; v < n; ++v) {
+    own.points[number[VertexId(v)]] = triangulation.points[VertexId(v)];
+  }
+  own.triangles = canonical_triangles(triangulation.triangles, number);
+  own.neighbours.resize(own.triangles.size());
+
+  const std::vector<Side> sides = sorted_sides(own.triangles, n);
+  section.edges.reserve(sides.size() / 2 + n);
+  section.first_edge.assign(n + 1, 0);
+  for (std::size_t k = 0; k < sides.size(); ++k) {
+    const Side& side = sides[k];
+    ConformingSection::Edge edge{side.a, side.b, EdgeKind::external, {}, {}};
+    (side.left ? edge.left : edge.right) = side.triangle;
+    if (k + 1 < sides.size() && sides[k + 1].a == side.a && sides[k + 1].b == side.b) {
+      const Side& other = sides[++k];
+      TETLOFT_CHECK(side.left && !other.left);
+      edge.right = other.triangle;
+      own.neighbours[side.triangle][side.opposite] = other.triangle;
+      own.neighbours[other.triangle][other.opposite] = side.triangle;
+    }
+    section.edges.push_back(edge);
+    ++section.first_edge[side.a.index() + 1];
+  }
+  std::partial_sum(section.first_edge.begin(), section.first_edge.end(),
+                   section.first_edge.begin());
+  return number;
+}
+
+EdgeId ConformingSection::find_edge(VertexId u, VertexId v) const {
+  const VertexId a = std::min(u, v);
+  const VertexId b = std::max(u, v);
+  if (b.index() >= vertex_count()) return {};
+  const auto first = edges.begin() + first_edge[a.index()];
+  const auto last = edges.begin() + first_edge[a.index() + 1];
+  const auto found =
+      std::lower_bound(first, last, b, [](const Edge& e, VertexId end) { return e.b < end; });
+  if (found == last || found->b != b) return {};
+  return EdgeId(found - edges.begin());
+}
+
+TriangleId ConformingSection::find_triangle(VertexId u, VertexId v, VertexId w) const {
+  std::array<VertexId, 3> sorted{u, v, w};
+  std::sort(sorted.begin(), sorted.end());
+  const EdgeId id = find_edge(sorted[0], sorted[1]);
+  if (!id.valid()) return {};
+  for (const TriangleId t : {edges[id].left, edges[id].right}) {
+    if (!t.valid()) continue;
+    const TriangleVertices& corners = triangulation.triangles[t];
+    if (std::find(corners.begin(), corners.end(), sorted[2]) != corners.end()) return t;
+  }
+  return {};
+}
+
+}  // namespace tetloft

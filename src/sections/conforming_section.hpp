@@ -1,0 +1,15 @@
+// Building a ConformingSection's triangulation and edge table in canonical numbering.
+#pragma once
+
+#include <vector>
+
+#include <tetloft/sections.hpp>
+
+namespace tetloft::sections {
+
+/// Renumbers the vertices of `triangulation` in canonical order and its triangles
+/// canonically, and fills triangulation, edges (kinds left external) and first_edge of
+/// `section`. Returns the new id of every old vertex.
+IdVector<VertexId, VertexId> adopt(const Triangulation2& triangulation, ConformingSection& section);
+
+}  // namespace tetloft::sections

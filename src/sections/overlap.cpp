@@ -1,0 +1,202 @@
+// Overlap of regions: interval arithmetic first, exact integers where it cannot decide.
+//
+// Whether the overlap is empty is a question of topology, which interiors.cpp answers
+// without arithmetic: regions that only touch are ordinary, and no interval tells them
+// from regions with a tiny overlap.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <tetloft/sections.hpp>
+
+#include "sections/interiors.hpp"
+#include "sections/overlap_exact.hpp"
+#include "sections/overlap_pairs.hpp"
+
+namespace tetloft {
+
+namespace {
+
+using sections::Interval;
+using sections::Trapezoid;
+using sections::Trapezoids;
+
+// Reported ratios have this many bits: far fewer than an interval holds, so that equal
+// ratios come out equal whichever way they were computed.
+constexpr int kRatioBits = 32;
+
+// Bounds of ∫ 2 min(p (1 − t) + q t, 0) dt over 0 ≤ t ≤ 1; it increases with p and q.
+double lower_bound_below(double p, double q) {
+  if (p >= 0 && q >= 0) return 0;
+  if (p <= 0 && q <= 0) return sections::downwards(p + q);
+  const double n = std::min(p, q);
+  const double drop = sections::downwards(std::max(p, q) - n);
+  // Denormals: the triangle is never larger than its height.
+  if (drop <= 0) return n;
+  return -sections::upwards(sections::upwards(n * n) / drop);
+}
+
+double upper_bound_below(double p, double q) {
+  if (p >= 0 && q >= 0) return 0;
+  if (p <= 0 && q <= 0) return std::min(0.0, sections::upwards(p + q));
+  const double n = std::min(p, q);
+  const double square = std::max(0.0, sections::downwards(n * n));
+  const double part = sections::downwards(square / sections::upwards(std::max(p, q) - n));
+  return -std::max(0.0, part);
+}
+
+// The edges of both regions in one scale, with bounds of their slopes.
+class IntervalOverlap {
+ public:
+  IntervalOverlap(const std::vector<Trapezoid>& a, const std::vector<Trapezoid>& b)
+      : a_(a), b_(b), slope_a_(slopes(a)), slope_b_(slopes(b)) {}
+
+  // Twice the area of the overlap.
+  [[nodiscard]] Interval twice_area() const {
+    sections::IntervalSum sum;
+    sections::visit_pairs(a_, b_, [&](std::uint32_t i, std::uint32_t j) {
+      const Trapezoid& e = a_[i];
+      const Trapezoid& f = b_[j];
+      const double l = std::max(e.left.x, f.left.x);
+      const double r = std::min(e.right.x, f.right.x);
+      const Interval at_l = height(e, slope_a_[i], f, slope_b_[j], l);
+      const Interval at_r = height(e, slope_a_[i], f, slope_b_[j], r);
+      if (at_l.lo >= 0 && at_r.lo >= 0) return;
+      const Interval below{lower_bound_below(at_l.lo, at_r.lo),
+                           upper_bound_below(at_l.hi, at_r.hi)};
+      const Interval term = sections::difference(r, l) * below;
+      sum.add(e.side == f.side ? term : -term);
+    });
+    return sum.total();
+  }
+
+ private:
+  static std::vector<Interval> slopes(const std::vector<Trapezoid>& edges) {
+    std::vector<Interval> result;
+    result.reserve(edges.size());
+    for (const Trapezoid& e : edges) {
+      const double dx = e.right.x - e.left.x;  // not zero: doubles underflow gradually
+      const Interval width{std::max(sections::downwards(dx), 0x1p-1074), sections::upwards(dx)};
+      result.push_back(sections::quotient(sections::difference(e.right.y, e.left.y), width));
+    }
+    return result;
+  }
+
+  // e(x) − f(x); x is an end of at least one of them, where its height is given.
+  static Interval height(const Trapezoid& e, const Interval& slope_e, const Trapezoid& f,
+                         const Interval& slope_f, double x) {
+    const bool end_e = x == e.right.x;
+    const bool end_f = x == f.right.x;
+    Interval result =
+        sections::difference(end_e ? e.right.y : e.left.y, end_f ? f.right.y : f.left.y);
+    if (!end_e && x != e.left.x) {
+      result = result + slope_e * sections::difference(x, e.left.x);
+    }
+    if (!end_f && x != f.left.x) {
+      result = result - slope_f * sections::difference(x, f.left.x);
+    }
+    return result;
+  }
+
+  const std::vector<Trapezoid>& a_;
+  const std::vector<Trapezoid>& b_;
+  std::vector<Interval> slope_a_;
+  std::vector<Interval> slope_b_;
+};
+
+// Both regions, prepared once for every stage.
+class Overlap {
+ public:
+  Overlap(const RegionOutline& a, const RegionOutline& b)
+      : outline_a_(a),
+        outline_b_(b),
+        a_(sections::trapezoids_of(a)),
+        b_(sections::trapezoids_of(b)) {}
+
+  [[nodiscard]] bool boxes_overlap() const { return a_.box.overlaps(b_.box); }
+
+  // Bounds of the overlap and of the smaller area, in a common scale.
+  struct Bounds {
+    Interval overlap, smaller;
+  };
+
+  [[nodiscard]] Bounds bounds() {
+    sort();
+    sections::Box box = a_.box;
+    box.add(b_.box);
+    const int scale = sections::scale_of(box);
+    std::vector<Trapezoid> a = a_.edges;
+    std::vector<Trapezoid> b = b_.edges;
+    if (!sections::rescale(a, scale) || !sections::rescale(b, scale)) {
+      return {{0, 8}, {0, 8}};  // all that is known of areas of coordinates below 1
+    }
+    return {IntervalOverlap(a, b).twice_area(),
+            sections::minimum(sections::twice_area(a), sections::twice_area(b))};
+  }
+
+  [[nodiscard]] sections::ExactOverlap exact() {
+    sort();
+    return sections::exact_overlap(a_.edges, b_.edges);
+  }
+
+  [[nodiscard]] bool interiors_meet() const {
+    return sections::interiors_meet(outline_a_, outline_b_);
+  }
+
+ private:
+  void sort() {
+    if (sorted_) return;
+    sections::sort_for_pairs(a_.edges);
+    sections::sort_for_pairs(b_.edges);
+    sorted_ = true;
+  }
+
+  const RegionOutline& outline_a_;
+  const RegionOutline& outline_b_;
+  Trapezoids a_;
+  Trapezoids b_;
+  bool sorted_ = false;
+};
+
+// To kRatioBits significant bits, halves rounded up.
+double to_ratio_bits(double value) {
+  int exponent = 0;
+  const double mantissa = std::frexp(value, &exponent);
+  return std::ldexp(std::floor(std::ldexp(mantissa, kRatioBits) + 0.5), exponent - kRatioBits);
+}
+
+}  // namespace
+
+Sign compare_overlap(const RegionOutline& a, const RegionOutline& b, double tau) {
+  // A ratio is between 0 and 1. Nothing exceeds a tau that is not a number.
+  if (tau < 0) return Sign::positive;
+  if (!(tau <= 1)) return Sign::negative;
+  Overlap overlap(a, b);
+  if (!overlap.boxes_overlap()) return tau == 0 ? Sign::zero : Sign::negative;
+  const Overlap::Bounds bounds = overlap.bounds();
+  if (tau == 0) {
+    return bounds.overlap.positive() || overlap.interiors_meet() ? Sign::positive : Sign::zero;
+  }
+  const Interval excess = bounds.overlap - Interval{tau, tau} * bounds.smaller;
+  if (excess.positive()) return Sign::positive;
+  if (excess.negative()) return Sign::negative;
+  return sections::compare(overlap.exact(), tau);
+}
+
+double overlap_ratio(const RegionOutline& a, const RegionOutline& b) {
+  Overlap overlap(a, b);
+  if (!overlap.boxes_overlap()) return 0;
+  const Overlap::Bounds bounds = overlap.bounds();
+  if (!bounds.overlap.positive() && !overlap.interiors_meet()) return 0;
+  if (bounds.overlap.positive() && bounds.smaller.positive()) {
+    const Interval ratio = sections::quotient(bounds.overlap, bounds.smaller);
+    const double rounded = to_ratio_bits(ratio.lo);
+    if (ratio.lo > 0 && rounded == to_ratio_bits(ratio.hi)) return rounded;
+  }
+  // The smallest overlaps of all would round to zero.
+  const double rounded = sections::rounded_ratio(overlap.exact(), kRatioBits);
+  return std::max(rounded, std::numeric_limits<double>::denorm_min());
+}
+
+}  // namespace tetloft

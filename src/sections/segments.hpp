@@ -1,0 +1,29 @@
+// How two segments of the plane meet, by orientation tests and comparisons alone.
+#pragma once
+
+#include <tetloft/point.hpp>
+#include <tetloft/predicates.hpp>
+
+namespace tetloft::sections {
+
+/// Requires a ≠ b. Is p, known to be collinear with a and b, strictly between them?
+[[nodiscard]] inline bool strictly_between(const Point2& a, const Point2& b, const Point2& p) {
+  return canonical_less(a, b) ? canonical_less(a, p) && canonical_less(p, b)
+                              : canonical_less(b, p) && canonical_less(p, a);
+}
+
+/// Does p lie on the segment a b, ends excluded?
+[[nodiscard]] inline bool in_segment(const Point2& a, const Point2& b, const Point2& p) {
+  return strictly_between(a, b, p) && orient2d(a, b, p) == Sign::zero;
+}
+
+/// Do the segments a b and c d cross in a point interior to both?
+[[nodiscard]] inline bool cross(const Point2& a, const Point2& b, const Point2& c,
+                                const Point2& d) {
+  const Sign abc = orient2d(a, b, c);
+  if (abc == Sign::zero || orient2d(a, b, d) != -abc) return false;
+  const Sign cda = orient2d(c, d, a);
+  return cda != Sign::zero && orient2d(c, d, b) == -cda;
+}
+
+}  // namespace tetloft::sections

@@ -1,0 +1,122 @@
+// A sweep over edges of the plane that meet at common ends only.
+//
+// The line sweeps by canonical order (x, y), that is, tilted infinitesimally, so that a
+// vertical edge is an edge like others. Invariant: status_ holds the edges that cross the
+// line, bottom up; orientation tests and comparisons decide everything (Shamos and Hoey,
+// "Geometric intersection problems", FOCS 1976).
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <numeric>
+#include <set>
+#include <span>
+#include <vector>
+
+#include <tetloft/point.hpp>
+#include <tetloft/predicates.hpp>
+
+namespace tetloft::sections {
+
+/// An edge from its lower to its higher end in canonical order; the ends differ.
+struct SweepEdge {
+  Point2 low, high;
+};
+
+inline constexpr std::uint32_t kNoEdge = 0xFFFFFFFFU;
+
+class Sweep {
+ public:
+  /// `edges` must outlive the sweep; no two may be equal, cross or touch but at ends.
+  explicit Sweep(std::span<const SweepEdge> edges)
+      : edges_(edges), status_(Below{edges}), place_(edges.size(), status_.end()) {}
+
+  /// Calls visit(below, outgoing) at every vertex in canonical order, where `below` is the
+  /// edge next below the vertex (or kNoEdge) and `outgoing` are the edges that have their
+  /// low end there, bottom up. Stops when visit returns false.
+  template <class Visit>
+  void run(Visit visit) {
+    const std::vector<std::uint32_t> starts = sorted_by(&SweepEdge::low);
+    const std::vector<std::uint32_t> ends = sorted_by(&SweepEdge::high);
+    std::size_t s = 0;
+    std::size_t e = 0;
+    std::vector<std::uint32_t> outgoing;
+    while (e < ends.size()) {
+      const Point2 at =
+          s < starts.size() && canonical_less(edges_[starts[s]].low, edges_[ends[e]].high)
+              ? edges_[starts[s]].low
+              : edges_[ends[e]].high;
+      outgoing.clear();
+      while (s < starts.size() && edges_[starts[s]].low == at) outgoing.push_back(starts[s++]);
+      const std::size_t first_end = e;
+      while (e < ends.size() && edges_[ends[e]].high == at) ++e;
+      std::sort(outgoing.begin(), outgoing.end(), [&](std::uint32_t i, std::uint32_t j) {
+        return orient2d(at, edges_[i].high, edges_[j].high) == Sign::positive;
+      });
+      const Iterator first =
+          advance(at, std::span(ends).subspan(first_end, e - first_end), outgoing);
+      const std::uint32_t below = first == status_.begin() ? kNoEdge : std::prev(first)->edge;
+      if (!visit(below, std::span<const std::uint32_t>(outgoing))) return;
+    }
+  }
+
+ private:
+  struct Item {
+    mutable std::uint32_t edge;  // replaced by its continuation, which keeps the order
+  };
+  struct Below {
+    using is_transparent = void;
+    std::span<const SweepEdge> edges;
+
+    bool operator()(const Item& i, const Point2& p) const {
+      return orient2d(edges[i.edge].low, edges[i.edge].high, p) == Sign::positive;
+    }
+    bool operator()(const Item& i, const Item& j) const {
+      const SweepEdge& a = edges[i.edge];
+      const SweepEdge& b = edges[j.edge];
+      if (a.low == b.low) return orient2d(a.low, a.high, b.high) == Sign::positive;
+      if (canonical_less(a.low, b.low)) return orient2d(a.low, a.high, b.low) == Sign::positive;
+      return orient2d(b.low, b.high, a.low) == Sign::negative;
+    }
+  };
+  using Status = std::set<Item, Below>;
+  using Iterator = Status::iterator;
+
+  [[nodiscard]] std::vector<std::uint32_t> sorted_by(Point2 SweepEdge::*end) const {
+    std::vector<std::uint32_t> order(edges_.size());
+    std::iota(order.begin(), order.end(), std::uint32_t{0});
+    std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
+      return canonical_less(edges_[i].*end, edges_[j].*end);
+    });
+    return order;
+  }
+
+  // Replaces the edges that end at `at` by those that start there; returns the position
+  // of the lowest new edge, or of the first edge above `at` if there is none.
+  Iterator advance(const Point2& at, std::span<const std::uint32_t> incoming,
+                   std::span<const std::uint32_t> outgoing) {
+    if (incoming.size() == 1 && outgoing.size() == 1) {
+      const Iterator place = place_[incoming[0]];
+      place->edge = outgoing[0];
+      place_[outgoing[0]] = place;
+      return place;
+    }
+    // Edges ending at one point are neighbours in the status: whichever goes last, the
+    // edge after it is the first one above.
+    Iterator above = status_.end();
+    if (incoming.empty()) above = status_.lower_bound(at);
+    for (const std::uint32_t edge : incoming) above = status_.erase(place_[edge]);
+    for (const std::uint32_t edge : outgoing) {
+      place_[edge] = status_.emplace_hint(above, Item{edge});
+    }
+    return outgoing.empty() ? above : place_[outgoing[0]];
+  }
+
+  std::span<const SweepEdge> edges_;
+  Status status_;
+  std::vector<Iterator> place_;  // place_[edge]: where it is in the status
+};
+
+}  // namespace tetloft::sections
