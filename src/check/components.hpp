@@ -1,0 +1,15 @@
+#pragma once
+
+#include "check/findings.hpp"
+#include "check/resampling.hpp"
+#include "check/view.hpp"
+
+namespace tetloft::checking {
+
+/// Guarantee 4, conditions 4.1 to 4.5 of README.md: the face-connected components of the
+/// model part the contours as the correspondence says. Refused where labels are invalid.
+[[nodiscard]] Result<Findings> check_components(const ModelView& view, const SectionStack& stack,
+                                                const Resampling& resampling,
+                                                const CheckOptions& options);
+
+}  // namespace tetloft::checking

@@ -1,0 +1,165 @@
+// Figures beside the guarantees, in plain doubles.
+#include "check/figures.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "check/box_tree.hpp"
+
+namespace tetloft::checking {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+double distance_to_segment(const Point2& p, const Point2& a, const Point2& b) {
+  const double dx = b.x - a.x;
+  const double dy = b.y - a.y;
+  const double length2 = dx * dx + dy * dy;
+  const double along = length2 > 0 ? ((p.x - a.x) * dx + (p.y - a.y) * dy) / length2 : 0;
+  const double t = std::clamp(along, 0.0, 1.0);
+  return std::hypot(p.x - (a.x + t * dx), p.y - (a.y + t * dy));
+}
+
+// A section's region, for distances.
+class RegionDistance {
+ public:
+  explicit RegionDistance(const Section& section) {
+    std::vector<Box2> boxes;
+    for (const Contour& contour : section.contours) {
+      for (std::size_t i = 0; i < contour.vertices.size(); ++i) {
+        const Point2& a = contour.vertices[i];
+        const Point2& b = contour.vertices[(i + 1) % contour.vertices.size()];
+        edges_.push_back({a, b});
+        Box2 box{a, a};
+        box.include({b, b});
+        boxes.push_back(box);
+      }
+    }
+    tree_ = BoxTree(std::move(boxes));
+  }
+
+  [[nodiscard]] bool empty() const { return edges_.empty(); }
+
+  /// The distance of p, 0 inside; any value up to `enough` stands for all of them.
+  [[nodiscard]] double operator()(const Point2& p, double enough) const {
+    if (contains(p)) return 0;
+    return tree_.nearest(p, enough, kInfinity, [&](std::uint32_t e) {
+      return distance_to_segment(p, edges_[e][0], edges_[e][1]);
+    });
+  }
+
+ private:
+  // Even-odd rule along the ray to +x.
+  [[nodiscard]] bool contains(const Point2& p) const {
+    bool inside = false;
+    tree_.meeting({p, {kInfinity, p.y}}, [&](std::uint32_t e) {
+      const auto& [a, b] = edges_[e];
+      if ((a.y > p.y) != (b.y > p.y)) {
+        const double x = a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x);
+        if (x > p.x) inside = !inside;
+      }
+      return true;
+    });
+    return inside;
+  }
+
+  std::vector<std::array<Point2, 2>> edges_;
+  BoxTree tree_;
+};
+
+// A unit for lengths: with it, products of a few coordinates stay in range.
+double coordinate_scale(const ModelView& view) {
+  double largest = 0;
+  for (std::size_t v = 0; v < view.points.size(); ++v) {
+    if (view.used[v] == 0) continue;
+    const Point3& p = view.points[v];
+    largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+  }
+  return largest > 0 ? std::ldexp(1.0, -std::ilogb(largest)) : 1.0;
+}
+
+struct Vector3 {
+  double x, y, z;
+};
+Vector3 cross(const Vector3& a, const Vector3& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+double dot(const Vector3& a, const Vector3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+double smallest_dihedral(const std::array<Point3, 4>& corner, double scale) {
+  const auto difference = [&](std::size_t i, std::size_t j) {
+    return Vector3{scale * corner[j].x - scale * corner[i].x,
+                   scale * corner[j].y - scale * corner[i].y,
+                   scale * corner[j].z - scale * corner[i].z};
+  };
+  const double six_volumes = dot(cross(difference(0, 1), difference(0, 2)), difference(0, 3));
+  if (!(six_volumes > 0)) return 0;
+  std::array<Vector3, 4> normal;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto& f = kFaceVertex[i];
+    const auto a = static_cast<std::size_t>(f[0]);
+    normal[i] = cross(difference(a, static_cast<std::size_t>(f[1])),
+                      difference(a, static_cast<std::size_t>(f[2])));
+  }
+  double smallest = kInfinity;
+  for (std::size_t e = 0; e < 6; ++e) {
+    // Edge e lies in the faces opposite the two vertices of edge 5 − e. Their normals n, m
+    // have n × m = ± 6 V · (the edge), which stays accurate for small angles.
+    const auto i = static_cast<std::size_t>(kEdgeVertex[e][0]);
+    const auto j = static_cast<std::size_t>(kEdgeVertex[e][1]);
+    const auto n = static_cast<std::size_t>(kEdgeVertex[5 - e][0]);
+    const auto m = static_cast<std::size_t>(kEdgeVertex[5 - e][1]);
+    const Vector3 along = difference(i, j);
+    const double sine = six_volumes * std::sqrt(dot(along, along));
+    smallest = std::min(smallest, std::atan2(sine, -dot(normal[n], normal[m])));
+  }
+  return smallest;
+}
+
+}  // namespace
+
+double overshoot(const ModelView& view, const SectionStack& stack) {
+  std::vector<RegionDistance> region;
+  for (const Section& section : stack.sections) region.emplace_back(section);
+  const auto z = [&](std::size_t s) { return stack.sections[SectionId(s)].z; };
+  const std::size_t n = stack.sections.size();
+
+  double largest = 0;
+  for (std::size_t v = 0; v < view.points.size(); ++v) {
+    const Level level = view.level[v];
+    if (view.used[v] == 0 || on_plane(level)) continue;
+    // Between sections above − 1 and above, or beyond one end.
+    const auto above = static_cast<std::size_t>((level + 1) / 2);
+    const std::size_t low = above == 0 ? 0 : above - 1;
+    const std::size_t high = above == n ? n - 1 : above;
+    double gap = z(high) - z(low);
+    if (low == high && n > 1) gap = low == 0 ? z(1) - z(0) : z(n - 1) - z(n - 2);
+    if (n == 1) gap = 2 * std::fabs(view.points[v].z - z(0));
+
+    double distance = kInfinity;
+    for (const std::size_t s : {low, high}) {
+      if (region[s].empty() || distance <= largest * gap) continue;
+      distance = std::min(distance, region[s](view.xy(VertexId(v)), largest * gap));
+    }
+    if (distance < kInfinity) largest = std::max(largest, distance / gap);
+  }
+  return largest;
+}
+
+double smallest_dihedral_degrees(const ModelView& view) {
+  constexpr double kDegrees = 180 / 3.14159265358979323846;
+  const double scale = coordinate_scale(view);
+  double smallest = kInfinity;
+  for (const TetVertices& tet : view.tets) {
+    std::array<Point3, 4> corner;
+    for (std::size_t i = 0; i < 4; ++i) corner[i] = view.points[tet[i].index()];
+    smallest = std::min(smallest, smallest_dihedral(corner, scale));
+  }
+  return view.tets.empty() ? 180 : smallest * kDegrees;
+}
+
+}  // namespace tetloft::checking

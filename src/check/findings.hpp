@@ -1,0 +1,50 @@
+// What the check of one guarantee found, by numbered condition.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <utility>
+
+#include <tetloft/check.hpp>
+
+namespace tetloft::checking {
+
+class Findings {
+ public:
+  Findings(int number, std::string name, std::size_t places)
+      : number_(number), name_(std::move(name)), places_(places) {}
+
+  /// Counts `count` violations of condition number.condition. `place` makes the text that
+  /// says where; it is called for the first few only.
+  template <class Place>
+  void fail(int condition, const char* what, Place&& place, std::size_t count = 1) {
+    CheckFailure& failure = failures_[condition];
+    if (failure.count == 0) {
+      failure.what = std::to_string(number_) + "." + std::to_string(condition) + " " + what;
+    }
+    failure.count += count;
+    if (failure.places.size() < places_) failure.places.push_back(place());
+  }
+
+  [[nodiscard]] bool pass() const { return failures_.empty(); }
+  [[nodiscard]] bool failed(int condition) const { return failures_.count(condition) != 0; }
+
+  /// Failures by condition.
+  [[nodiscard]] GuaranteeVerdict verdict() const {
+    GuaranteeVerdict result;
+    result.number = number_;
+    result.name = name_;
+    result.pass = pass();
+    for (const auto& [condition, failure] : failures_) result.failures.push_back(failure);
+    return result;
+  }
+
+ private:
+  int number_;
+  std::string name_;
+  std::size_t places_;
+  std::map<int, CheckFailure> failures_;
+};
+
+}  // namespace tetloft::checking

@@ -1,0 +1,151 @@
+// Guarantee 2: model ∩ plane = region of the section, for every section plane.
+#include "check/resampling.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "check/contour_chains.hpp"
+#include "check/in_plane.hpp"
+
+namespace tetloft::checking {
+
+namespace {
+
+void check_crossing(const ModelView& view, Findings& findings) {
+  for (std::size_t t = 0; t < view.tets.size(); ++t) {
+    Level low = view.level[view.tets[t][0].index()];
+    Level high = low;
+    for (const VertexId v : view.tets[t]) {
+      low = std::min(low, view.level[v.index()]);
+      high = std::max(high, view.level[v.index()]);
+    }
+    // The lowest plane strictly above `low` is at level low + 2 or, between planes, low + 1.
+    const Level plane_above = on_plane(low) ? low + 2 : low + 1;
+    if (plane_above < high) {
+      findings.fail(1, "a tet has vertices on both sides of a section plane",
+                    [&] { return tet_text(view.id[t]); });
+    }
+  }
+}
+
+void check_triangles(const InPlaneComplex& complex, std::size_t planes, Findings& findings) {
+  for (const InPlaneTriangle& triangle : complex.triangles) {
+    const auto place = [&] {
+      return "section " + std::to_string(triangle.plane) + ", " + face_text(triangle.vertices);
+    };
+    if (triangle.flat) {
+      findings.fail(4, "the vertices of an in-plane face are collinear", place);
+    }
+    if (triangle.below > 1 || triangle.above > 1 || triangle.within > 0) {
+      findings.fail(5, "an in-plane face has more than one tet on one side, or one in the plane",
+                    place);
+    }
+    const bool needs_below = triangle.plane > 0;
+    const bool needs_above = triangle.plane + 1 < planes;
+    if ((needs_below && triangle.below == 0) || (needs_above && triangle.above == 0) ||
+        triangle.below + triangle.above == 0) {
+      findings.fail(6, "an in-plane face has no tet on a side where the stack goes on", place);
+    }
+  }
+}
+
+void check_edges(const ModelView& view, const InPlaneComplex& complex, Findings& findings) {
+  for (const InPlaneComplex::Edge& edge : complex.edges) {
+    if (edge.left <= 1 && edge.right <= 1) continue;
+    findings.fail(7, "an in-plane edge has more than one in-plane face on one side", [&] {
+      return "edge " + std::to_string(edge.low.value()) + " " + std::to_string(edge.high.value()) +
+             ", " + vertex_text(view, edge.low);
+    });
+  }
+}
+
+void check_no_other_edges(const ModelView& view, const InPlaneComplex& complex,
+                          Findings& findings) {
+  for (std::size_t t = 0; t < view.tets.size(); ++t) {
+    for (const auto& [i, j] : kEdgeVertex) {
+      const VertexId a = view.tets[t][static_cast<std::size_t>(i)];
+      const VertexId b = view.tets[t][static_cast<std::size_t>(j)];
+      if (view.level[a.index()] != view.level[b.index()] || !on_plane(view.level[a.index()]) ||
+          complex.has_edge(a, b)) {
+        continue;
+      }
+      findings.fail(14, "a tet has an edge in a section plane that is in no in-plane face", [&] {
+        return tet_text(view.id[t]) + ", edge " + std::to_string(a.value()) + " " +
+               std::to_string(b.value());
+      });
+    }
+  }
+}
+
+SectionStack refine(const ModelView& view, const SectionStack& stack, const OnContours& on) {
+  SectionStack refined = stack;
+  for (std::size_t s = 0; s < stack.sections.size(); ++s) {
+    Section& section = refined.sections[SectionId(s)];
+    for (std::size_t c = 0; c < section.contours.size(); ++c) {
+      const std::vector<VertexId>& chain = on.chain[on.number(s, c)];
+      std::vector<Point2>& vertices = section.contours[ContourId(c)].vertices;
+      if (chain.size() <= vertices.size()) continue;
+      vertices.clear();
+      for (const VertexId v : chain) vertices.push_back(view.xy(v));
+    }
+  }
+  return refined;
+}
+
+// Inserted vertices bend their contours by rounding. Where that made contours touch, or
+// moved one across another, the boundary of the triangles would not bound the region.
+// Sections where that is so go back to the input.
+void check_refined(const SectionStack& stack, SectionStack& refined, Findings& findings) {
+  constexpr const char* kWhat = "inserted vertices make contours touch or change their nesting";
+  for (std::size_t s = 0; s < stack.sections.size(); ++s) {
+    const Section& before = stack.sections[SectionId(s)];
+    Section& after = refined.sections[SectionId(s)];
+    bool changed = false;
+    for (std::size_t c = 0; c < before.contours.size(); ++c) {
+      changed = changed || before.contours[ContourId(c)].vertices.size() !=
+                               after.contours[ContourId(c)].vertices.size();
+    }
+    if (!changed) continue;
+    SectionStack alone;
+    alone.sections.push_back(after);
+    if (const Result<void> valid = validate(alone); !valid.ok()) {
+      findings.fail(13, kWhat, [&] {
+        return "section " + std::to_string(s) + ": " + to_string(valid.error());
+      });
+      after = before;
+      continue;
+    }
+    const Nesting nested_before = nest(before);
+    const Nesting nested_after = nest(after);
+    for (std::size_t c = 0; c < before.contours.size(); ++c) {
+      // A refined contour is listed with the region on its left.
+      const bool hole = nested_before.depth[ContourId(c)] % 2 == 1;
+      const bool refined_contour = before.contours[ContourId(c)].vertices.size() !=
+                                   after.contours[ContourId(c)].vertices.size();
+      if (nested_before.parent[ContourId(c)] != nested_after.parent[ContourId(c)] ||
+          (refined_contour &&
+           area_sign(after.contours[ContourId(c)]) != (hole ? Sign::negative : Sign::positive))) {
+        findings.fail(13, kWhat, [&] { return contour_text(s, c); });
+      }
+    }
+  }
+}
+
+}  // namespace
+
+Resampling check_resampling(const ModelView& view, const SectionStack& stack,
+                            const CheckOptions& options) {
+  Findings findings(2, "re-sampling", options.places);
+  check_crossing(view, findings);
+  const InPlaneComplex complex = in_plane_complex(view);
+  check_triangles(complex, stack.sections.size(), findings);
+  check_edges(view, complex, findings);
+  OnContours on_contours = follow_contours(view, stack, complex, options, findings);
+  SectionStack refined = refine(view, stack, on_contours);
+  check_refined(stack, refined, findings);
+  check_no_other_edges(view, complex, findings);
+  return {std::move(findings), std::move(on_contours), std::move(refined)};
+}
+
+}  // namespace tetloft::checking
