@@ -1,0 +1,60 @@
+// Command lines: which options a command has, and what was given.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <tetloft/result.hpp>
+
+namespace tetloft::cli {
+
+struct Option {
+  std::string_view name;   ///< "--overlap"
+  std::string_view value;  ///< what it takes ("TAU"); empty for a flag
+  std::string_view help;
+  std::string_view alias = {};  ///< "-o"
+};
+
+/// What a command takes: for parsing and for --help.
+struct Usage {
+  std::string_view command;
+  std::string_view summary;
+  std::vector<std::string_view> operands;  ///< all are required
+  std::vector<Option> options;
+  std::string_view notes;  ///< further help, one paragraph
+};
+
+class Arguments {
+ public:
+  /// Takes options in any place, values as "--name value" or "--name=value", operands, and
+  /// "--", behind which everything is an operand. Error usage names the offender: unknown
+  /// or repeated options, missing values, too few or too many operands.
+  [[nodiscard]] static Result<Arguments> parse(const Usage& usage,
+                                               const std::vector<std::string>& words);
+
+  [[nodiscard]] const std::string& operand(std::size_t i) const { return operands_[i]; }
+  [[nodiscard]] bool has(std::string_view option) const { return find(option) != nullptr; }
+  [[nodiscard]] std::optional<std::string> text(std::string_view option) const;
+  /// The option as a finite number; empty if it was not given.
+  [[nodiscard]] Result<std::optional<double>> number(std::string_view option) const;
+  /// The option as an integer of [least, largest]; empty if it was not given.
+  [[nodiscard]] Result<std::optional<std::int64_t>> integer(std::string_view option,
+                                                            std::int64_t least,
+                                                            std::int64_t largest) const;
+
+ private:
+  [[nodiscard]] const std::string* find(std::string_view option) const;
+
+  std::vector<std::string> operands_;
+  std::map<std::string, std::string, std::less<>> values_;  // by full name; flags are ""
+};
+
+[[nodiscard]] Error usage_error(const std::string& message);
+
+[[nodiscard]] std::string help_text(const Usage& usage);
+
+}  // namespace tetloft::cli

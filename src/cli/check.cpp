@@ -1,0 +1,140 @@
+// tetloft check: the four guarantees, exactly.
+#include "cli/commands.hpp"
+#include "cli/stack_input.hpp"
+
+namespace tetloft::cli {
+
+namespace {
+
+Usage usage() {
+  Usage usage{"check",
+              "The guarantees of a model, checked exactly against its input.",
+              {"MODEL.vtu", "IN.cnt"},
+              stack_options(),
+              "Give the options of correspondence, and --snap, as they were given to "
+              "reconstruct. Exits with 1 if a guarantee fails."};
+  for (const Option& option : {kJsonOption, kQuietOption, kHelpOption}) {
+    usage.options.push_back(option);
+  }
+  return usage;
+}
+
+void write_failures(JsonWriter& json, const GuaranteeVerdict& verdict) {
+  json.key("failures");
+  json.begin_array();
+  for (const CheckFailure& failure : verdict.failures) {
+    json.begin_object();
+    json.member("what", failure.what);
+    json.member("count", failure.count);
+    json.key("places");
+    json.begin_array();
+    for (const std::string& place : failure.places) json.value(place);
+    json.end_array();
+    json.end_object();
+  }
+  json.end_array();
+}
+
+std::string to_json(const CheckReport& report, const StackInput& input, const Console& console) {
+  JsonWriter json;
+  json.begin_object();
+  json.member("pass", report.pass());
+  json.key("guarantees");
+  json.begin_array();
+  for (const GuaranteeVerdict& verdict : report.guarantees) {
+    json.begin_object();
+    json.member("number", verdict.number);
+    json.member("name", verdict.name);
+    json.member("pass", verdict.pass);
+    write_failures(json, verdict);
+    json.end_object();
+  }
+  json.end_array();
+  json.member("components", report.components);
+  json.key("genus");
+  json.begin_array();
+  for (const long genus : report.genus) json.value(genus);
+  json.end_array();
+  json.member("volume", report.volume);
+  json.member("overshoot", report.overshoot);
+  json.member("smallest_dihedral_degrees", report.smallest_dihedral_degrees);
+  json.member("largest_split_ulps", report.largest_split_ulps);
+  if (input.snapped) write_snap(json, *input.snapped);
+  write_warnings(json, console.warnings());
+  json.end_object();
+  return json.text();
+}
+
+std::string genus_text(const std::vector<long>& genus) {
+  constexpr std::size_t kFew = 20;
+  std::string text;
+  for (std::size_t i = 0; i < genus.size() && i < kFew; ++i) {
+    text += (i == 0 ? "" : " ") + std::to_string(genus[i]);
+  }
+  if (genus.size() > kFew) text += " …";
+  return text.empty() ? "none" : text;
+}
+
+std::string to_text(const CheckReport& report, const StackInput& input) {
+  std::string text;
+  if (input.snapped) text += describe_snap(*input.snapped);
+  for (const GuaranteeVerdict& verdict : report.guarantees) {
+    text += std::to_string(verdict.number) + ' ' + verdict.name + ": " +
+            (verdict.pass ? "PASS" : "FAIL") + '\n';
+    for (const CheckFailure& failure : verdict.failures) {
+      text += "    " + failure.what + ": " + std::to_string(failure.count) + '\n';
+      for (const std::string& place : failure.places) text += "        " + place + '\n';
+    }
+  }
+  text += counted(report.components, "component") +
+          ", genus of boundary surfaces: " + genus_text(report.genus) + ", volume " +
+          readable(report.volume) + '\n';
+  text += "overshoot " + readable(report.overshoot) + " gaps, smallest dihedral angle " +
+          readable(report.smallest_dihedral_degrees) + " degrees, inserted vertices at most " +
+          readable(report.largest_split_ulps) + " ulps off their edges\n";
+  return text;
+}
+
+std::string failed_guarantees(const CheckReport& report) {
+  std::string text = "check failed:";
+  for (const GuaranteeVerdict& verdict : report.guarantees) {
+    if (verdict.pass) continue;
+    text += (text.back() == ':' ? " guarantee " : ", ") + std::to_string(verdict.number) + " (" +
+            verdict.name + ')';
+  }
+  return text;
+}
+
+Result<int> run(const Arguments& arguments, Console& console) {
+  CheckOptions options;
+  auto correspondence = correspondence_options(arguments, console);
+  if (!correspondence) return correspondence.error();
+  options.correspondence = *std::move(correspondence);
+  const auto snap = snap_bits(arguments);
+  if (!snap) return snap.error();
+
+  const Result<Model> model = read_vtu(arguments.operand(0));
+  if (!model) return model.error();
+  const auto input = read_stack_input(arguments.operand(1), *snap, console);
+  if (!input) return input.error();
+  auto labels = read_label_option(arguments, input->stack);
+  if (!labels) return labels.error();
+  options.correspondence.labels = *std::move(labels);
+
+  const Result<CheckReport> report = check(*model, input->stack, options);
+  if (!report) return report.error();
+  if (console.json()) {
+    console.print(to_json(*report, *input, console));
+  } else if (!console.quiet()) {
+    console.print(to_text(*report, *input));
+  }
+  if (report->pass()) return 0;
+  console.say(failed_guarantees(*report));
+  return kGuaranteeFails;
+}
+
+}  // namespace
+
+Command check_command() { return {usage(), run}; }
+
+}  // namespace tetloft::cli

@@ -1,0 +1,33 @@
+// The commands. Each has its usage and a function that returns the exit code, or the error
+// that stopped it.
+#pragma once
+
+#include <tetloft/result.hpp>
+
+#include "cli/arguments.hpp"
+#include "cli/console.hpp"
+
+namespace tetloft::cli {
+
+struct Command {
+  Usage usage;
+  Result<int> (*run)(const Arguments& arguments, Console& console);
+};
+
+[[nodiscard]] Command reconstruct_command();
+[[nodiscard]] Command check_command();
+[[nodiscard]] Command delaunay_command();
+[[nodiscard]] Command info_command();
+
+/// Exit code of `check` where a guarantee fails.
+inline constexpr int kGuaranteeFails = 1;
+
+/// Options that every command has.
+inline constexpr Option kJsonOption{"--json", "",
+                                    "print exactly one JSON object on standard output"};
+inline constexpr Option kQuietOption{"--quiet", "",
+                                     "no progress and no summary; warnings, errors and --json "
+                                     "stay"};
+inline constexpr Option kHelpOption{"--help", "", "print this help"};
+
+}  // namespace tetloft::cli

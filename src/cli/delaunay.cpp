@@ -1,0 +1,92 @@
+// tetloft delaunay: the Delaunay triangulation of points in space.
+#include <tetloft/tetloft.hpp>
+
+#include "cli/commands.hpp"
+#include "cli/outputs.hpp"
+
+namespace tetloft::cli {
+
+namespace {
+
+Usage usage() {
+  return {"delaunay",
+          "The Delaunay triangulation of points in space.",
+          {"POINTS"},
+          {{"--output", "OUT.vtu", "write the tets, a VTK XML file", "-o"},
+           {"--threads", "N", "0 to 1024; taken for later: the engine runs on one thread"},
+           kJsonOption,
+           kQuietOption,
+           kHelpOption},
+          "POINTS holds lines \"x y z\" with # comments, or little-endian float64 triples if its "
+          "name ends in .bin. The seconds told are those of the triangulation alone."};
+}
+
+void warn_if_flat(const Delaunay3& delaunay, Console& console) {
+  if (delaunay.dimension >= 3) return;
+  const char* const shape = delaunay.dimension == 2   ? "coplanar"
+                            : delaunay.dimension == 1 ? "collinear"
+                            : delaunay.dimension == 0 ? "all the same"
+                                                      : "missing";
+  console.warn({std::string("the points are ") + shape + ": there are no tets", {}});
+}
+
+std::vector<TetVertices> tets_of(const TetMesh& mesh) {
+  std::vector<TetVertices> tets;
+  tets.reserve(mesh.tet_count());
+  for (std::size_t t = 0; t < mesh.tet_slots(); ++t) {
+    if (mesh.is_live(TetId(t))) tets.push_back(mesh.vertices(TetId(t)));
+  }
+  return tets;
+}
+
+Result<int> run(const Arguments& arguments, Console& console) {
+  if (const auto threads = arguments.integer("--threads", 0, 1024); !threads) {
+    return threads.error();
+  }
+  const auto output = arguments.text("--output");
+  if (output) {
+    Result<void> checked = check_output("--output (-o)", *output, {".vtu"}, {arguments.operand(0)});
+    if (!checked) return checked.error();
+  }
+  const auto points = read_points(arguments.operand(0));
+  if (!points) return points.error();
+  const Stopwatch triangulating;
+  const Result<Delaunay3> delaunay = delaunay3(*points);
+  const double seconds = triangulating.seconds();
+  if (!delaunay) {
+    Error error = delaunay.error();
+    if (error.where.file.empty()) error.where.file = arguments.operand(0);
+    return error;
+  }
+  warn_if_flat(*delaunay, console);
+  if (output) {
+    Result<void> written = write_vtu(*output, *points, tets_of(delaunay->mesh));
+    if (!written) return written.error();
+  }
+  if (console.json()) {
+    JsonWriter json;
+    json.begin_object();
+    json.member("points", points->size());
+    json.member("tets", delaunay->mesh.tet_count());
+    json.member("seconds", seconds);
+    json.member("duplicates", delaunay->duplicates);
+    json.member("dimension", delaunay->dimension);
+    write_warnings(json, console.warnings());
+    json.end_object();
+    console.print(json.text());
+  } else if (!console.quiet()) {
+    std::string text = counted(points->size(), "point") + " (" +
+                       counted(delaunay->duplicates, "duplicate") + "), " +
+                       counted(delaunay->mesh.tet_count(), "tet") + ", " + readable(seconds) +
+                       " seconds\n";
+    if (output) text += "written: " + *output + '\n';
+    console.print(text);
+  }
+  return 0;
+}
+
+}  // namespace
+
+Command delaunay_command() { return {usage(), run}; }
+
+}  // namespace tetloft::cli

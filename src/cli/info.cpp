@@ -1,0 +1,188 @@
+// tetloft info: what a stack holds.
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <limits>
+
+#include <tetloft/tetloft.hpp>
+
+#include "cli/commands.hpp"
+
+namespace tetloft::cli {
+
+namespace {
+
+Usage usage() {
+  return {"info",
+          "Sections, contours, nesting, regions, areas and extents of a stack.",
+          {"IN.cnt"},
+          {kJsonOption, kQuietOption, kHelpOption},
+          "Depth counts the contours around a contour: even for outer contours, odd for holes. "
+          "A region is an outer contour with its immediate holes; areas are those of regions."};
+}
+
+struct SectionInfo {
+  Nesting nesting;
+  std::vector<double> region_area;  // by region
+  double area = 0;
+  std::size_t vertices = 0;
+  std::uint32_t depth = 0;  // the largest; 0 without contours
+};
+
+struct Extents {
+  std::array<double, 3> low{};
+  std::array<double, 3> high{};
+  bool known = false;  // false without vertices
+
+  void include(const std::array<double, 3>& p) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      low[i] = known ? std::min(low[i], p[i]) : p[i];
+      high[i] = known ? std::max(high[i], p[i]) : p[i];
+    }
+    known = true;
+  }
+};
+
+SectionInfo describe(const Section& section) {
+  SectionInfo info;
+  info.nesting = nest(section);
+  for (std::size_t r = 0; r < info.nesting.outer.size(); ++r) {
+    info.region_area.push_back(area(outline(section, info.nesting, RegionId(r))));
+    info.area += info.region_area.back();
+  }
+  for (const Contour& contour : section.contours) info.vertices += contour.vertices.size();
+  for (const std::uint32_t depth : info.nesting.depth) info.depth = std::max(info.depth, depth);
+  return info;
+}
+
+struct StackInfo {
+  std::vector<SectionInfo> sections;
+  Extents extents;
+  std::size_t regions = 0;
+  std::uint32_t depth = 0;
+};
+
+StackInfo describe(const SectionStack& stack) {
+  StackInfo info;
+  for (const Section& section : stack.sections) {
+    info.sections.push_back(describe(section));
+    info.regions += info.sections.back().nesting.outer.size();
+    info.depth = std::max(info.depth, info.sections.back().depth);
+    for (const Contour& contour : section.contours) {
+      for (const Point2& p : contour.vertices) info.extents.include({p.x, p.y, section.z});
+    }
+  }
+  return info;
+}
+
+void write_section(JsonWriter& json, const Section& section, const SectionInfo& info) {
+  json.begin_object();
+  json.member("z", section.z);
+  json.member("vertices", info.vertices);
+  json.member("regions", info.nesting.outer.size());
+  json.member("depth", info.depth);
+  json.member("area", info.area);
+  json.key("region_areas");
+  json.begin_array();
+  for (const double a : info.region_area) json.value(a);
+  json.end_array();
+  json.key("contours");
+  json.begin_array();
+  for (std::size_t c = 0; c < section.contours.size(); ++c) {
+    const ContourId id(c);
+    const Contour& contour = section.contours[id];
+    json.begin_object();
+    json.member("vertices", contour.vertices.size());
+    json.member("depth", info.nesting.depth[id]);
+    json.key("parent");
+    const ContourId parent = info.nesting.parent[id];
+    if (parent.valid()) {
+      json.value(parent.index());
+    } else {
+      json.value(std::numeric_limits<double>::quiet_NaN());  // null
+    }
+    json.member("region", info.nesting.region[id].index());
+    json.member("signed_area", twice_area(contour) / 2);
+    json.end_object();
+  }
+  json.end_array();
+  json.end_object();
+}
+
+std::string to_json(const SectionStack& stack, const StackInfo& info, const Console& console) {
+  JsonWriter json;
+  json.begin_object();
+  json.member("slices", stack.sections.size());
+  json.member("contours", stack.contour_count());
+  json.member("regions", info.regions);
+  json.member("vertices", stack.vertex_count());
+  json.member("depth", info.depth);
+  if (info.extents.known) {
+    json.key("extents");
+    json.begin_object();
+    constexpr std::array<const char*, 3> kAxes{"x", "y", "z"};
+    for (std::size_t i = 0; i < 3; ++i) {
+      json.key(kAxes[i]);
+      json.begin_array();
+      json.value(info.extents.low[i]);
+      json.value(info.extents.high[i]);
+      json.end_array();
+    }
+    json.end_object();
+  }
+  json.key("sections");
+  json.begin_array();
+  for (std::size_t s = 0; s < info.sections.size(); ++s) {
+    write_section(json, stack.sections[SectionId(s)], info.sections[s]);
+  }
+  json.end_array();
+  write_warnings(json, console.warnings());
+  json.end_object();
+  return json.text();
+}
+
+std::string to_text(const SectionStack& stack, const StackInfo& info) {
+  std::string text = counted(stack.sections.size(), "section") + ", " +
+                     counted(stack.contour_count(), "contour") + " bounding " +
+                     counted(info.regions, "region") + ", nested " + std::to_string(info.depth) +
+                     " deep, " + std::to_string(stack.vertex_count()) + " vertices\n";
+  if (info.extents.known) {
+    text += "extents";
+    constexpr std::array<const char*, 3> kAxes{" x ", ", y ", ", z "};
+    for (std::size_t i = 0; i < 3; ++i) {
+      text += kAxes[i] + readable(info.extents.low[i]) + " to " + readable(info.extents.high[i]);
+    }
+    text += '\n';
+  }
+  text += "section            z  contours  regions  depth  vertices          area\n";
+  for (std::size_t s = 0; s < info.sections.size(); ++s) {
+    const SectionInfo& section = info.sections[s];
+    const Section& input = stack.sections[SectionId(s)];
+    char line[160];
+    std::snprintf(line, sizeof line, "%7zu %12s %9zu %8zu %6u %9zu %13s\n", s,
+                  readable(input.z).c_str(), input.contours.size(), section.nesting.outer.size(),
+                  static_cast<unsigned>(section.depth), section.vertices,
+                  readable(section.area).c_str());
+    text += line;
+  }
+  return text;
+}
+
+Result<int> run(const Arguments& arguments, Console& console) {
+  const Result<ReadStack> read = read_cnt(arguments.operand(0));
+  if (!read) return read.error();
+  for (const Warning& warning : read->warnings) console.warn(warning);
+  const StackInfo info = describe(read->stack);
+  if (console.json()) {
+    console.print(to_json(read->stack, info, console));
+  } else if (!console.quiet()) {
+    console.print(to_text(read->stack, info));
+  }
+  return 0;
+}
+
+}  // namespace
+
+Command info_command() { return {usage(), run}; }
+
+}  // namespace tetloft::cli

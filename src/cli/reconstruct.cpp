@@ -1,0 +1,259 @@
+// tetloft reconstruct: from a stack of contours to a solid.
+#include <cstdio>
+#include <optional>
+#include <utility>
+
+#include "cli/commands.hpp"
+#include "cli/outputs.hpp"
+#include "cli/progress.hpp"
+#include "cli/stack_input.hpp"
+#include "io/numbers.hpp"
+
+namespace tetloft::cli {
+
+namespace {
+
+Usage usage() {
+  Usage usage{"reconstruct",
+              "From a stack of contours to a tetrahedral solid.",
+              {"IN.cnt"},
+              {{"--output", "OUT.vtu", "the solid, a VTK XML file; required", "-o"},
+               {"--surface", "FILE", "also write its boundary: .obj, .ply, .vtp or .stl"}},
+              "A single section is made into a solid of --thickness, or of a tenth of the larger "
+              "side of its bounding box, with a warning. Nothing is written when the command "
+              "fails."};
+  for (const Option& option : stack_options()) usage.options.push_back(option);
+  for (const Option& option :
+       {Option{"--ends", "HOW",
+               "the ends of the stack: flat (default) at the outer sections, or half a gap "
+               "beyond them"},
+        Option{"--thickness", "T", "of the solid made of a single section, above 0"},
+        Option{"--threads", "N", "0 (default: all processors) to 1024; the result is the same"},
+        Option{"--verify", "", "check the result; write nothing and exit with 70 if it fails"},
+        Option{"--ascii", "", "write numbers as text that reads back exactly"}, kJsonOption,
+        kQuietOption, kHelpOption}) {
+    usage.options.push_back(option);
+  }
+  return usage;
+}
+
+struct Request {
+  std::string input;
+  std::string output;
+  std::optional<std::string> surface;
+  ReconstructOptions options;
+  std::optional<int> snap;
+  bool verify = false;
+  Encoding encoding = Encoding::binary;
+};
+
+Result<void> check_outputs(const Arguments& arguments, const Request& request) {
+  std::vector<std::string> taken{request.input};
+  if (const auto labels = arguments.text("--labels")) taken.push_back(*labels);
+  Result<void> output = check_output("--output (-o)", request.output, {".vtu"}, taken);
+  if (!output || !request.surface) return output;
+  taken.push_back(request.output);
+  return check_output("--surface", *request.surface, {".obj", ".ply", ".vtp", ".stl"}, taken);
+}
+
+// Everything that can be said about the command line before a file is read.
+Result<Request> request_of(const Arguments& arguments, Console& console) {
+  Request request;
+  request.input = arguments.operand(0);
+  const auto output = arguments.text("--output");
+  if (!output) return usage_error("missing option --output (-o) OUT.vtu");
+  request.output = *output;
+  request.surface = arguments.text("--surface");
+  const auto correspondence = correspondence_options(arguments, console);
+  if (!correspondence) return correspondence.error();
+  request.options.correspondence = *correspondence;
+  const auto snap = snap_bits(arguments);
+  if (!snap) return snap.error();
+  request.snap = *snap;
+  if (const auto ends = arguments.text("--ends")) {
+    if (*ends != "flat" && *ends != "half") {
+      return usage_error("option --ends: " + io::quoted(*ends) + " is neither flat nor half");
+    }
+    request.options.ends = *ends == "flat" ? Ends::flat : Ends::half;
+  }
+  const auto thickness = arguments.number("--thickness");
+  if (!thickness) return thickness.error();
+  if (thickness->has_value() && !(**thickness > 0)) {
+    return usage_error("option --thickness: " + io::quoted(*arguments.text("--thickness")) +
+                       " is not above 0");
+  }
+  request.options.thickness = *thickness;
+  const auto threads = arguments.integer("--threads", 0, 1024);
+  if (!threads) return threads.error();
+  request.options.threads = static_cast<unsigned>(threads->value_or(0));
+  request.verify = arguments.has("--verify");
+  if (arguments.has("--ascii")) request.encoding = Encoding::ascii;
+  if (Result<void> outputs = check_outputs(arguments, request); !outputs) {
+    return outputs.error();
+  }
+  return request;
+}
+
+// An internal error where a guarantee fails: reconstruct promises them.
+Result<void> verify(const Model& model, const StackInput& input, const Request& request) {
+  CheckOptions options;
+  options.correspondence = request.options.correspondence;
+  const Result<CheckReport> report = check(model, input.stack, options);
+  if (!report) return report.error();
+  for (const GuaranteeVerdict& verdict : report->guarantees) {
+    if (verdict.pass) continue;
+    std::string message = "verification failed: guarantee " + std::to_string(verdict.number) +
+                          " (" + verdict.name + ")";
+    if (!verdict.failures.empty()) {
+      const CheckFailure& failure = verdict.failures.front();
+      message += ": " + failure.what + ", " + std::to_string(failure.count) + " times";
+      if (!failure.places.empty()) message += ", first at " + failure.places.front();
+    }
+    return Error{ErrorCode::internal, message, {}};
+  }
+  return {};
+}
+
+Result<void> write_outputs(const Model& model, const Request& request, Console& console) {
+  Result<void> written = write_vtu(request.output, model, request.encoding);
+  if (!written || !request.surface) return written;
+  const auto warnings = write_surface(*request.surface, model, request.encoding);
+  if (!warnings) {
+    // A command that fails leaves no output, also where one of two files was fine.
+    std::remove(request.output.c_str());
+    return warnings.error();
+  }
+  for (const Warning& warning : *warnings) console.warn(warning);
+  return {};
+}
+
+// Wall-clock seconds of what the command line does around the reconstruction.
+struct Seconds {
+  double read = 0;
+  double verify = 0;
+  double write = 0;
+  double total = 0;
+};
+
+std::string to_json(const Reconstruction& result, const StackInput& input, const Seconds& seconds,
+                    const Console& console) {
+  const ReconstructReport& report = result.report;
+  JsonWriter json;
+  json.begin_object();
+  json.member("slices", report.slices);
+  json.member("contours", report.contours);
+  json.member("input_vertices", report.input_vertices);
+  json.member("split_vertices", report.split_vertices);
+  json.member("vertices", result.model.points.size());
+  json.member("tets", result.model.tets.size());
+  json.member("components", result.model.component_count);
+  json.member("volume", report.volume);
+  json.member("smallest_lift", report.smallest_lift);
+  json.key("rules");
+  json.begin_object();
+  for (int r = 0; r < kRules; ++r) {
+    json.member(name_of(static_cast<Rule>(r)), report.rules[static_cast<std::size_t>(r)]);
+  }
+  json.end_object();
+  json.key("seconds");
+  json.begin_object();
+  json.member("read", seconds.read);
+  for (int s = 0; s < kSteps; ++s) {
+    json.member(name_of(static_cast<Step>(s)), report.seconds[static_cast<std::size_t>(s)]);
+  }
+  json.member("reconstruct", report.seconds_total);
+  json.member("verify", seconds.verify);
+  json.member("write", seconds.write);
+  json.member("total", seconds.total);
+  json.end_object();
+  if (input.snapped) write_snap(json, *input.snapped);
+  write_warnings(json, console.warnings());
+  json.end_object();
+  return json.text();
+}
+
+std::string to_text(const Reconstruction& result, const StackInput& input, const Seconds& seconds,
+                    const Request& request) {
+  const ReconstructReport& report = result.report;
+  std::string text;
+  if (input.snapped) text += describe_snap(*input.snapped);
+  text += counted(report.slices, "section") + ", " + counted(report.contours, "contour") + ", " +
+          std::to_string(report.input_vertices) + " input vertices and " +
+          std::to_string(report.split_vertices) + " inserted on contours\n";
+  text += counted(result.model.tets.size(), "tet") + ", " +
+          std::to_string(result.model.points.size()) + " vertices, " +
+          counted(result.model.component_count, "component") + ", volume " +
+          readable(report.volume) + '\n';
+  text += "smallest lift " + readable(report.smallest_lift) + '\n';
+  std::string rules;
+  for (int r = 0; r < kRules; ++r) {
+    const auto count = report.rules[static_cast<std::size_t>(r)];
+    if (count == 0) continue;
+    rules += (rules.empty() ? "" : ", ") + std::string(name_of(static_cast<Rule>(r))) + ' ' +
+             std::to_string(count);
+  }
+  text += "rules fired: " + (rules.empty() ? "none" : rules) + '\n';
+  text += "seconds: read " + readable(seconds.read);
+  for (int s = 0; s < kSteps; ++s) {
+    text += std::string(", ") + name_of(static_cast<Step>(s)) + ' ' +
+            readable(report.seconds[static_cast<std::size_t>(s)]);
+  }
+  if (request.verify) text += ", verify " + readable(seconds.verify);
+  text += ", write " + readable(seconds.write) + ", total " + readable(seconds.total) + '\n';
+  if (request.verify) text += "verified: all guarantees hold\n";
+  text += "written: " + request.output;
+  if (request.surface) text += ", " + *request.surface;
+  return text + '\n';
+}
+
+Result<int> run(const Arguments& arguments, Console& console) {
+  const Stopwatch all;
+  Result<Request> request = request_of(arguments, console);
+  if (!request) return request.error();
+  Seconds seconds;
+  Stopwatch reading;
+  const auto input = read_stack_input(request->input, request->snap, console);
+  if (!input) return input.error();
+  auto labels = read_label_option(arguments, input->stack);
+  if (!labels) return labels.error();
+  request->options.correspondence.labels = *std::move(labels);
+  seconds.read = reading.seconds();
+  if (request->options.thickness && input->stack.sections.size() > 1) {
+    console.warn({"--thickness has no effect on more than one section", {}});
+  }
+
+  Result<Reconstruction> result = [&] {
+    Progress progress(!console.quiet());
+    request->options.progress = progress.callback();
+    return reconstruct(input->stack, request->options);
+  }();
+  if (!result) {
+    Error error = result.error();
+    if (error.where.file.empty()) error.where.file = request->input;
+    return error;
+  }
+  for (const Warning& warning : result->warnings) console.warn(warning);
+  if (request->verify) {
+    const Stopwatch verifying;
+    Result<void> verified = verify(result->model, *input, *request);
+    if (!verified) return verified.error();
+    seconds.verify = verifying.seconds();
+  }
+  const Stopwatch writing;
+  Result<void> written = write_outputs(result->model, *request, console);
+  if (!written) return written.error();
+  seconds.write = writing.seconds();
+  seconds.total = all.seconds();
+  if (console.json()) {
+    console.print(to_json(*result, *input, seconds, console));
+  } else if (!console.quiet()) {
+    console.print(to_text(*result, *input, seconds, *request));
+  }
+  return 0;
+}
+
+}  // namespace
+
+Command reconstruct_command() { return {usage(), run}; }
+
+}  // namespace tetloft::cli
