@@ -58,14 +58,23 @@ using Segment = std::array<VertexId, 2>;
 /// What conforming_delaunay2 inserted.
 struct SplitVertex {
   std::size_t segment = 0;  ///< index of the input segment it lies on
-  std::size_t position = 0;  ///< its place along the segment, from the first end, from 0
+  /// Its place among the points inserted into that segment, from the first end, from 0: it
+  /// is chains[segment][position + 1].
+  std::size_t position = 0;
 };
 
 struct ConformingOptions {
   /// segments whose subsegments must be Gabriel: no vertex in or on their diametral
   /// circle but their ends. Empty: none. Otherwise one flag per segment.
   std::vector<bool> gabriel;
+  /// At most so many points are inserted; 0: 2^20 + 64 (points + segments). Valid sections
+  /// come nowhere near it unless features are a few ulps wide, or `gabriel` segments run
+  /// side by side at less than a millionth of their length.
+  std::size_t most_inserted = 0;
 };
+
+/// conforming_delaunay2 computes with lengths; up to here they do not overflow.
+inline constexpr double kLargestSplitCoordinate = 0x1p1000;
 
 /// A Delaunay triangulation in which every segment is a union of edges.
 struct Conforming2 {
@@ -78,17 +87,28 @@ struct Conforming2 {
 };
 
 /// Splits every segment that is not an edge of the Delaunay triangulation, all of one
-/// round together, until none is missing: at the midpoint, near acute corners on
-/// concentric shells of power-of-two radius (Ruppert 1995; Shewchuk 2002). Every inserted
-/// point is rounded once and is input from then on.
+/// round together, until none is missing: at the midpoint; where one end makes an angle
+/// below 90° with another segment, on concentric shells around that end, at the roundest
+/// radius in the middle third (a power of two for the piece at the corner); where both do,
+/// first at the midpoint (Ruppert 1995; Shewchuk 2002).
+/// (1) The set of inserted points does not depend on the order of points, segments or ends;
+/// a segment set whose segments are all edges is not split. (2) Inserted points are numbered
+/// by round, within a round in canonical order. (3) Every inserted point is rounded once and
+/// is input from then on: the chain bends by ulps and is what is respected. Whether it is
+/// still simple is for the caller to verify.
 /// Requires distinct points and segments that do not cross or touch but at shared ends.
-/// Fails (unrepresentable, naming the point) when rounding leaves no room to split.
+/// Fails (invalid_input, naming the vertex) where a coordinate is not finite or beyond
+/// kLargestSplitCoordinate, points or segments are repeated, or an end is not a point; and
+/// (unrepresentable; where.vertex is the first end of the segment, where.point the point)
+/// when rounding leaves no room to split or most_inserted is exceeded. Segments that cross
+/// or touch end there as well, unless a point is inserted just where they meet.
 [[nodiscard]] Result<Conforming2> conforming_delaunay2(std::span<const Point2> points,
                                                        std::span<const Segment> segments,
                                                        const ConformingOptions& options = {});
 
-/// The Voronoi vertex dual to a triangle: its circumcentre, rounded. For pictures and
-/// skeletons; nothing is decided by it.
+/// The Voronoi vertex dual to a triangle: its circumcentre, rounded, the same for any order
+/// of a, b, c. Not finite if they are collinear. For pictures and skeletons; nothing is
+/// decided by it.
 [[nodiscard]] Point2 circumcentre(const Point2& a, const Point2& b, const Point2& c);
 
 }  // namespace tetloft

@@ -1,2 +1,161 @@
-// Placeholder until the module lands.
-namespace tetloft {}
+// The API boundary: what is refused, and the trivial cases without triangles.
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <tetloft/delaunay.hpp>
+#include <tetloft/predicates.hpp>
+
+#include "core/check.hpp"
+#include "delaunay2/canonical.hpp"
+#include "delaunay2/conforming.hpp"
+#include "delaunay2/incremental.hpp"
+#include "delaunay2/start.hpp"
+
+namespace tetloft {
+
+namespace {
+
+using delaunay2_detail::Incremental2;
+
+Error refuse(std::string message, std::span<const Point2> points, std::size_t vertex) {
+  Error error{ErrorCode::invalid_input, std::move(message), {}};
+  error.where.vertex = vertex;
+  if (vertex < points.size()) error.where.point = Point3{points[vertex].x, points[vertex].y, 0};
+  return error;
+}
+
+Result<void> verify_points(std::span<const Point2> points) {
+  if (Result<void> fp = fp_self_check(); !fp) return fp;
+  if (points.size() >= Incremental2::kMostVertices) {
+    return Error{ErrorCode::invalid_input, "2^29 points or more in one plane", {}};
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!std::isfinite(points[i].x) || !std::isfinite(points[i].y)) {
+      return refuse("coordinate is not finite", points, i);
+    }
+  }
+  return {};
+}
+
+Result<void> verify_distinct(std::span<const Point2> points,
+                             const std::vector<VertexId>& representative) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (representative[i].index() == i) continue;
+    return refuse("same point as vertex " + std::to_string(representative[i].value()), points, i);
+  }
+  return {};
+}
+
+Result<void> verify_segments(std::span<const Point2> points, std::span<const Segment> segments) {
+  const auto name = [](std::size_t s) { return "segment " + std::to_string(s); };
+  for (std::size_t s = 0; s < segments.size(); ++s) {
+    for (const VertexId v : segments[s]) {
+      if (v.index() >= points.size()) {
+        return Error{ErrorCode::invalid_input, name(s) + " has an end that is no vertex", {}};
+      }
+    }
+    if (segments[s][0] == segments[s][1]) {
+      return refuse(name(s) + " has the same vertex at both ends", points, segments[s][0].index());
+    }
+  }
+  std::vector<std::pair<Segment, std::size_t>> sorted;
+  sorted.reserve(segments.size());
+  for (std::size_t s = 0; s < segments.size(); ++s) {
+    const auto [low, high] = std::minmax({segments[s][0], segments[s][1]});
+    sorted.push_back({Segment{low, high}, s});
+  }
+  std::sort(sorted.begin(), sorted.end());
+  for (std::size_t i = 1; i < sorted.size(); ++i) {
+    if (sorted[i - 1].first != sorted[i].first) continue;
+    return refuse(name(sorted[i].second) + " repeats " + name(sorted[i - 1].second), points,
+                  sorted[i].first[0].index());
+  }
+  return {};
+}
+
+/// Splits only ever happen among points that make triangles; this is the range of Ray.
+Result<void> verify_range(std::span<const Point2> points) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (std::max(std::abs(points[i].x), std::abs(points[i].y)) > kLargestSplitCoordinate) {
+      return refuse("coordinate beyond 2^1000", points, i);
+    }
+  }
+  return {};
+}
+
+/// Points on a line have no triangles; segments that do not overlap join neighbours.
+Result<Conforming2> conform_collinear(std::span<const Point2> points,
+                                      std::span<const Segment> segments) {
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return points[a] == points[b] ? a < b : canonical_less(points[a], points[b]);
+  });
+  std::vector<std::size_t> rank(points.size());
+  std::vector<VertexId> representative(points.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const bool is_duplicate = i > 0 && points[order[i - 1]] == points[order[i]];
+    representative[order[i]] = is_duplicate ? representative[order[i - 1]] : VertexId(order[i]);
+    rank[order[i]] = i;
+  }
+  if (Result<void> valid = verify_distinct(points, representative); !valid) return valid.error();
+  Conforming2 result;
+  result.triangulation.points =
+      IdVector<VertexId, Point2>(std::vector<Point2>(points.begin(), points.end()));
+  for (std::size_t s = 0; s < segments.size(); ++s) {
+    const auto [low, high] =
+        std::minmax({rank[segments[s][0].index()], rank[segments[s][1].index()]});
+    if (high - low > 1) {
+      return refuse("segment " + std::to_string(s) + " passes through a vertex", points,
+                    order[low + 1]);
+    }
+    result.chains.push_back({segments[s][0], segments[s][1]});
+  }
+  return result;
+}
+
+}  // namespace
+
+Result<Triangulation2> delaunay2(std::span<const Point2> points) {
+  return guard_internal([&]() -> Result<Triangulation2> {
+    if (Result<void> valid = verify_points(points); !valid) return valid.error();
+    const delaunay2_detail::Start start = delaunay2_detail::triangulate(points);
+    std::vector<Point2> copy(points.begin(), points.end());
+    if (!start.plane) {
+      return Triangulation2{IdVector<VertexId, Point2>(std::move(copy)), {}, {}};
+    }
+    return delaunay2_detail::canonical_triangulation(*start.plane, start.input_of, std::move(copy));
+  });
+}
+
+Result<Conforming2> conforming_delaunay2(std::span<const Point2> points,
+                                         std::span<const Segment> segments,
+                                         const ConformingOptions& options) {
+  return guard_internal([&]() -> Result<Conforming2> {
+    if (Result<void> valid = verify_points(points); !valid) return valid.error();
+    if (!options.gabriel.empty() && options.gabriel.size() != segments.size()) {
+      return Error{ErrorCode::usage, "as many gabriel flags as segments, or none", {}};
+    }
+    if (Result<void> valid = verify_segments(points, segments); !valid) return valid.error();
+    delaunay2_detail::Start start = delaunay2_detail::triangulate(points);
+    if (!start.plane) return conform_collinear(points, segments);
+    std::vector<VertexId> representative(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      representative[i] = start.input_of[start.vertex_of[i].index()];
+    }
+    if (Result<void> valid = verify_distinct(points, representative); !valid) return valid.error();
+    if (Result<void> valid = verify_range(points); !valid) return valid.error();
+    const std::size_t bound = options.most_inserted != 0
+                                  ? options.most_inserted
+                                  : (std::size_t{1} << 20) + 64 * (points.size() + segments.size());
+    return delaunay2_detail::conform(
+        std::move(start), points, segments, options.gabriel,
+        std::min(bound, Incremental2::kMostVertices - 1 - points.size()));
+  });
+}
+
+}  // namespace tetloft

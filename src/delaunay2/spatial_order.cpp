@@ -1,0 +1,98 @@
+#include "delaunay2/spatial_order.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "core/prng.hpp"
+
+namespace tetloft::delaunay2_detail {
+
+namespace {
+
+/// 6 bits of round above 2 × 29 bits of place fill one 64-bit key. A grid of 2^29 cells per
+/// side tells apart points whose spacing varies by far more than hand-drawn contours do.
+constexpr int kGridBits = 29;
+constexpr std::uint64_t kLastRound = 63;
+
+struct Grid {
+  double origin_x = std::numeric_limits<double>::infinity();
+  double origin_y = std::numeric_limits<double>::infinity();
+  double extent = 0;  // half the side
+
+  // Halved coordinates, because the extent of finite points may not be finite.
+  explicit Grid(std::span<const Point2> points) {
+    double top_x = -origin_x;
+    double top_y = -origin_y;
+    for (const Point2& p : points) {
+      origin_x = std::min(origin_x, 0.5 * p.x);
+      origin_y = std::min(origin_y, 0.5 * p.y);
+      top_x = std::max(top_x, 0.5 * p.x);
+      top_y = std::max(top_y, 0.5 * p.y);
+    }
+    extent = std::max(top_x - origin_x, top_y - origin_y);
+  }
+
+  [[nodiscard]] std::uint64_t place(const Point2& p) const {
+    return hilbert_index(cell(0.5 * p.x - origin_x), cell(0.5 * p.y - origin_y), kGridBits);
+  }
+
+  [[nodiscard]] std::uint32_t cell(double offset) const {
+    constexpr std::uint32_t side = std::uint32_t{1} << kGridBits;
+    if (!(extent > 0)) return 0;
+    return std::min(static_cast<std::uint32_t>(offset / extent * side), side - 1);
+  }
+};
+
+/// Drawn from the bits of the point, so that equal points draw the same.
+std::uint64_t draw_round(const Point2& p) {
+  // Adding 0.0 turns -0.0 into 0.0, which is the same coordinate.
+  const auto x = std::bit_cast<std::uint64_t>(p.x + 0.0);
+  const auto y = std::bit_cast<std::uint64_t>(p.y + 0.0);
+  const auto zeros = std::countr_zero(Prng(Prng(x).next() + y).next());
+  return kLastRound - static_cast<std::uint64_t>(zeros / 2);
+}
+
+struct Place {
+  std::uint64_t key;
+  std::uint32_t index;
+};
+
+}  // namespace
+
+std::uint64_t hilbert_index(std::uint32_t x, std::uint32_t y, int bits) {
+  // From one level to the next the curve is transposed, inverted in both axes, or both.
+  // These commute, so two flags hold the state.
+  std::uint32_t transposed = 0;
+  std::uint32_t inverted = 0;
+  std::uint64_t index = 0;
+  for (int level = bits - 1; level >= 0; --level) {
+    std::uint32_t bx = ((x >> level) & 1) ^ inverted;
+    std::uint32_t by = ((y >> level) & 1) ^ inverted;
+    const std::uint32_t difference = (bx ^ by) & transposed;
+    bx ^= difference;
+    by ^= difference;
+    index = index << 2 | ((3 * bx) ^ by);
+    inverted ^= bx & (by ^ 1);
+    transposed ^= by ^ 1;
+  }
+  return index;
+}
+
+std::vector<std::uint32_t> insertion_order(std::span<const Point2> points) {
+  const Grid grid(points);
+  std::vector<Place> places(points.size());
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    places[i] = {draw_round(points[i]) << (2 * kGridBits) | grid.place(points[i]), i};
+  }
+  std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) {
+    return a.key != b.key ? a.key < b.key : a.index < b.index;
+  });
+  std::vector<std::uint32_t> order(points.size());
+  std::transform(places.begin(), places.end(), order.begin(),
+                 [](const Place& place) { return place.index; });
+  return order;
+}
+
+}  // namespace tetloft::delaunay2_detail

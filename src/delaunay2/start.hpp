@@ -1,0 +1,31 @@
+// From a point set to its incremental triangulation.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <tetloft/ids.hpp>
+#include <tetloft/point.hpp>
+
+#include "delaunay2/incremental.hpp"
+
+namespace tetloft::delaunay2_detail {
+
+/// An incremental triangulation, which numbers vertices in order of insertion, and the
+/// numbering of its owner: indices of input points.
+struct Start {
+  /// Nothing if all points are collinear.
+  std::optional<Incremental2> plane;
+  /// By vertex of `plane`: the lowest index of an input point with its coordinates; invalid
+  /// for the ghost.
+  std::vector<VertexId> input_of;
+  /// By input point: its vertex of `plane`; duplicates have the same.
+  std::vector<VertexId> vertex_of;
+};
+
+/// Requires finite points, fewer than Incremental2::kMostVertices.
+[[nodiscard]] Start triangulate(std::span<const Point2> points);
+
+}  // namespace tetloft::delaunay2_detail
