@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "sections/box_tree.hpp"
+#include "sections/nesting.hpp"
 #include "sections/segments.hpp"
 #include "sections/sweep.hpp"
 
@@ -21,10 +22,12 @@ namespace {
 
 constexpr std::uint8_t kBoth = 3;
 
-// An edge with its ends in canonical order; bit 0 of `owner` for region a, bit 1 for b.
+// An edge with its ends in canonical order. In sets of regions bit 0 stands for a, bit 1
+// for b.
 struct OwnedEdge {
   SweepEdge edge;
-  std::uint8_t owner;
+  std::uint8_t owner;  // the regions whose boundary it is on
+  std::uint8_t above;  // those of them that lie above it
 };
 
 struct Cut {
@@ -32,23 +35,20 @@ struct Cut {
   Point2 at;
 };
 
-Box bounds(const RegionOutline& region) {
-  Box box;
-  for (const Point2& p : region.contours.front()->vertices) box.add(p);
-  return box;
-}
-
 // The edges of `region` that reach into the range of x of `common`. The others decide
-// nothing: where x is out of that range one of the regions is absent.
+// nothing: where they end, the other region is absent.
 void collect(const RegionOutline& region, std::uint8_t owner, const Box& common,
              std::vector<OwnedEdge>& edges) {
-  for (const Contour* contour : region.contours) {
-    const std::vector<Point2>& vertices = contour->vertices;
+  for (std::size_t k = 0; k < region.contours.size(); ++k) {
+    const std::vector<Point2>& vertices = region.contours[k]->vertices;
+    const bool region_left = is_counter_clockwise(*region.contours[k]) == (k == 0);
     for (std::size_t v = 0; v < vertices.size(); ++v) {
-      Point2 a = vertices[v];
-      Point2 b = vertices[v + 1 == vertices.size() ? 0 : v + 1];
-      if (canonical_less(b, a)) std::swap(a, b);
-      if (a.x <= common.x1 && common.x0 <= b.x) edges.push_back({{a, b}, owner});
+      const Point2& a = vertices[v];
+      const Point2& b = vertices[v + 1 == vertices.size() ? 0 : v + 1];
+      const bool forward = canonical_less(a, b);
+      const SweepEdge edge = forward ? SweepEdge{a, b} : SweepEdge{b, a};
+      if (edge.low.x > common.x1 || common.x0 > edge.high.x) continue;
+      edges.push_back({edge, owner, forward == region_left ? owner : std::uint8_t{0}});
     }
   }
 }
@@ -91,10 +91,10 @@ std::vector<OwnedEdge> pieces(const std::vector<OwnedEdge>& edges, std::vector<C
     Point2 from = edges[i].edge.low;
     for (; cut != cuts.end() && cut->edge == i; ++cut) {
       if (cut->at == from) continue;  // two edges end there
-      result.push_back({{from, cut->at}, edges[i].owner});
+      result.push_back({{from, cut->at}, edges[i].owner, edges[i].above});
       from = cut->at;
     }
-    result.push_back({{from, edges[i].edge.high}, edges[i].owner});
+    result.push_back({{from, edges[i].edge.high}, edges[i].owner, edges[i].above});
   }
   std::sort(result.begin(), result.end(), [](const OwnedEdge& p, const OwnedEdge& q) {
     return p.edge.low == q.edge.low ? canonical_less(p.edge.high, q.edge.high)
@@ -105,6 +105,7 @@ std::vector<OwnedEdge> pieces(const std::vector<OwnedEdge>& edges, std::vector<C
     if (kept > 0 && result[kept - 1].edge.low == piece.edge.low &&
         result[kept - 1].edge.high == piece.edge.high) {
       result[kept - 1].owner |= piece.owner;
+      result[kept - 1].above |= piece.above;
     } else {
       result[kept++] = piece;
     }
@@ -114,6 +115,12 @@ std::vector<OwnedEdge> pieces(const std::vector<OwnedEdge>& edges, std::vector<C
 }
 
 }  // namespace
+
+Box bounds(const RegionOutline& region) {
+  Box box;
+  for (const Point2& p : region.contours.front()->vertices) box.add(p);
+  return box;
+}
 
 bool interiors_meet(const RegionOutline& a, const RegionOutline& b) {
   const Box box_a = bounds(a);
@@ -130,12 +137,13 @@ bool interiors_meet(const RegionOutline& a, const RegionOutline& b) {
   std::vector<SweepEdge> sweep_edges;
   sweep_edges.reserve(arrangement.size());
   for (const OwnedEdge& piece : arrangement) sweep_edges.push_back(piece.edge);
-  std::vector<std::uint8_t> above(arrangement.size(), 0);  // the regions above each piece
+  std::vector<std::uint8_t> above(arrangement.size(), 0);  // all regions above each piece
   bool meet = false;
   Sweep(sweep_edges).run([&](std::uint32_t below, std::span<const std::uint32_t> outgoing) {
     std::uint8_t inside = below == kNoEdge ? std::uint8_t{0} : above[below];
     for (const std::uint32_t edge : outgoing) {
-      inside ^= arrangement[edge].owner;
+      const OwnedEdge& piece = arrangement[edge];
+      inside = static_cast<std::uint8_t>((inside & ~piece.owner) | piece.above);
       above[edge] = inside;
       meet = meet || inside == kBoth;
     }

@@ -3,7 +3,12 @@
 
 #include <tetloft/sections.hpp>
 
+#include "sections/box_tree.hpp"
+
 namespace tetloft::sections {
+
+/// The bounding box of a region.
+[[nodiscard]] Box bounds(const RegionOutline& region);
 
 /// Is area(a ∩ b) positive? Touching boundaries, shared vertices and shared edges alone do
 /// not count. Requires outlines of valid sections.

@@ -105,59 +105,27 @@ class IntervalOverlap {
   std::vector<Interval> slope_b_;
 };
 
-// Both regions, prepared once for every stage.
-class Overlap {
- public:
-  Overlap(const RegionOutline& a, const RegionOutline& b)
-      : outline_a_(a),
-        outline_b_(b),
-        a_(sections::trapezoids_of(a)),
-        b_(sections::trapezoids_of(b)) {}
-
-  [[nodiscard]] bool boxes_overlap() const { return a_.box.overlaps(b_.box); }
-
-  // Bounds of the overlap and of the smaller area, in a common scale.
-  struct Bounds {
-    Interval overlap, smaller;
-  };
-
-  [[nodiscard]] Bounds bounds() {
-    sort();
-    sections::Box box = a_.box;
-    box.add(b_.box);
-    const int scale = sections::scale_of(box);
-    std::vector<Trapezoid> a = a_.edges;
-    std::vector<Trapezoid> b = b_.edges;
-    if (!sections::rescale(a, scale) || !sections::rescale(b, scale)) {
-      return {{0, 8}, {0, 8}};  // all that is known of areas of coordinates below 1
-    }
-    return {IntervalOverlap(a, b).twice_area(),
-            sections::minimum(sections::twice_area(a), sections::twice_area(b))};
-  }
-
-  [[nodiscard]] sections::ExactOverlap exact() {
-    sort();
-    return sections::exact_overlap(a_.edges, b_.edges);
-  }
-
-  [[nodiscard]] bool interiors_meet() const {
-    return sections::interiors_meet(outline_a_, outline_b_);
-  }
-
- private:
-  void sort() {
-    if (sorted_) return;
-    sections::sort_for_pairs(a_.edges);
-    sections::sort_for_pairs(b_.edges);
-    sorted_ = true;
-  }
-
-  const RegionOutline& outline_a_;
-  const RegionOutline& outline_b_;
-  Trapezoids a_;
-  Trapezoids b_;
-  bool sorted_ = false;
+// Bounds of the overlap and of the smaller area, in one scale.
+struct Bounds {
+  Interval overlap, smaller;
 };
+
+Bounds bounds(const Trapezoids& a, const Trapezoids& b) {
+  sections::Box box = a.box;
+  box.add(b.box);
+  const int scale = sections::scale_of(box);
+  std::vector<Trapezoid> all_a = a.edges;
+  std::vector<Trapezoid> all_b = b.edges;
+  if (!sections::rescale(all_a, scale) || !sections::rescale(all_b, scale)) {
+    return {{0, 8}, {0, 8}};  // all that is known of areas of coordinates below 1
+  }
+  std::vector<Trapezoid> near_a = sections::edges_for_pairs(a.edges, b.box);
+  std::vector<Trapezoid> near_b = sections::edges_for_pairs(b.edges, a.box);
+  static_cast<void>(sections::rescale(near_a, scale));
+  static_cast<void>(sections::rescale(near_b, scale));
+  return {IntervalOverlap(near_a, near_b).twice_area(),
+          sections::minimum(sections::twice_area(all_a), sections::twice_area(all_b))};
+}
 
 // To kRatioBits significant bits, halves rounded up.
 double to_ratio_bits(double value) {
@@ -172,30 +140,35 @@ Sign compare_overlap(const RegionOutline& a, const RegionOutline& b, double tau)
   // A ratio is between 0 and 1. Nothing exceeds a tau that is not a number.
   if (tau < 0) return Sign::positive;
   if (!(tau <= 1)) return Sign::negative;
-  Overlap overlap(a, b);
-  if (!overlap.boxes_overlap()) return tau == 0 ? Sign::zero : Sign::negative;
-  const Overlap::Bounds bounds = overlap.bounds();
-  if (tau == 0) {
-    return bounds.overlap.positive() || overlap.interiors_meet() ? Sign::positive : Sign::zero;
+  if (!sections::bounds(a).overlaps(sections::bounds(b))) {
+    return tau == 0 ? Sign::zero : Sign::negative;
   }
-  const Interval excess = bounds.overlap - Interval{tau, tau} * bounds.smaller;
+  const Trapezoids edges_a = sections::trapezoids_of(a);
+  const Trapezoids edges_b = sections::trapezoids_of(b);
+  const Bounds areas = bounds(edges_a, edges_b);
+  if (tau == 0) {
+    return areas.overlap.positive() || sections::interiors_meet(a, b) ? Sign::positive : Sign::zero;
+  }
+  const Interval excess = areas.overlap - Interval{tau, tau} * areas.smaller;
   if (excess.positive()) return Sign::positive;
   if (excess.negative()) return Sign::negative;
-  return sections::compare(overlap.exact(), tau);
+  return sections::compare(sections::exact_overlap(edges_a, edges_b), tau);
 }
 
 double overlap_ratio(const RegionOutline& a, const RegionOutline& b) {
-  Overlap overlap(a, b);
-  if (!overlap.boxes_overlap()) return 0;
-  const Overlap::Bounds bounds = overlap.bounds();
-  if (!bounds.overlap.positive() && !overlap.interiors_meet()) return 0;
-  if (bounds.overlap.positive() && bounds.smaller.positive()) {
-    const Interval ratio = sections::quotient(bounds.overlap, bounds.smaller);
+  if (!sections::bounds(a).overlaps(sections::bounds(b))) return 0;
+  const Trapezoids edges_a = sections::trapezoids_of(a);
+  const Trapezoids edges_b = sections::trapezoids_of(b);
+  const Bounds areas = bounds(edges_a, edges_b);
+  if (!areas.overlap.positive() && !sections::interiors_meet(a, b)) return 0;
+  if (areas.overlap.positive() && areas.smaller.positive()) {
+    const Interval ratio = sections::quotient(areas.overlap, areas.smaller);
     const double rounded = to_ratio_bits(ratio.lo);
     if (ratio.lo > 0 && rounded == to_ratio_bits(ratio.hi)) return rounded;
   }
   // The smallest overlaps of all would round to zero.
-  const double rounded = sections::rounded_ratio(overlap.exact(), kRatioBits);
+  const double rounded =
+      sections::rounded_ratio(sections::exact_overlap(edges_a, edges_b), kRatioBits);
   return std::max(rounded, std::numeric_limits<double>::denorm_min());
 }
 

@@ -50,7 +50,7 @@ Int height(const IntegerTrapezoid<Int>& e, const IntegerTrapezoid<Int>& f, const
          (f.y1 - f.y0) * (x - f.x0) * dxe;
 }
 
-// Twice the overlap as a list of terms.
+// Twice the overlap of the edges a and b, which are ia and ib in units, as a list of terms.
 template <class Int>
 std::vector<Term<Int>> overlap_terms(const std::vector<Trapezoid>& a,
                                      const std::vector<Trapezoid>& b,
@@ -126,30 +126,25 @@ Fraction sum_of_terms(std::vector<Term<Int>> terms) {
 }
 
 template <class Int>
-ExactOverlap overlap_in(const std::vector<Trapezoid>& a, const std::vector<Trapezoid>& b,
-                        const Point2& origin, int unit) {
-  const std::vector<IntegerTrapezoid<Int>> ia = in_units<Int>(a, origin, unit);
-  const std::vector<IntegerTrapezoid<Int>> ib = in_units<Int>(b, origin, unit);
-  Fraction overlap = sum_of_terms(overlap_terms(a, b, ia, ib));
-  BigInteger area_a = twice_area(ia);
-  BigInteger area_b = twice_area(ib);
+ExactOverlap overlap_in(const Trapezoids& a, const Trapezoids& b, const Point2& origin, int unit) {
+  const std::vector<Trapezoid> near_a = edges_for_pairs(a.edges, b.box);
+  const std::vector<Trapezoid> near_b = edges_for_pairs(b.edges, a.box);
+  Fraction overlap = sum_of_terms(overlap_terms(near_a, near_b, in_units<Int>(near_a, origin, unit),
+                                                in_units<Int>(near_b, origin, unit)));
+  BigInteger area_a = twice_area(in_units<Int>(a.edges, origin, unit));
+  BigInteger area_b = twice_area(in_units<Int>(b.edges, origin, unit));
   return {std::move(overlap.numerator), std::move(overlap.denominator),
           area_a < area_b ? std::move(area_a) : std::move(area_b)};
 }
 
 }  // namespace
 
-ExactOverlap exact_overlap(const std::vector<Trapezoid>& a, const std::vector<Trapezoid>& b) {
-  Box box;
-  for (const std::vector<Trapezoid>* edges : {&a, &b}) {
-    for (const Trapezoid& e : *edges) {
-      box.add(e.left);
-      box.add(e.right);
-    }
-  }
+ExactOverlap exact_overlap(const Trapezoids& a, const Trapezoids& b) {
+  Box box = a.box;
+  box.add(b.box);
   const Point2 origin{box.x0, box.y0};
-  const int unit = std::min(lattice_exponent(a), lattice_exponent(b));
-  // A rounded extent is off by a relative 2^-53: one bit to spare keeps the bound.
+  const int unit = std::min(lattice_exponent(a.edges), lattice_exponent(b.edges));
+  // A rounded extent is off by a relative 2^-53: far less than the 1 taken off.
   const double extent = std::max(box.x1 - box.x0, box.y1 - box.y0);
   const bool small = std::ldexp(extent, -unit) < std::ldexp(1, kSmallLatticeBits) - 1;
   return small ? overlap_in<Int128>(a, b, origin, unit)

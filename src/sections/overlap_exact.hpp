@@ -1,8 +1,6 @@
 // The overlap of two regions in integers, for what intervals cannot decide.
 #pragma once
 
-#include <vector>
-
 #include "sections/big_integer.hpp"
 #include "sections/trapezoids.hpp"
 
@@ -14,9 +12,7 @@ struct ExactOverlap {
   BigInteger numerator, denominator, smaller;
 };
 
-/// Requires both sorted for pairs.
-[[nodiscard]] ExactOverlap exact_overlap(const std::vector<Trapezoid>& a,
-                                         const std::vector<Trapezoid>& b);
+[[nodiscard]] ExactOverlap exact_overlap(const Trapezoids& a, const Trapezoids& b);
 
 /// The sign of overlap / smaller − tau, for finite tau.
 [[nodiscard]] Sign compare(const ExactOverlap& overlap, double tau);

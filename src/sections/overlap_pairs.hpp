@@ -15,12 +15,15 @@
 
 namespace tetloft::sections {
 
-/// Sorts edges as visit_pairs() needs them, and so that sums over them do not depend on
-/// the order of contours or vertices.
-inline void sort_for_pairs(std::vector<Trapezoid>& edges) {
-  std::sort(edges.begin(), edges.end(), [](const Trapezoid& e, const Trapezoid& f) {
-    return e.left == f.left ? canonical_less(e.right, f.right) : canonical_less(e.left, f.left);
-  });
+/// The edges that have a common range of x with `box`, sorted as visit_pairs() needs them.
+inline std::vector<Trapezoid> edges_for_pairs(const std::vector<Trapezoid>& edges, const Box& box) {
+  std::vector<Trapezoid> result;
+  for (const Trapezoid& e : edges) {
+    if (e.left.x < box.x1 && box.x0 < e.right.x) result.push_back(e);
+  }
+  std::sort(result.begin(), result.end(),
+            [](const Trapezoid& e, const Trapezoid& f) { return canonical_less(e.left, f.left); });
+  return result;
 }
 
 /// Calls visit(i, j) for all edges a[i] and b[j] with a common range of x where a[i] is not

@@ -11,6 +11,9 @@ namespace tetloft::sections {
 
 namespace {
 
+// Both 2^scale and 2^-scale are doubles, also for coordinates up to kLargestCoordinate.
+constexpr int kLargestScale = 1001;
+
 // Appends the edges of `contour`, on whose left the region lies iff `left`.
 void append(const Contour& contour, bool left, Trapezoids& to) {
   const std::vector<Point2>& vertices = contour.vertices;
@@ -70,15 +73,17 @@ int scale_of(const Box& box) {
   const double y = std::max(std::abs(box.y0), std::abs(box.y1));
   int exponent = 0;
   std::frexp(std::max(x, y), &exponent);
-  return -exponent;
+  return std::clamp(-exponent, -kLargestScale, kLargestScale);
 }
 
 bool rescale(std::vector<Trapezoid>& edges, int scale) {
+  const double factor = std::ldexp(1, scale);
+  const double inverse = std::ldexp(1, -scale);
   bool exact = true;
   const auto rescaled = [&](double& value) {
     const double before = value;
-    value = std::ldexp(before, scale);
-    exact = exact && std::ldexp(value, -scale) == before;
+    value = before * factor;
+    exact = exact && value * inverse == before;
   };
   for (Trapezoid& e : edges) {
     rescaled(e.left.x);

@@ -34,7 +34,8 @@ struct Trapezoids {
 /// The trapezoids of a region: outer contour and holes in whichever direction.
 [[nodiscard]] Trapezoids trapezoids_of(const RegionOutline& region);
 
-/// The power of two that scales the largest coordinate of `box` into [1/2, 1).
+/// The power of two that scales the largest coordinate of `box` into [1/2, 1), or as near
+/// to it as scales go.
 [[nodiscard]] int scale_of(const Box& box);
 /// Multiplies by 2^scale. False, and the edges unusable, if that is not exact.
 [[nodiscard]] bool rescale(std::vector<Trapezoid>& edges, int scale);
