@@ -160,11 +160,13 @@ SectionStack draft_slivers(Prng& prng) {
                    {-1, 1},
                    {-4, 1}}}};
         break;
-      default:  // needles
-        for (std::size_t i = 0; i < number(prng, 1, 3); ++i) {
+      default: {  // needles
+        const std::size_t needles = number(prng, 1, 3);
+        for (std::size_t i = 0; i < needles; ++i) {
           const double y = static_cast<double>(i);
           layer.push_back({{{-4, y}, {4, y + 0.3}, {-4, y + thin}}});
         }
+      }
     }
   }
   return stack_of(layers, heights(prng, layers.size()));

@@ -110,7 +110,8 @@ SectionStack draft_identical_sections(Prng& prng) {
       break;
     }
     case 3: {
-      for (std::size_t i = 0; i < number(prng, 2, 4); ++i) {
+      const std::size_t squares = number(prng, 2, 4);
+      for (std::size_t i = 0; i < squares; ++i) {
         const double x = 2 * static_cast<double>(i);
         layer.push_back(rectangle({x, 0}, {x + 1, 1}, number(prng, 1, 2)));
       }
