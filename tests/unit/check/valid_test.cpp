@@ -1,0 +1,129 @@
+#include <tetloft/check.hpp>
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "unit/check/columns.hpp"
+#include "unit/check/verdict_text.hpp"
+
+namespace tetloft {
+namespace {
+
+using testing::Case;
+
+CheckReport checked(const Case& c, const CheckOptions& options = {}) {
+  auto report = check(c.model, c.stack, options);
+  EXPECT_TRUE(report.ok()) << (report.ok() ? "" : to_string(report.error()));
+  return report.ok() ? *report : CheckReport{};
+}
+
+TEST(Check, PassesEachValidCase) {
+  for (const Case& c : testing::all_cases()) {
+    const CheckReport report = checked(c);
+    EXPECT_TRUE(report.pass()) << testing::text(report);
+    ASSERT_EQ(report.guarantees.size(), 4U);
+    for (int g = 0; g < 4; ++g)
+      EXPECT_EQ(report.guarantees[static_cast<std::size_t>(g)].number, g + 1);
+  }
+}
+
+TEST(Check, PassesRandomColumnsAndCaps) {
+  Prng prng(1);
+  for (int trial = 0; trial < 200; ++trial) {
+    std::vector<testing::Column> columns;
+    for (int k = 0; k < 3; ++k) {
+      const testing::Shape shape = testing::moved(testing::random_shape(prng, 8, 5), 10 * k,
+                                                  static_cast<double>(prng.below(5)));
+      switch (prng.below(3)) {
+        case 0: columns.push_back({shape, {0, 1, 2}}); break;
+        case 1: columns.push_back({shape, {0, 1, 1.25}}); break;
+        default: columns.push_back({shape, {0.5, 1, 1.5}});
+      }
+    }
+    const CheckReport report = checked(testing::extrude(columns, {0, 1, 2}));
+    EXPECT_TRUE(report.pass()) << "trial " << trial << "\n" << testing::text(report);
+    EXPECT_EQ(report.components, 3U);
+  }
+}
+
+TEST(Check, CountsComponentsAndGenus) {
+  EXPECT_EQ(checked(testing::pair_case()).components, 2U);
+  EXPECT_EQ(checked(testing::pair_case()).genus, (std::vector<long>{0, 0}));
+  EXPECT_EQ(checked(testing::tube_case()).components, 1U);
+  EXPECT_EQ(checked(testing::tube_case()).genus, (std::vector<long>{1}));
+}
+
+TEST(Check, AddsUpTheVolume) {
+  EXPECT_DOUBLE_EQ(checked(testing::slabs_case()).volume, 48);
+  EXPECT_DOUBLE_EQ(checked(testing::tube_case()).volume, 64);
+}
+
+TEST(Check, TellsTheSmallestDihedralOfACornerOfACube) {
+  Case corner = testing::prism_case();
+  corner.model.points =
+      IdVector<VertexId, Point3>(std::vector<Point3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+  corner.model.tets.clear();
+  corner.model.tets.push_back({VertexId(0), VertexId(1), VertexId(2), VertexId(3)});
+  EXPECT_NEAR(checked(corner).smallest_dihedral_degrees, 54.735610317245346, 1e-9);
+}
+
+TEST(Check, FindsNoOvershootInColumns) {
+  for (const Case& c : testing::all_cases()) EXPECT_EQ(checked(c).overshoot, 0);
+}
+
+TEST(Check, MeasuresOvershootOfACapThatLeans) {
+  Case c = testing::isolated_case();
+  // The cap at z = 2 lies in the slab from 1 to 3, over the square from x = 10 to 14.
+  c.model.points[testing::vertex_at(c.model, 14, 4, 2)] = {17, 4, 2};
+  const CheckReport report = checked(c);
+  EXPECT_TRUE(report.pass()) << testing::text(report);
+  EXPECT_DOUBLE_EQ(report.overshoot, 1.5);
+}
+
+TEST(Check, MeasuresInsertedVerticesInUlps) {
+  // 11/3 rounds up by half a unit, 1/3 down by almost nothing.
+  const double ulps = checked(testing::split_case()).largest_split_ulps;
+  EXPECT_GT(ulps, 0);
+  EXPECT_LT(ulps, 1);
+}
+
+TEST(Check, PassesAnEmptyModelOfAnEmptyStackOnly) {
+  SectionStack empty;
+  empty.sections.push_back({0, {}});
+  EXPECT_TRUE(check(Model{}, empty)->pass());
+  const CheckReport report = *check(Model{}, testing::prism_case().stack);
+  EXPECT_FALSE(report.guarantees[1].pass);
+  EXPECT_FALSE(report.guarantees[3].pass);
+}
+
+TEST(Check, RefusesAnInvalidStack) {
+  Case c = testing::prism_case();
+  c.stack.sections[SectionId(1)].z = 0;
+  const auto report = check(c.model, c.stack);
+  ASSERT_FALSE(report.ok());
+  EXPECT_EQ(report.error().code, ErrorCode::invalid_input);
+}
+
+TEST(Check, RefusesOptionsOutOfRange) {
+  const Case c = testing::prism_case();
+  CheckOptions options;
+  options.split_ulps = -1;
+  EXPECT_EQ(check(c.model, c.stack, options).error().code, ErrorCode::usage);
+  options = {};
+  options.correspondence.tau = -0.5;
+  EXPECT_EQ(check(c.model, c.stack, options).error().code, ErrorCode::usage);
+}
+
+TEST(Check, RefusesLabelsOfNoContourAndTwoInOneRegion) {
+  const Case c = testing::tube_case();
+  CheckOptions options;
+  options.correspondence.labels = {{SectionId(3), ContourId(0), 1}};
+  EXPECT_EQ(check(c.model, c.stack, options).error().code, ErrorCode::invalid_input);
+  options.correspondence.labels = {{SectionId(0), ContourId(0), 1},
+                                   {SectionId(0), ContourId(1), 2}};
+  EXPECT_EQ(check(c.model, c.stack, options).error().code, ErrorCode::invalid_input);
+}
+
+}  // namespace
+}  // namespace tetloft
