@@ -24,6 +24,10 @@ std::size_t index_of(const TetVertices& tet, VertexId v) {
   return (tet[1] == v ? 1U : 0U) + (tet[2] == v ? 2U : 0U) + (tet[3] == v ? 3U : 0U);
 }
 
+// Faces that contain vertex 0 list it first: the ghost, vertex 0 of its tets, becomes
+// vertex 0 of the tets built on their facets.
+static_assert(kFaceVertex[1][0] == 0 && kFaceVertex[2][0] == 0 && kFaceVertex[3][0] == 0);
+
 TriangleVertices facet_of(const TetVertices& tet, int face) {
   const auto& local = kFaceVertex[static_cast<std::size_t>(face)];
   return {tet[static_cast<std::size_t>(local[0])], tet[static_cast<std::size_t>(local[1])],
@@ -177,12 +181,9 @@ TetId Delaunay3Builder::star_cavity(VertexId v) {
 
 void Delaunay3Builder::create_fillers(VertexId v) {
   for (HorizonFacet& facet : horizon_) {
-    // Listed with the normal out of the outer tet, hence towards v: (base, v) is positive,
-    // and stays so when the base is rotated to put the ghost first.
-    TriangleVertices base =
+    // Listed with the normal out of the outer tet, hence towards v: (base, v) is positive.
+    const TriangleVertices base =
         facet_of(tets_[TetMesh::tet_of(facet.outer)], TetMesh::face_of(facet.outer));
-    if (base[1] == kGhost) base = {base[1], base[2], base[0]};
-    if (base[2] == kGhost) base = {base[2], base[0], base[1]};
     facet.filler = new_tet({base[0], base[1], base[2], v});
     // From now on the outer tet leads to the filler; the inner one still to the outer.
     glue(half_face(facet.filler, 3), facet.outer);

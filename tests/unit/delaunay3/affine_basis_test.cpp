@@ -24,6 +24,12 @@ TEST(Collinear, SeesLinesInEveryDirection) {
   }
 }
 
+TEST(Collinear, SeesTrianglesInEveryCoordinatePlane) {
+  EXPECT_FALSE(collinear({0, 0, 0}, {1, 0, 0}, {0, 1, 0}));
+  EXPECT_FALSE(collinear({0, 0, 0}, {0, 1, 0}, {0, 0, 1}));
+  EXPECT_FALSE(collinear({0, 0, 0}, {0, 0, 1}, {1, 0, 0}));
+}
+
 TEST(AffineBasis, TakesTheFirstIndependentPoints) {
   const Points points{{1, 1, 1}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3},
                       {1, 2, 1}, {2, 3, 2}, {0, 0, 9}, {8, 0, 0}};

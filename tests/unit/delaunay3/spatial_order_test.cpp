@@ -88,6 +88,20 @@ TEST(InsertionOrder, NeighboursInOrderAreNearInSpace) {
   EXPECT_LT(sum / static_cast<double>(order.size()), 0.08);
 }
 
+TEST(InsertionOrder, DoesNotDependOnScaleUpToTheLargestDoubles) {
+  Prng prng(33);
+  Points points = uniform(500, prng);
+  for (Point3& p : points) p = {3 * p.x - 1.5, 3 * p.y - 1.5, 3 * p.z - 1.5};
+  std::sort(points.begin(), points.end(),
+            [](const Point3& a, const Point3& b) { return canonical_less(a, b); });
+  const std::vector<std::uint32_t> expected = insertion_order(points);
+  for (const double scale : {0x1p-900, 0x1p1023}) {
+    Points scaled = points;
+    for (Point3& p : scaled) p = {p.x * scale, p.y * scale, p.z * scale};
+    EXPECT_EQ(insertion_order(scaled), expected);
+  }
+}
+
 TEST(InsertionOrder, VisitsBothOfTwoPlanesTogether) {
   // Equal sections far apart: each point and its twin follow each other within a round.
   Points points = lattice(64, 64, 2);
