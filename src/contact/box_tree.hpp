@@ -6,7 +6,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -37,8 +36,8 @@ class BoxTree {
   void for_each_pair(Visit&& visit) const;
 
  private:
-  /// A node of one triangle or more: leaf iff `left` is 0; else its children are left and
-  /// left + 1. Triangles order_[begin … end − 1].
+  /// Triangles items_[begin … end − 1], one at least. A leaf iff left is 0, else the
+  /// children are left and left + 1.
   struct Node {
     Box box;
     std::uint32_t begin = 0;

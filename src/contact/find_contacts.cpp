@@ -1,5 +1,6 @@
 // All contacts of a soup: boxes first, exact tests on the pairs that remain.
 #include <algorithm>
+#include <utility>
 
 #include "contact/box_tree.hpp"
 #include "contact/contact.hpp"
@@ -54,8 +55,7 @@ std::vector<Contact> find_contacts(std::span<const Point3> points,
   std::vector<Facing> facing;
   facing.reserve(triangles.size());
   for (const TriangleVertices& t : triangles) {
-    facing.push_back(contact_detail::facing_of(
-        {points[t[0].index()], points[t[1].index()], points[t[2].index()]}));
+    facing.push_back(contact_detail::facing_of(contact_detail::corners(points, t)));
   }
   LowestContacts lowest(limit);
   const contact_detail::BoxTree tree(points, triangles, active);

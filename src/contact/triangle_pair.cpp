@@ -113,10 +113,7 @@ bool strictly_one_side(const Sides& s) {
 }
 
 Sides sides_of(const Triangle3& t, const Plate& plate) {
-  Sides s{side(plate, t[0]), side(plate, t[1]), Sign::zero};
-  // Callers only ask whether all are equal and nonzero, and then need the third.
-  s[2] = side(plate, t[2]);
-  return s;
+  return {side(plate, t[0]), side(plate, t[1]), side(plate, t[2])};
 }
 
 bool touch_sharing_nothing(const Plate& a, const Plate& b) {
@@ -181,11 +178,11 @@ bool touch_degenerate(const Plate& a, const Plate& b) {
   return segments_meet_in_space(hull_of_collinear(a.t), hull_of_collinear(b.t));
 }
 
+}  // namespace
+
 Triangle3 corners(std::span<const Point3> points, const TriangleVertices& t) {
   return {points[t[0].index()], points[t[1].index()], points[t[2].index()]};
 }
-
-}  // namespace
 
 Facing facing_of(const Triangle3& t) {
   for (const Axis axis : axes_by_normal(t)) {
@@ -245,11 +242,10 @@ namespace tetloft {
 
 bool triangles_touch(std::span<const Point3> points, const TriangleVertices& a,
                      const TriangleVertices& b) {
+  using contact_detail::corners;
   using contact_detail::facing_of;
-  const auto corners = [&](const TriangleVertices& t) -> contact_detail::Triangle3 {
-    return {points[t[0].index()], points[t[1].index()], points[t[2].index()]};
-  };
-  return contact_detail::touch(points, a, facing_of(corners(a)), b, facing_of(corners(b)));
+  return contact_detail::touch(points, a, facing_of(corners(points, a)), b,
+                               facing_of(corners(points, b)));
 }
 
 }  // namespace tetloft

@@ -26,6 +26,8 @@ struct Facing {
   bool parallel = false;  ///< the coordinate `axis` is the same at all three vertices
 };
 
+[[nodiscard]] Triangle3 corners(std::span<const Point3> points, const TriangleVertices& t);
+
 [[nodiscard]] Facing facing_of(const Triangle3& t);
 
 /// The contract of triangles_touch(); f and g are the facings of a and b.

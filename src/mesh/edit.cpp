@@ -12,6 +12,22 @@ namespace tetloft {
 
 using namespace mesh_detail;
 
+namespace {
+
+// The local vertex of `tet` opposite the given face, −1 if that is no face of it.
+int apex_over(const TriangleVertices& face, const TetVertices& tet) {
+  int apex = -1;
+  for (int i = 0; i < 4; ++i) {
+    const VertexId v = tet[static_cast<std::size_t>(i)];
+    if (v == face[0] || v == face[1] || v == face[2]) continue;
+    if (apex >= 0) return -1;
+    apex = i;
+  }
+  return apex;
+}
+
+}  // namespace
+
 VertexId TetMesh::add_vertices(std::size_t n) {
   const VertexId first(first_corner_.size());
   first_corner_.resize(first_corner_.size() + n);
@@ -20,21 +36,18 @@ VertexId TetMesh::add_vertices(std::size_t n) {
 
 Result<HalfFaceId> TetMesh::find_partner(const TetVertices& tet, std::size_t i) const {
   const SortedFace face = sorted_face(tet, i);
-  const std::array<VertexId, 3> corners{VertexId(face.vertex[0]), VertexId(face.vertex[1]),
-                                        VertexId(face.vertex[2])};
+  const TriangleVertices corners{VertexId(face.vertex[0]), VertexId(face.vertex[1]),
+                                 VertexId(face.vertex[2])};
   const HalfFaceId first = first_corner(smallest_star(corners));
   if (!first.valid()) return HalfFaceId();
   HalfFaceId c = first;
   do {
     const TetId t = tet_of(c);
-    for (int j = 0; j < 4; ++j) {
-      // Face j contains the vertex of c unless it is c itself.
-      if (j == face_of(c)) continue;
-      const SortedFace other = sorted_face(vertices(t), static_cast<std::size_t>(j));
-      if (other.vertex != face.vertex) continue;
+    const int j = apex_over(corners, vertices(t));
+    if (j >= 0) {
       const HalfFaceId h = half_face(t, j);
       if (opposite(h).valid()) return refusal(face_text(face.vertex) + " has two tets already");
-      if (other.even == face.even) {
+      if (sorted_face(vertices(t), static_cast<std::size_t>(j)).even == face.even) {
         return refusal("tet " + std::to_string(t.value()) + " lies on the same side of " +
                        face_text(face.vertex));
       }

@@ -28,18 +28,25 @@ struct RationalPoint {
   Int scale = 1;
 };
 
-/// The unique solution x of the rows (coefficients, right-hand side), as numerators over
-/// one denominator; nothing if there is none or several. Bareiss elimination: every entry
-/// is a minor of the matrix, so all divisions are exact.
-inline std::optional<std::pair<std::vector<Int>, Int>> solve(std::vector<std::vector<Int>> rows) {
-  const std::size_t n = rows[0].size() - 1;
+/// Five equations in up to five unknowns: coefficients, then the right-hand side.
+using System = std::array<std::array<Int, 6>, 5>;
+
+/// A solution as numerators over one denominator > 0.
+struct Solution {
+  std::array<Int, 5> numerator{};
+  Int denominator = 1;
+};
+
+/// The solution of the first n columns and column n as right-hand side, where it is unique.
+/// Bareiss elimination: every entry is a minor of the matrix, so all divisions are exact.
+inline std::optional<Solution> solve(System rows, std::size_t n) {
   Int previous = 1;
   for (std::size_t c = 0; c < n; ++c) {
     std::size_t p = c;
-    while (p < rows.size() && rows[p][c] == 0) ++p;
-    if (p == rows.size()) return std::nullopt;
+    while (p < 5 && rows[p][c] == 0) ++p;
+    if (p == 5) return std::nullopt;
     std::swap(rows[p], rows[c]);
-    for (std::size_t r = 0; r < rows.size(); ++r) {
+    for (std::size_t r = 0; r < 5; ++r) {
       if (r == c) continue;
       const Int factor = rows[r][c];
       for (std::size_t k = 0; k <= n; ++k) {
@@ -48,12 +55,13 @@ inline std::optional<std::pair<std::vector<Int>, Int>> solve(std::vector<std::ve
     }
     previous = rows[c][c];
   }
-  for (std::size_t r = n; r < rows.size(); ++r) {
+  for (std::size_t r = n; r < 5; ++r) {
     if (rows[r][n] != 0) return std::nullopt;
   }
-  std::vector<Int> x(n);
-  for (std::size_t i = 0; i < n; ++i) x[i] = previous < 0 ? -rows[i][n] : rows[i][n];
-  return std::pair{x, previous < 0 ? -previous : previous};
+  Solution x;
+  x.denominator = previous < 0 ? -previous : previous;
+  for (std::size_t i = 0; i < n; ++i) x.numerator[i] = previous < 0 ? -rows[i][n] : rows[i][n];
+  return x;
 }
 
 inline Grid3 minus(const Grid3& p, const Grid3& q) {
@@ -87,32 +95,30 @@ inline std::vector<RationalPoint> extreme_common_points(const std::array<Grid3, 
   std::vector<RationalPoint> result;
   for (std::size_t s = 1; s < 8; ++s) {
     for (std::size_t t = 1; t < 8; ++t) {
-      std::vector<std::vector<Int>> rows(5);
+      // Six unknowns in five equations have no unique solution.
+      if (s == 7 && t == 7) continue;
+      System rows{};
+      std::size_t n = 0;
       for (std::size_t i = 0; i < 3; ++i) {
         if ((s >> i & 1U) == 0) continue;
-        for (std::size_t k = 0; k < 3; ++k) rows[k].push_back(a[i][k]);
-        rows[3].push_back(1);
-        rows[4].push_back(0);
+        for (std::size_t k = 0; k < 3; ++k) rows[k][n] = a[i][k];
+        rows[3][n++] = 1;
       }
-      const std::size_t alphas = rows[3].size();
+      const std::size_t alphas = n;
       for (std::size_t j = 0; j < 3; ++j) {
         if ((t >> j & 1U) == 0) continue;
-        for (std::size_t k = 0; k < 3; ++k) rows[k].push_back(-b[j][k]);
-        rows[3].push_back(0);
-        rows[4].push_back(1);
+        for (std::size_t k = 0; k < 3; ++k) rows[k][n] = -b[j][k];
+        rows[4][n++] = 1;
       }
-      const std::vector<std::vector<Int>> coefficients = rows;
-      for (std::size_t k = 0; k < 5; ++k) rows[k].push_back(k < 3 ? 0 : 1);
-      const auto solution = solve(rows);
-      if (!solution) continue;
+      rows[3][n] = rows[4][n] = 1;
+      const std::optional<Solution> x = solve(rows, n);
+      if (!x) continue;
       bool feasible = true;
-      for (const Int x : solution->first) feasible = feasible && x >= 0;
+      for (const Int numerator : x->numerator) feasible = feasible && numerator >= 0;
       if (!feasible) continue;
-      RationalPoint p{{}, solution->second};
+      RationalPoint p{{}, x->denominator};
       for (std::size_t k = 0; k < 3; ++k) {
-        for (std::size_t i = 0; i < alphas; ++i) {
-          p.at[k] += coefficients[k][i] * solution->first[i];
-        }
+        for (std::size_t i = 0; i < alphas; ++i) p.at[k] += rows[k][i] * x->numerator[i];
       }
       result.push_back(p);
     }
