@@ -1,7 +1,6 @@
 #include "support/stacks/bitmap.hpp"
 
 #include <array>
-#include <functional>
 
 namespace tetloft::testing {
 namespace {
@@ -107,7 +106,8 @@ Bitmap without_diagonals(Bitmap bitmap) {
   return bitmap;
 }
 
-Layer marching_squares(const Bitmap& bitmap, bool join_diagonals) {
+Layer marching_squares(const Bitmap& bitmap, bool join_diagonals,
+                       const std::function<Point2(int, int)>& place) {
   // Cell (x, y) has the pixel centres (x, y) … (x + 1, y + 1) as corners, counter-clockwise;
   // its side k runs from corner k to k + 1. In doubled coordinates, shifted by 2, the
   // midpoint of side k is 2 (x, y) + kMiddle[k].
@@ -133,7 +133,13 @@ Layer marching_squares(const Bitmap& bitmap, bool join_diagonals) {
       }
     }
   }
-  return loops.trace([](int x, int y) { return Point2{0.5 * (x - 2), 0.5 * (y - 2)}; });
+  return loops.trace([&](int x, int y) { return place(x - 2, y - 2); });
+}
+
+Layer marching_squares(const Bitmap& bitmap, bool join_diagonals) {
+  return marching_squares(bitmap, join_diagonals, [](int x2, int y2) {
+    return Point2{0.5 * x2, 0.5 * y2};
+  });
 }
 
 Layer staircase(const Bitmap& bitmap, bool merge_collinear) {

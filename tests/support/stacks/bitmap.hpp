@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "core/prng.hpp"
@@ -47,8 +48,13 @@ class Bitmap {
 /// pixel sides do not touch.
 [[nodiscard]] Bitmap without_diagonals(Bitmap bitmap);
 
-/// Outlines through the midpoints between set and unset pixel centres (half-integers).
-/// At an ambiguous cell the set pixels are joined or parted; either way no outlines touch.
+/// Outlines that cross each lattice edge between a set and an unset pixel once, at the
+/// point that `place` says for it: x2 and y2 are the sums of the two pixels' coordinates,
+/// so that the midpoint is (x2, y2) / 2. At an ambiguous cell the set pixels are joined or
+/// parted; either way no outlines touch as long as places stay inside their lattice edges.
+[[nodiscard]] Layer marching_squares(const Bitmap& bitmap, bool join_diagonals,
+                                     const std::function<Point2(int x2, int y2)>& place);
+/// With all places at midpoints: vertices on half-integers.
 [[nodiscard]] Layer marching_squares(const Bitmap& bitmap, bool join_diagonals);
 
 /// Outlines along pixel sides, with or without the vertices inside straight runs.
