@@ -155,13 +155,13 @@ struct ConformingSection {
 
 /// One edge of a Voronoi skeleton: the dual of a Delaunay edge.
 struct SkeletonEdge {
-  EdgeId dual;            ///< the I or E edge
-  EdgeKind kind;          ///< internal or external
-  ContourId contour_a;    ///< contours of the ends of the dual edge
+  EdgeId dual;          ///< the I or E edge
+  EdgeKind kind;        ///< internal or external
+  ContourId contour_a;  ///< contours of the ends of the dual edge
   ContourId contour_b;
   TriangleId left, right;  ///< its ends are their circumcentres; right invalid: a ray
-  Point2 from;            ///< circumcentre of left
-  Point2 to;              ///< circumcentre of right, or the direction of the ray
+  Point2 from;             ///< circumcentre of left
+  Point2 to;               ///< circumcentre of right, or the direction of the ray
   bool ray = false;
 };
 
@@ -183,8 +183,9 @@ struct RegionOutline {
 /// An exact comparison of areas: the sign of area(a ∩ b) / min(area a, area b) − tau, for
 /// tau as the double it is. Interval arithmetic first, rationals where it cannot decide.
 [[nodiscard]] Sign compare_overlap(const RegionOutline& a, const RegionOutline& b, double tau);
-/// The same ratio, rounded, for reports and for ordering by evidence; exactly 0 iff the
-/// intersection has no area.
+/// The same ratio, for reports and for ordering by evidence: rounded to 32 significant
+/// bits, halves up, so that equal ratios are equal doubles however they arise; exactly 0
+/// iff the intersection has no area.
 [[nodiscard]] double overlap_ratio(const RegionOutline& a, const RegionOutline& b);
 [[nodiscard]] double area(const RegionOutline& region);
 

@@ -73,12 +73,15 @@ class Conformer {
   }
 
  private:
-  // The error of the triangulation, with its place in the stack.
+  // The error of the triangulation, whose vertices are numbered through, in our terms.
   [[nodiscard]] Error placed(Error error) const {
     if (error.where.vertex && *error.where.vertex < flat_.points.size()) {
       const std::size_t v = *error.where.vertex;
       error.where.contour = flat_.contour[v].index();
       error.where.vertex = flat_.vertex[v];
+      if (error.code == ErrorCode::unrepresentable) {
+        error.message = "rounding leaves no room to split the contour's edge that starts here";
+      }
     }
     error.where.section = id_.index();
     if (error.where.point) error.where.point->z = section_.z;
@@ -97,7 +100,7 @@ class Conformer {
   }
 
   // Enters every chain into contour, next, input_vertex and edge_of, and marks its edges.
-  // Fails unless every vertex is on exactly one contour, once.
+  // Fails where points coincide; the chains then share no vertex and leave none out.
   Result<void> walk_chains(const std::vector<std::vector<VertexId>>& chains) {
     const std::size_t n = result_.triangulation.points.size();
     result_.contour.resize(n);
@@ -114,9 +117,7 @@ class Conformer {
       for (std::size_t k = 0; k + 1 < chain.size(); ++k) {
         const VertexId from = number_[chain[k]];
         const VertexId to = number_[chain[k + 1]];
-        if (result_.contour[from].valid()) {
-          return unrepresentable(from, "rounding brings two points of contours together");
-        }
+        TETLOFT_CHECK(!result_.contour[from].valid());
         result_.contour[from] = flat_.contour[s];
         result_.next[from] = to;
         result_.edge_of[from] = flat_.vertex[s];

@@ -303,6 +303,7 @@ std::size_t SectionStack::vertex_count() const {
 
 Result<void> validate(const SectionStack& stack) {
   return guard_internal([&]() -> Result<void> {
+    if (Result<void> sound = fp_self_check(); !sound) return sound;
     if (stack.sections.empty()) {
       return Error{ErrorCode::invalid_input, "the stack has no section", {}};
     }
