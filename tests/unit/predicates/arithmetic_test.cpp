@@ -123,6 +123,8 @@ TEST(Lattice, RefusesWhatDoesNotFit) {
   EXPECT_FALSE(to_lattice<11>(std::array{2048.0, 1.0}));
   EXPECT_FALSE(to_lattice<30>(std::array{1.0, 0.1}));
   EXPECT_FALSE(to_lattice<11>(std::array{1.0, 0x1p-1074}));
+  EXPECT_FALSE(to_lattice<11>(std::array{0x1p+1000, 0x1p-1074}));
+  EXPECT_FALSE(to_lattice<11>(std::array{0.0, 0.0}));
   EXPECT_FALSE(to_lattice<11>(std::array{0x1p-1022, 0x1p-1074}));
   EXPECT_FALSE(to_lattice<11>(std::array{0x1p+1023, 0x1p-1074}));
 }

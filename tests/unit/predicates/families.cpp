@@ -120,6 +120,34 @@ Points cospherical(Prng& prng) {
   return points;
 }
 
+/// Odd, of any size up to 46 bits: too many for the lattice stage, few enough for small
+/// multiples to be doubles.
+double odd_factor(Prng& prng) {
+  return 1 + 2 * static_cast<double>(prng.below(1ULL << prng.below(46)));
+}
+
+/// Cospherical with up to full mantissas.
+Points wide_cospherical(Prng& prng) {
+  Points points = cospherical(prng);
+  const double factor = odd_factor(prng);
+  for (Point3& p : points) p = {factor * p.x, factor * p.y, factor * p.z};
+  return points;
+}
+
+/// On circles of radius 65 above each other, with up to full mantissas.
+Points wide_cocircular(Prng& prng) {
+  static constexpr int pairs[][2] = {{65, 0}, {16, 63}, {33, 56}, {25, 60}, {39, 52}};
+  const double factor = odd_factor(prng) / 16;
+  Points points;
+  for (Point3& p : points) {
+    const auto& t = pairs[prng.below(std::size(pairs))];
+    const std::size_t turn = prng.below(2);
+    p = {(prng.chance(0.5) ? factor : -factor) * t[turn],
+         (prng.chance(0.5) ? factor : -factor) * t[1 - turn], factor * integer(prng, 0, 2)};
+  }
+  return points;
+}
+
 Points far_cospherical(Prng& prng) {
   Points points = cospherical(prng);
   for (Point3& p : points) p = {p.x + 1000.5, p.y - 33.25, p.z + 7};
@@ -219,6 +247,16 @@ Points full_mantissas(Prng& prng) {
   });
 }
 
+/// Products along x and y underflow, those along z make up for it.
+Points tall_and_thin(Prng& prng) {
+  Points points;
+  for (Point3& p : points) {
+    p = {std::ldexp(integer(prng, -8, 8), -539), std::ldexp(integer(prng, -8, 8), -539),
+         std::ldexp(integer(prng, -2, 2), 300)};
+  }
+  return points;
+}
+
 Points signed_zeros(Prng& prng) {
   return from_coordinates(prng, [&] {
     const double values[] = {0.0, -0.0, 1.0, -1.0};
@@ -239,6 +277,8 @@ const std::vector<Family>& families() {
       {"NearlyCollinear", nearly_collinear},
       {"NearlyCoplanar", nearly_coplanar},
       {"Cospherical", cospherical},
+      {"WideCospherical", wide_cospherical},
+      {"WideCocircular", wide_cocircular},
       {"FarCospherical", far_cospherical},
       {"NearlyCospherical", nearly_cospherical},
       {"TwoPlanes", two_planes},
@@ -252,6 +292,7 @@ const std::vector<Family>& families() {
       {"MixedLattice", mixed_lattice},
       {"EdgesOfRanges", edges_of_ranges},
       {"FullMantissas", full_mantissas},
+      {"TallAndThin", tall_and_thin},
       {"SignedZeros", signed_zeros},
   };
   return all;
