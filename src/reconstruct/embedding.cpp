@@ -16,6 +16,8 @@ namespace {
 constexpr int kRounds = 200;
 // A cut nearer to its kept corner than this share of its first distance is useless.
 constexpr double kSmallestCut = 0x1p-30;
+// A cut that has come this near is not what is at fault.
+constexpr double kStubborn = 0x1p-3;
 
 void sort_unique(std::vector<std::size_t>& items) {
   std::sort(items.begin(), items.end());
@@ -155,7 +157,6 @@ Embedding::Blame Embedding::find_fault() {
 }
 
 Embedding::Outcome Embedding::give_way(Blame blame) {
-  sort_unique(blame.lifted);
   sort_unique(blame.cuts);
   sort_unique(blame.prisms);
   bool truncated = false;
@@ -169,7 +170,14 @@ Embedding::Outcome Embedding::give_way(Blame blame) {
     count(rules_, Rule::moved_cut);
     cut.scale *= 0.5;
     if (cut.scale < kSmallestCut) return Outcome::failed;
+    // A cut lies on the line of its edge: where coming nearer does not help, the edge's
+    // lifted ends are at fault.
+    if (cut.scale <= kStubborn) {
+      blame_node(cut.kept, blame);
+      blame_node(cut.away, blame);
+    }
   }
+  sort_unique(blame.lifted);
   for (const std::size_t k : blame.lifted) {
     count(rules_, Rule::halved_lift);
     if (!lifting_.halve(k)) {

@@ -20,7 +20,9 @@ double volume6(const Point3& a, const Point3& b, const Point3& c, const Point3& 
 // A child flatter than this share of its unlifted self is lifted less …
 constexpr double kFlat = 0.1;
 // … unless its vertices are this low already: shape is a wish, positivity a must.
-constexpr double kLowEnough = 0x1p-8;
+constexpr double kLowEnough = 0x1p-5;
+// No child in particular.
+constexpr std::uint32_t kNone = 0xFFFFFFFFU;
 
 }  // namespace
 
@@ -33,10 +35,14 @@ Lifting::Lifting(const Slab& slab, const Subdivision& subdivision)
   for (const LiftedVertex& vertex : subdivision.lifted) {
     points_.push_back(vertex.base);
     target_.push_back(vertex.target);
+    const Point3& a = points_[vertex.of[0].index()];
+    const Point3& b = points_[vertex.of[1].index()];
+    const double length = std::hypot(b.x - a.x, b.y - a.y);
+    smallest_.push_back(kSmallestLift * std::min(1.0, length / slab.gap()));
   }
   fraction_.assign(lifted, 0.5);
   ceiling_.assign(lifted, 0.5);
-  vertical_.assign(lifted, 0);
+  aim_.assign(lifted, Aim::ring);
 
   first_child_.assign(lifted + 1, 0);
   for (const Child& child : subdivision.children) {
@@ -85,27 +91,66 @@ bool Lifting::good(std::size_t child) const {
 
 bool Lifting::halve(std::size_t k) {
   ceiling_[k] = 0.5 * fraction_[k];
-  return lower(k);
+  return lower(k, kNone);
 }
 
-bool Lifting::lower(std::size_t k) {
+bool Lifting::lower(std::size_t k, std::uint32_t bad_child) {
   fraction_[k] *= 0.5;
-  if (fraction_[k] < kSmallestLift) {
-    at_ = points_[slab_.vertex_count() + k];
-    if (vertical_[k] != 0) return false;
-    // Another direction: straight towards the opposite plane.
-    vertical_[k] = 1;
-    const Point3& base = subdivision_.lifted[k].base;
-    target_[k] = {base.x, base.y, target_[k].z};
-    fraction_[k] = ceiling_[k] = 0.5;
+  const bool exhausted = aim_[k] == Aim::last;
+  if (fraction_[k] < (exhausted ? smallest_[k] : kLowLift)) {
+    if (exhausted) {
+      at_ = points_[slab_.vertex_count() + k];
+      return false;
+    }
+    aim_next(k, bad_child);
   }
   place(k);
   return true;
 }
 
+// Vertices of one bad child change from `ring` to `own` together: moving towards the same
+// corners is what keeps it positive.
+void Lifting::aim_next(std::size_t k, std::uint32_t bad_child) {
+  const Aim next = static_cast<Aim>(static_cast<int>(aim_[k]) + 1);
+  aim(k, next, bad_child);
+  if (next != Aim::own || bad_child == kNone) return;
+  for (const VertexId v : subdivision_.children[bad_child].node) {
+    if (v.index() < slab_.vertex_count()) continue;
+    const std::size_t other = v.index() - slab_.vertex_count();
+    if (aim_[other] != Aim::ring) continue;
+    aim(other, next, bad_child);
+    place(other);
+  }
+}
+
+// Takes another target, and starts over at the largest fraction allowed.
+void Lifting::aim(std::size_t k, Aim aim, std::uint32_t bad_child) {
+  const LiftedVertex& vertex = subdivision_.lifted[k];
+  aim_[k] = aim;
+  fraction_[k] = std::min(0.5, ceiling_[k]);
+  switch (aim) {
+    case Aim::own: {
+      if (bad_child == kNone) break;
+      Point3 sum{0, 0, vertex.target.z};
+      int n = 0;
+      for (const VertexId v : slab_.mesh().vertices(subdivision_.children[bad_child].parent)) {
+        if (slab_.is_upper(v) == vertex.upper) continue;
+        sum.x += points_[v.index()].x;
+        sum.y += points_[v.index()].y;
+        ++n;
+      }
+      target_[k] = {sum.x / n, sum.y / n, sum.z};
+      break;
+    }
+    case Aim::vertical: target_[k] = {vertex.base.x, vertex.base.y, vertex.target.z}; break;
+    default: target_[k] = vertex.target; break;
+  }
+}
+
 bool Lifting::settle(RuleCounts& rules) {
   const std::size_t n = slab_.vertex_count();
-  std::vector<std::uint8_t> marked(subdivision_.lifted.size(), 0);
+  // The first bad child of a vertex that is to be lowered; kNone otherwise.
+  std::vector<std::uint32_t> bad_child(subdivision_.lifted.size(), kNone);
   std::vector<std::uint32_t> todo(subdivision_.children.size());
   for (std::size_t c = 0; c < todo.size(); ++c) todo[c] = static_cast<std::uint32_t>(c);
 
@@ -117,8 +162,8 @@ bool Lifting::settle(RuleCounts& rules) {
       if (good(c)) continue;
       for (const VertexId v : subdivision_.children[c].node) {
         if (v.index() < n) continue;  // nothing to move: a tet of D is positive
-        if (marked[v.index() - n] != 0) continue;
-        marked[v.index() - n] = 1;
+        if (bad_child[v.index() - n] != kNone) continue;
+        bad_child[v.index() - n] = c;
         halved.push_back(v.index() - n);
       }
     }
@@ -126,8 +171,8 @@ bool Lifting::settle(RuleCounts& rules) {
     todo.clear();
     for (const std::size_t k : halved) {
       count(rules, Rule::halved_lift);
-      marked[k] = 0;
-      if (!lower(k)) return false;
+      if (!lower(k, bad_child[k])) return false;
+      bad_child[k] = kNone;
       todo.insert(todo.end(), child_.begin() + first_child_[k],
                   child_.begin() + first_child_[k + 1]);
     }

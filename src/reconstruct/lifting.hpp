@@ -6,6 +6,13 @@
 // room. Every placement is rounded once, and its tets are tested exactly as stored. That
 // pieces of the solid do not touch each other is tested afterwards (embedding.hpp); no
 // isotopy is needed for the proof.
+//
+// Where halving leads nowhere, the target is at fault, and the next one is tried:
+//   ring      the mean of the opposite vertices of the edge's ring; best on the whole
+//   own       the same mean within the one parent tet that is not positive. A vertex that
+//             moves inside a tet towards the tet's own corners keeps its children positive
+//             however thin the tet is: a matter of barycentric coordinates
+//   vertical  straight across the gap
 #pragma once
 
 #include <vector>
@@ -17,9 +24,12 @@
 
 namespace tetloft {
 
-/// A lifted vertex rises at least this fraction of the gap, or the slab is refused: below
-/// it a model would be valid and useless.
+/// A lifted vertex rises at least this share of its external edge's length, or of the gap
+/// if that is less, or the slab is refused: below it a model would be valid and useless.
+/// (Of the edge's length, since two contours that nearly touch leave no more room.)
 inline constexpr double kSmallestLift = 0x1p-20;
+/// Below this the next target is tried, if there is one left.
+inline constexpr double kLowLift = 0x1p-8;
 
 class Lifting {
  public:
@@ -40,17 +50,22 @@ class Lifting {
   [[nodiscard]] const Point3& at() const { return at_; }
 
  private:
+  enum class Aim : std::uint8_t { ring, own, vertical, last };
+
   void place(std::size_t k);
-  [[nodiscard]] bool lower(std::size_t k);
+  [[nodiscard]] bool lower(std::size_t k, std::uint32_t bad_child);
+  void aim_next(std::size_t k, std::uint32_t bad_child);
+  void aim(std::size_t k, Aim aim, std::uint32_t bad_child);
   [[nodiscard]] bool good(std::size_t child) const;
   void raise();
 
   const Slab& slab_;
   const Subdivision& subdivision_;
   std::vector<double> fraction_;  // by lifted vertex
+  std::vector<double> smallest_;  // the least fraction allowed
   std::vector<double> ceiling_;   // what raise() may go up to
-  std::vector<Point3> target_;    // by lifted vertex; vertical after a failed try
-  std::vector<std::uint8_t> vertical_;
+  std::vector<Point3> target_;    // by lifted vertex
+  std::vector<Aim> aim_;          // what the target is; last: ring again, down to the minimum
   std::vector<Point3> points_;
   std::vector<double> unlifted_volume_;  // by child
   // child_[first_child_[k] … first_child_[k + 1]]: the children at lifted vertex k.
