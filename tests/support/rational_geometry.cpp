@@ -6,38 +6,12 @@ namespace tetloft::oracle {
 
 namespace {
 
-Point3Q difference(const Point3Q& a, const Point3Q& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-
-Point3Q cross(const Point3Q& a, const Point3Q& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-Rational dot(const Point3Q& a, const Point3Q& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-
 bool in_range(const Rational& x, const Rational& a, const Rational& b) {
   return std::min(a, b) <= x && x <= std::max(a, b);
 }
 
 bool on_segment2(const Point2Q& p, const Point2Q& a, const Point2Q& b) {
   return turn(a, b, p).sign() == 0 && in_range(p.x, a.x, b.x) && in_range(p.y, a.y, b.y);
-}
-
-// Is there a gap or a touch between the values of two point sets under `value`?
-template <class PointsA, class PointsB, class Value>
-bool separates(const PointsA& a, const PointsB& b, Value&& value) {
-  Rational low_a = value(a[0]);
-  Rational high_a = low_a;
-  for (const auto& p : a) {
-    low_a = std::min(low_a, value(p));
-    high_a = std::max(high_a, value(p));
-  }
-  Rational low_b = value(b[0]);
-  Rational high_b = low_b;
-  for (const auto& p : b) {
-    low_b = std::min(low_b, value(p));
-    high_b = std::max(high_b, value(p));
-  }
-  return high_a <= low_b || high_b <= low_a;
 }
 
 // The part of a convex polygon where the affine function `value` is not negative.
@@ -202,37 +176,6 @@ Rational common_area(const std::vector<Polygon>& a, const std::vector<Polygon>& 
     }
   }
   return area;
-}
-
-Rational volume6(const Point3Q& a, const Point3Q& b, const Point3Q& c, const Point3Q& d) {
-  return dot(cross(difference(b, a), difference(c, a)), difference(d, a));
-}
-
-bool tets_overlap(const std::array<Point3Q, 4>& a, const std::array<Point3Q, 4>& b) {
-  const auto separated = [&](const Point3Q& axis) {
-    return separates(a, b, [&](const Point3Q& p) { return dot(axis, p); });
-  };
-  for (const auto* tet : {&a, &b}) {
-    for (std::size_t i = 0; i < 4; ++i) {
-      const Point3Q& p = (*tet)[(i + 1) % 4];
-      if (separated(
-              cross(difference((*tet)[(i + 2) % 4], p), difference((*tet)[(i + 3) % 4], p)))) {
-        return false;
-      }
-    }
-  }
-  for (std::size_t i = 0; i < 4; ++i) {
-    for (std::size_t j = i + 1; j < 4; ++j) {
-      for (std::size_t k = 0; k < 4; ++k) {
-        for (std::size_t l = k + 1; l < 4; ++l) {
-          const Point3Q axis = cross(difference(a[j], a[i]), difference(b[l], b[k]));
-          // Parallel edges give no plane of their own.
-          if (axis != Point3Q{} && separated(axis)) return false;
-        }
-      }
-    }
-  }
-  return true;
 }
 
 std::vector<Point3Q> triangle_intersection(const std::array<Point3Q, 3>& a,
