@@ -14,10 +14,10 @@ bool ranges_meet(double a, double b, double c, double d) {
   return std::min(a, b) <= std::max(c, d) && std::min(c, d) <= std::max(a, b);
 }
 
-// The side of t that is strictly off line pq on the side `off`.
-bool all_on_side(const Point2& p, const Point2& q, std::span<const Point2> points, Sign off) {
+// Whether all points are strictly on the given side of line pq.
+bool all_on_side(const Point2& p, const Point2& q, std::span<const Point2> points, Sign wanted) {
   return std::all_of(points.begin(), points.end(),
-                     [&](const Point2& x) { return orient2d(p, q, x) == off; });
+                     [&](const Point2& x) { return orient2d(p, q, x) == wanted; });
 }
 
 // Whether the line through some edge of t has all points strictly beyond it.
@@ -60,8 +60,10 @@ bool triangles_meet(const Triangle2& s, const Triangle2& t) {
 }
 
 bool angles_meet(const Point2& apex, const Segment2& pq, const Segment2& uv) {
-  return ray_in_angle(apex, pq, uv[0]) || ray_in_angle(apex, pq, uv[1]) ||
-         ray_in_angle(apex, uv, pq[0]) || ray_in_angle(apex, uv, pq[1]);
+  // What they have in common is bounded by two of the four rays, which lie in both: by u and
+  // v, or else by p or q.
+  return ray_in_angle(apex, pq, uv[0]) || ray_in_angle(apex, uv, pq[0]) ||
+         ray_in_angle(apex, uv, pq[1]);
 }
 
 }  // namespace tetloft::contact_detail

@@ -26,8 +26,6 @@ double coordinate(const Point3& p, Axis axis) {
   return axis == Axis::x ? p.x : axis == Axis::y ? p.y : p.z;
 }
 
-// Along x to (y, z), along y to (z, x), along z to (x, y): orient2d of the projection is
-// the sign of that coordinate of the right-hand normal.
 Point2 project(const Point3& p, Axis axis) {
   switch (axis) {
     case Axis::x: return {p.y, p.z};
@@ -67,13 +65,14 @@ struct Plate {
   const Facing& facing;
 };
 
-// orient3d(t, p).
+// The side of the plate's plane on which p lies; which side is positive depends on the
+// plate alone.
 Sign side(const Plate& plate, const Point3& p) {
   if (!plate.facing.parallel) return orient3d(plate.t[0], plate.t[1], plate.t[2], p);
   const double level = coordinate(plate.t[0], plate.facing.axis);
   const double at = coordinate(p, plate.facing.axis);
   if (at == level) return Sign::zero;
-  return (at > level) == plate.facing.positive ? Sign::positive : Sign::negative;
+  return at > level ? Sign::positive : Sign::negative;
 }
 
 bool segment_meets_plate(const Segment3& s, Sign side0, Sign side1, const Plate& plate) {
@@ -187,35 +186,25 @@ Triangle3 corners(std::span<const Point3> points, const TriangleVertices& t) {
 Facing facing_of(const Triangle3& t) {
   for (const Axis axis : axes_by_normal(t)) {
     const Triangle2 p = project(t, axis);
-    const Sign turn = orient2d(p[0], p[1], p[2]);
-    if (turn == Sign::zero) continue;
+    if (orient2d(p[0], p[1], p[2]) == Sign::zero) continue;
     const double level = coordinate(t[0], axis);
     const bool parallel = coordinate(t[1], axis) == level && coordinate(t[2], axis) == level;
-    return {axis, turn == Sign::positive, parallel};
+    return {axis, parallel};
   }
   return {};
 }
 
 bool touch(std::span<const Point3> points, const TriangleVertices& a, const Facing& f,
            const TriangleVertices& b, const Facing& g) {
-  // Bring the shared vertices to the front, in the same order. Swapping two vertices turns
-  // a triangle over, and its facing with it.
+  // Bring the shared vertices to the front, in the same order.
   TriangleVertices va = a;
   TriangleVertices vb = b;
-  Facing fa = f;
-  Facing fb = g;
   std::size_t shared = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = shared; j < 3; ++j) {
       if (va[i] != vb[j]) continue;
-      if (i != shared) {
-        std::swap(va[i], va[shared]);
-        fa.positive = !fa.positive;
-      }
-      if (j != shared) {
-        std::swap(vb[j], vb[shared]);
-        fb.positive = !fb.positive;
-      }
+      std::swap(va[i], va[shared]);
+      std::swap(vb[j], vb[shared]);
       ++shared;
       break;
     }
@@ -223,11 +212,9 @@ bool touch(std::span<const Point3> points, const TriangleVertices& a, const Faci
 
   const Triangle3 ta = corners(points, va);
   const Triangle3 tb = corners(points, vb);
-  const Plate pa{ta, fa};
-  const Plate pb{tb, fb};
-  if (f.axis == Axis::none || g.axis == Axis::none) {
-    return shared > 0 || touch_degenerate(pa, pb);
-  }
+  const Plate pa{ta, f};
+  const Plate pb{tb, g};
+  if (f.axis == Axis::none || g.axis == Axis::none) return touch_degenerate(pa, pb);
   switch (shared) {
     case 0: return touch_sharing_nothing(pa, pb);
     case 1: return touch_sharing_vertex(pa, pb);

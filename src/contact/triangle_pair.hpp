@@ -22,7 +22,6 @@ enum class Axis : std::uint8_t { x, y, z, none };
 
 struct Facing {
   Axis axis = Axis::none;
-  bool positive = false;  ///< the projection along axis turns counter-clockwise
   bool parallel = false;  ///< the coordinate `axis` is the same at all three vertices
 };
 

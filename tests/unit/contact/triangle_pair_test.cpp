@@ -247,5 +247,19 @@ TEST(TrianglesTouch, TwoSegmentsMeetOnlyWhereTheyDo) {
   EXPECT_FALSE(triangles_touch(points, triangle(2, 2, 2), triangle(5, 5, 5)));
 }
 
+TEST(TrianglesTouch, SegmentsInOneCoordinatePlaneMayOverlapInBoxOnly) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto at = [axis](double u, double v) {
+      std::array<double, 3> p{};
+      p[(axis + 1) % 3] = u;
+      p[(axis + 2) % 3] = v;
+      return Point3{p[0], p[1], p[2]};
+    };
+    const std::vector<Point3> points{at(0, 0), at(4, 4), at(2, 0), at(4, 3), at(0, 3)};
+    EXPECT_FALSE(triangles_touch(points, triangle(0, 1, 1), triangle(2, 3, 3)));
+    EXPECT_TRUE(triangles_touch(points, triangle(0, 1, 1), triangle(3, 4, 4)));
+  }
+}
+
 }  // namespace
 }  // namespace tetloft::contact_test

@@ -73,6 +73,15 @@ TEST(Validate, OppositeOfItselfBreaks2) {
   EXPECT_TRUE(violates(mesh, 2));
 }
 
+TEST(Validate, OppositeOfADeadSlotBreaks2) {
+  TetMesh mesh = cube();
+  mesh.remove_tet(TetId(2));
+  const HalfFaceId free = mesh.boundary().front();
+  Access::opposite(mesh)[8] = free;
+  Access::opposite(mesh)[free.index()] = HalfFaceId(8);
+  EXPECT_TRUE(violates(mesh, 2));
+}
+
 TEST(Validate, OppositeOfAnotherFaceBreaks3) {
   TetMesh mesh = cube();
   const std::vector<HalfFaceId> boundary = mesh.boundary();
