@@ -27,14 +27,15 @@ void sort_unique(std::vector<std::size_t>& items) {
 }  // namespace
 
 Embedding::Embedding(const Slab& slab, const SlabClasses& classes, const Subdivision& subdivision,
-                     Truncation& truncation, std::vector<LoneEnd>& lone, RuleCounts& rules)
+                     Lifting& lifting, Truncation& truncation, std::vector<LoneEnd>& lone,
+                     RuleCounts& rules)
     : slab_(slab),
       classes_(classes),
       subdivision_(subdivision),
       truncation_(truncation),
       lone_(lone),
       rules_(rules),
-      lifting_(slab, subdivision),
+      lifting_(lifting),
       first_cut_(slab.vertex_count() + subdivision.lifted.size()),
       first_cap_(first_cut_ + truncation.cuts.size()),
       pieces_(truncation.pieces) {

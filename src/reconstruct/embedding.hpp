@@ -38,9 +38,11 @@ class Embedding {
     failed,          ///< at() is the place
   };
 
-  /// Keeps references to its arguments; `lone` has its levels raised.
+  /// Keeps references to its arguments; `lifting` and `truncation` give way, `lone` has its
+  /// levels raised.
   Embedding(const Slab& slab, const SlabClasses& classes, const Subdivision& subdivision,
-            Truncation& truncation, std::vector<LoneEnd>& lone, RuleCounts& rules);
+            Lifting& lifting, Truncation& truncation, std::vector<LoneEnd>& lone,
+            RuleCounts& rules);
 
   [[nodiscard]] Outcome settle();
 
@@ -76,7 +78,7 @@ class Embedding {
   Truncation& truncation_;
   std::vector<LoneEnd>& lone_;
   RuleCounts& rules_;
-  Lifting lifting_;
+  Lifting& lifting_;
 
   std::size_t first_cut_;
   std::size_t first_cap_;

@@ -5,6 +5,7 @@
 
 #include "core/check.hpp"
 #include "reconstruct/embedding.hpp"
+#include "reconstruct/trimming.hpp"
 
 namespace tetloft {
 
@@ -26,7 +27,10 @@ class StepClock {
   Clock::time_point last_ = Clock::now();
 };
 
-Error no_room(SlabId id, const Point3& at, const char* what) {
+Error no_room(SlabId id, const Point3& at,
+              const char* what =
+                  "doubles leave no room for a valid model here: features are too "
+                  "close for the coordinates' precision") {
   Place place;
   place.slab = id.index();
   place.point = at;
@@ -85,17 +89,18 @@ Result<SlabSolid> build_between(SlabId id, const ConformingSection& lower,
       }
     }
     const Subdivision subdivision = subdivide(slab, complex, rules);
-    Truncation truncation = truncate(slab, classes, complex, subdivision);
-    Embedding embedding(slab, classes, subdivision, truncation, lone, rules);
+    Lifting lifting(slab, subdivision);
+    if (!lifting.settle(rules)) return no_room(id, lifting.at());
+    Truncation truncation = truncate(slab, classes, complex, subdivision,
+                                     choose_trimmed(slab, complex, subdivision, lifting));
+    Embedding embedding(slab, classes, subdivision, lifting, truncation, lone, rules);
     const Embedding::Outcome outcome = embedding.settle();
     clock.end(Step::subdivision);
     solid.seconds[static_cast<std::size_t>(Step::subdivision)] -= embedding.contact_seconds();
     solid.seconds[static_cast<std::size_t>(Step::contact)] += embedding.contact_seconds();
     if (outcome == Embedding::Outcome::more_truncated) continue;
     if (outcome == Embedding::Outcome::failed) {
-      return no_room(id, embedding.at(),
-                     "doubles leave no room for a valid model here: features are too close for "
-                     "the coordinates' precision");
+      return no_room(id, embedding.at());
     }
 
     solid.section_vertices = slab.vertex_count();

@@ -32,7 +32,8 @@ Point3 place_cut(const Cut& cut, const Point3& kept, const Point3& away, double 
   const double dy = away.y - kept.y;
   const double sideways = std::max(std::abs(dx), std::abs(dy)) > 0 ? std::hypot(dx, dy) : 0;
   double t = cut.towards_half ? 1 - 2 * kSeparation : 0.5 - kSeparation;
-  if (t * sideways > kLargestLean * gap) t = kLargestLean * gap / sideways;
+  const double lean = (cut.from_lifted ? 0.5 : 1.0) * kLargestLean * gap;
+  if (t * sideways > lean) t = lean / sideways;
   t *= cut.scale;
   return {kept.x + t * dx, kept.y + t * dy, kept.z + t * (away.z - kept.z)};
 }
@@ -42,8 +43,12 @@ namespace {
 class Truncator {
  public:
   Truncator(const Slab& slab, const SlabClasses& classes, const Complex& complex,
-            const Subdivision& subdivision)
-      : slab_(slab), classes_(classes), complex_(complex), subdivision_(subdivision) {}
+            const Subdivision& subdivision, const std::vector<std::uint8_t>& trimmed)
+      : slab_(slab),
+        classes_(classes),
+        complex_(complex),
+        subdivision_(subdivision),
+        trimmed_(trimmed) {}
 
   Truncation run() {
     // Two passes over the same pieces: the first collects cuts, which are then sorted and
@@ -53,7 +58,8 @@ class Truncator {
         for (std::size_t q = 0; q < 4; ++q) {
           if (!whole(child, p, attached) || whole(child, q, attached)) continue;
           const bool half = std::popcount(child.mean_of[q]) == 2 && (child.mean_of[q] & attached);
-          result_.cuts.push_back({child.node[p], child.node[q], half, 1});
+          const bool from_lifted = child.node[p].index() >= slab_.vertex_count();
+          result_.cuts.push_back({child.node[p], child.node[q], half, from_lifted, 1});
         }
       }
     });
@@ -75,8 +81,10 @@ class Truncator {
 
  private:
   // Is corner i of weight 1 for the class with these attached corners of the parent?
-  static bool whole(const Child& child, std::size_t i, unsigned attached) {
-    return (child.mean_of[i] & ~attached) == 0;
+  [[nodiscard]] bool whole(const Child& child, std::size_t i, unsigned attached) const {
+    const std::size_t v = child.node[i].index();
+    const bool cut_off = v >= slab_.vertex_count() && trimmed_[v - slab_.vertex_count()] != 0;
+    return !cut_off && (child.mean_of[i] & ~attached) == 0;
   }
 
   // Visits (child, a region of the class, the class's attached corners of the parent).
@@ -151,14 +159,15 @@ class Truncator {
   const SlabClasses& classes_;
   const Complex& complex_;
   const Subdivision& subdivision_;
+  const std::vector<std::uint8_t>& trimmed_;  // by lifted vertex
   Truncation result_;
 };
 
 }  // namespace
 
 Truncation truncate(const Slab& slab, const SlabClasses& classes, const Complex& complex,
-                    const Subdivision& subdivision) {
-  return Truncator(slab, classes, complex, subdivision).run();
+                    const Subdivision& subdivision, const std::vector<std::uint8_t>& trimmed) {
+  return Truncator(slab, classes, complex, subdivision, trimmed).run();
 }
 
 }  // namespace tetloft

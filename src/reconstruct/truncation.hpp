@@ -1,14 +1,16 @@
 // Separation of classes by truncation.
 //
 // For one class, a corner of a child has weight 1 if all of the parent's corners it is the
-// mean of are attached own corners, 1/2 for a midpoint with one such end, else 0. The piece
+// mean of are attached own corners, 1/2 for a midpoint with one such end or one that is
+// trimmed (trimming.hpp), else 0. The piece
 // of the class in the child is what is left when every edge from a corner of weight 1 to a
 // lighter one is cut at a weight in (1/2, 1): a tet or a prism. Weights of all classes add
 // up to at most 1, and the piece lies in the hull of its vertices: pieces of two classes
 // are disjoint. Cuts are shared by all children around their edge, so pieces conform.
 //
-// A cut lies at most κ gaps sideways of the corner that is kept: without that limit ends of
-// components grow into long thin spikes towards the next foreign contour.
+// A cut lies at most κ gaps sideways of the corner that is kept, and half as far from one
+// that hangs over itself: without that limit ends of components grow into long thin spikes
+// towards the next foreign contour.
 #pragma once
 
 #include <array>
@@ -29,6 +31,7 @@ struct Cut {
   VertexId kept;
   VertexId away;
   bool towards_half = false;  ///< `away` has weight 1/2, not 0
+  bool from_lifted = false;   ///< `kept` is a lifted vertex
   double scale = 1;           ///< halved where rounding or contact asks for it
 };
 
@@ -45,7 +48,8 @@ struct Truncation {
 };
 
 [[nodiscard]] Truncation truncate(const Slab& slab, const SlabClasses& classes,
-                                  const Complex& complex, const Subdivision& subdivision);
+                                  const Complex& complex, const Subdivision& subdivision,
+                                  const std::vector<std::uint8_t>& trimmed);
 
 /// Where a cut lies, from its two ends as placed.
 [[nodiscard]] Point3 place_cut(const Cut& cut, const Point3& kept, const Point3& away, double gap);
