@@ -24,8 +24,8 @@ struct ReadStack {
 
 /// Reads NUAGES .cnt: "S n", then for each section "v n z z" and contours "{ x y … }". Header
 /// letters in either case, any white space, LF or CRLF, any numeric form that strtod of the
-/// C locale accepts for finite numbers. Mends harmless slips (mend() in sections.hpp, wrong counts) and
-/// validates; errors name file and line.
+/// C locale accepts for finite numbers. Mends harmless slips (mend() in sections.hpp, wrong
+/// counts) and validates; errors name file and line.
 [[nodiscard]] Result<ReadStack> read_cnt(const std::string& path);
 /// The same from text; `name` stands for the file in messages.
 [[nodiscard]] Result<ReadStack> parse_cnt(std::string_view text, const std::string& name);
@@ -43,7 +43,8 @@ struct ReadStack {
 enum class Encoding { binary, ascii };
 
 /// VTK XML unstructured grid: Float64 points; cell data component, slab, kind; point data
-/// section, contour, origin. ASCII digits read back exactly.
+/// section, contour, origin, each left out where the model's is empty; an invalid id is −1.
+/// ASCII digits read back exactly. Refused (invalid_input) where an array has a wrong length.
 [[nodiscard]] Result<void> write_vtu(const std::string& path, const Model& model,
                                      Encoding encoding = Encoding::binary);
 /// Writes any tetrahedral mesh, without provenance.
@@ -52,11 +53,15 @@ enum class Encoding { binary, ascii };
                                      Encoding encoding = Encoding::binary);
 /// Reads points, tets and, where present, the data arrays that write_vtu makes. Accepts
 /// ascii, inline base64 and appended (raw or base64) data, uncompressed.
+/// Arrays that a file lacks, or has with values of another meaning, are left empty.
 [[nodiscard]] Result<Model> read_vtu(const std::string& path);
+/// The same from bytes; `name` stands for the file in messages.
+[[nodiscard]] Result<Model> parse_vtu(std::string_view bytes, const std::string& name);
 
 /// Writes the boundary surface as .obj, .ply (binary double), .vtp or .stl (binary,
 /// float32), by extension. Vertices are those of the surface, renumbered by id. The
-/// warning says where rounding to float32 merges or flattens triangles.
+/// warnings say where rounding to float32 merges vertices or flattens triangles. Refused:
+/// other extensions (usage), coordinates beyond float32 in .stl (invalid_input).
 [[nodiscard]] Result<std::vector<Warning>> write_surface(const std::string& path,
                                                          const Model& model,
                                                          Encoding encoding = Encoding::binary);

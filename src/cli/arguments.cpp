@@ -48,7 +48,7 @@ Result<Arguments> Arguments::parse(const Usage& usage, const std::vector<std::st
     const std::string name = word.substr(0, equals);
     const Option* const option = find_option(usage, name);
     if (option == nullptr) {
-      return usage_error("unknown option " + io::quoted(name) + see_help(usage));
+      return usage_error("unknown option " + io::in_quotes(name) + see_help(usage));
     }
     std::string value;
     if (option->value.empty()) {
@@ -76,7 +76,7 @@ Result<Arguments> Arguments::parse(const Usage& usage, const std::vector<std::st
                        see_help(usage));
   }
   if (arguments.operands_.size() > expected) {
-    return usage_error("unexpected argument " + io::quoted(arguments.operands_[expected]) +
+    return usage_error("unexpected argument " + io::in_quotes(arguments.operands_[expected]) +
                        see_help(usage));
   }
   return arguments;
@@ -109,7 +109,7 @@ Result<std::optional<std::int64_t>> Arguments::integer(std::string_view option, 
   if (value == nullptr) return std::optional<std::int64_t>();
   const auto number = io::parse_integer(*value);
   if (!number || *number < least || *number > largest) {
-    return usage_error("option " + std::string(option) + ": " + io::quoted(*value) +
+    return usage_error("option " + std::string(option) + ": " + io::in_quotes(*value) +
                        " is no integer from " + std::to_string(least) + " to " +
                        std::to_string(largest));
   }

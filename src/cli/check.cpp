@@ -69,7 +69,8 @@ std::string genus_text(const std::vector<long>& genus) {
   constexpr std::size_t kFew = 20;
   std::string text;
   for (std::size_t i = 0; i < genus.size() && i < kFew; ++i) {
-    text += (i == 0 ? "" : " ") + std::to_string(genus[i]);
+    if (i != 0) text += ' ';
+    text += std::to_string(genus[i]);
   }
   if (genus.size() > kFew) text += " …";
   return text.empty() ? "none" : text;
@@ -99,8 +100,8 @@ std::string failed_guarantees(const CheckReport& report) {
   std::string text = "check failed:";
   for (const GuaranteeVerdict& verdict : report.guarantees) {
     if (verdict.pass) continue;
-    text += (text.back() == ':' ? " guarantee " : ", ") + std::to_string(verdict.number) + " (" +
-            verdict.name + ')';
+    text += text.back() == ':' ? " guarantee " : ", ";
+    text += std::to_string(verdict.number) + " (" + verdict.name + ')';
   }
   return text;
 }

@@ -62,7 +62,7 @@ Result<int> dispatch(const std::vector<std::string>& words, Console& console) {
     }
     return command.run(*arguments, console);
   }
-  return usage_error("unknown command " + io::quoted(name) + "; see tetloft --help");
+  return usage_error("unknown command " + io::in_quotes(name) + "; see tetloft --help");
 }
 
 // Asked for even where the command line is wrong: its error must be JSON too.

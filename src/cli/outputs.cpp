@@ -39,13 +39,13 @@ Result<void> check_output(std::string_view option, const std::string& path,
       if (!list.empty()) list += e == extensions.back() ? " or " : ", ";
       list += e;
     }
-    return usage_error("option " + std::string(option) + ": " + io::quoted(path) + " must end in " +
-                       list);
+    return usage_error("option " + std::string(option) + ": " + io::in_quotes(path) +
+                       " must end in " + list);
   }
   for (const std::string& other : taken) {
     if (!same_file(path, other)) continue;
-    return usage_error("option " + std::string(option) + ": " + io::quoted(path) +
-                       " would overwrite another file of this command, " + io::quoted(other));
+    return usage_error("option " + std::string(option) + ": " + io::in_quotes(path) +
+                       " would overwrite another file of this command, " + io::in_quotes(other));
   }
   fs::path folder = fs::path(path).parent_path();
   if (folder.empty()) folder = ".";

@@ -72,14 +72,14 @@ Result<Request> request_of(const Arguments& arguments, Console& console) {
   request.snap = *snap;
   if (const auto ends = arguments.text("--ends")) {
     if (*ends != "flat" && *ends != "half") {
-      return usage_error("option --ends: " + io::quoted(*ends) + " is neither flat nor half");
+      return usage_error("option --ends: " + io::in_quotes(*ends) + " is neither flat nor half");
     }
     request.options.ends = *ends == "flat" ? Ends::flat : Ends::half;
   }
   const auto thickness = arguments.number("--thickness");
   if (!thickness) return thickness.error();
   if (thickness->has_value() && !(**thickness > 0)) {
-    return usage_error("option --thickness: " + io::quoted(*arguments.text("--thickness")) +
+    return usage_error("option --thickness: " + io::in_quotes(*arguments.text("--thickness")) +
                        " is not above 0");
   }
   request.options.thickness = *thickness;

@@ -24,7 +24,7 @@ Result<CorrespondenceOptions> correspondence_options(const Arguments& arguments,
   CorrespondenceOptions options;
   if (const auto rule = arguments.text("--correspondence")) {
     if (*rule != "overlap" && *rule != "reverse") {
-      return usage_error("option --correspondence: " + io::quoted(*rule) +
+      return usage_error("option --correspondence: " + io::in_quotes(*rule) +
                          " is neither overlap nor reverse");
     }
     options.criterion = *rule == "overlap" ? Criterion::overlap : Criterion::reverse;
@@ -33,7 +33,7 @@ Result<CorrespondenceOptions> correspondence_options(const Arguments& arguments,
   if (!tau) return tau.error();
   if (tau->has_value()) {
     if (**tau < 0 || **tau >= 1) {
-      return usage_error("option --overlap: " + io::quoted(*arguments.text("--overlap")) +
+      return usage_error("option --overlap: " + io::in_quotes(*arguments.text("--overlap")) +
                          " is not from 0 to below 1");
     }
     options.tau = **tau;
@@ -86,7 +86,7 @@ Result<StackInput> read_stack_input(const std::string& path, std::optional<int> 
   input.snapped = report_of(*snapped, input.stack.vertex_count());
   input.stack = std::move(snapped->stack);
   if (input.snapped->bits != *snap) {
-    console.warn({"a lattice of " + std::to_string(*snap) +
+    console.warn({std::string("a lattice of ") + std::to_string(*snap) +
                       " bits makes contours touch or degenerate; " +
                       std::to_string(input.snapped->bits) + " bits were taken",
                   {}});
@@ -160,7 +160,8 @@ std::string describe_snap(const SnapReport& report) {
     text += ")\n";
   }
   if (report.moved > report.first.size()) {
-    text += "  and " + std::to_string(report.moved - report.first.size()) + " more\n";
+    text += "  and ";
+    text += std::to_string(report.moved - report.first.size()) + " more\n";
   }
   return text;
 }

@@ -20,8 +20,8 @@ namespace tetloft {
 namespace {
 
 using io::complaint;
+using io::in_quotes;
 using io::ParsedNumber;
-using io::quoted;
 
 class CntReader {
  public:
@@ -65,7 +65,7 @@ class CntReader {
     const std::size_t header_line = cursor_.line();
     if (!take_letter('V')) {
       return complain("expected 'v' (a section), '{' (a contour) or the end of the file, got " +
-                      quoted(cursor_.token()));
+                      in_quotes(cursor_.token()));
     }
     Result<double> announced = read_count("number of vertices");
     if (!announced) return announced.error();

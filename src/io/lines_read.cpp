@@ -108,7 +108,7 @@ Result<std::vector<Label>> parse_labels(std::string_view text, const std::string
         const auto value = io::parse_integer(fields[i]);
         if (!value || *value < 0 || *value > kLargestIndex) {
           return complain(name, line,
-                          io::quoted(fields[i]) + " is no " +
+                          io::in_quotes(fields[i]) + " is no " +
                               (i == 0   ? "section"
                                : i == 1 ? "contour"
                                         : "label") +

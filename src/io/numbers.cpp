@@ -146,7 +146,7 @@ std::optional<std::int64_t> parse_integer(std::string_view token) {
   return value;
 }
 
-std::string quoted(std::string_view token) {
+std::string in_quotes(std::string_view token) {
   constexpr std::size_t kLongest = 40;
   std::string text = "'";
   for (const char c : token.substr(0, kLongest)) {
@@ -157,7 +157,7 @@ std::string quoted(std::string_view token) {
 }
 
 std::string complaint(std::string_view token, NumberStatus status) {
-  return quoted(token) +
+  return in_quotes(token) +
          (status == NumberStatus::not_finite ? " is not a finite number" : " is not a number");
 }
 

@@ -38,7 +38,7 @@ struct ParsedNumber {
 [[nodiscard]] std::string complaint(std::string_view token, NumberStatus status);
 
 /// `token` for messages: quoted, cut after 40 bytes, unprintable bytes as '?'.
-[[nodiscard]] std::string quoted(std::string_view token);
+[[nodiscard]] std::string in_quotes(std::string_view token);
 
 /// Appends the shortest digits that read back exactly.
 void append_number(std::string& text, double value);

@@ -163,7 +163,7 @@ Result<std::vector<Warning>> write_surface(const std::string& path, const Model&
     if (!stl && extension != ".obj" && extension != ".ply" && extension != ".vtp") {
       Error error{ErrorCode::usage,
                   "a surface is written as .obj, .ply, .vtp or .stl, not " +
-                      (extension.empty() ? "without extension" : "as " + io::quoted(extension)),
+                      (extension.empty() ? "without extension" : "as " + io::in_quotes(extension)),
                   {}};
       error.where.file = path;
       return error;

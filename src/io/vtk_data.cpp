@@ -32,7 +32,7 @@ constexpr std::array<TypeRow, 10> kTypes{{{"Int8", ScalarType::int8, 1},
 
 std::size_t bytes_of(ScalarType type) { return kTypes[static_cast<std::size_t>(type)].bytes; }
 
-std::string array_name(const DataArray& array) { return "the array " + quoted(array.name); }
+std::string array_name(const DataArray& array) { return "the array " + in_quotes(array.name); }
 
 // Bytes of an array: where they are, and what owns them if they had to be decoded.
 struct Payload {
@@ -154,8 +154,8 @@ Result<std::vector<T>> parse_text(const DataArray& array, const XmlScanner& scan
     const std::string_view token = cursor.token();
     const auto value = parse<T>(token);
     if (!value) {
-      return scanner.complain(array.position,
-                              array_name(array) + ": " + quoted(token) + " is not a finite number");
+      return scanner.complain(
+          array.position, array_name(array) + ": " + in_quotes(token) + " is not a finite number");
     }
     // A Float32 array means the float nearest to its digits.
     if constexpr (std::is_floating_point_v<T>) {

@@ -94,13 +94,13 @@ class DeclarationScanner {
     if (type == nullptr || *type != "UnstructuredGrid") {
       return scanner_.complain(tag.position,
                                "this VTK file is no UnstructuredGrid" +
-                                   (type == nullptr ? "" : " but " + io::quoted(*type)));
+                                   (type == nullptr ? "" : " but " + io::in_quotes(*type)));
     }
     const std::string* const order = tag.find("byte_order");
     grid_.source.little_endian = order == nullptr || *order == "LittleEndian";
     const std::string* const header = tag.find("header_type");
     if (header != nullptr && *header != "UInt32" && *header != "UInt64") {
-      return scanner_.complain(tag.position, "unknown header_type " + io::quoted(*header));
+      return scanner_.complain(tag.position, "unknown header_type " + io::in_quotes(*header));
     }
     grid_.source.header_bytes = header != nullptr && *header == "UInt64" ? 8 : 4;
     if (const std::string* compressor = tag.find("compressor")) {
@@ -346,14 +346,20 @@ class GridDecoder {
 
 }  // namespace
 
+Result<Model> parse_vtu(std::string_view bytes, const std::string& name) {
+  return guard_internal([&]() -> Result<Model> {
+    XmlScanner scanner(bytes, name);
+    const Result<GridDeclaration> grid = DeclarationScanner(scanner).scan();
+    if (!grid) return grid.error();
+    return GridDecoder(*grid, scanner).decode();
+  });
+}
+
 Result<Model> read_vtu(const std::string& path) {
   return guard_internal([&]() -> Result<Model> {
     const Result<std::string> bytes = io::read_file(path);
     if (!bytes) return bytes.error();
-    XmlScanner scanner(*bytes, path);
-    const Result<GridDeclaration> grid = DeclarationScanner(scanner).scan();
-    if (!grid) return grid.error();
-    return GridDecoder(*grid, scanner).decode();
+    return parse_vtu(*bytes, path);
   });
 }
 

@@ -95,7 +95,7 @@ std::optional<Error> XmlScanner::read_attributes(XmlTag& tag) {
     const std::size_t end =
         quote == '"' || quote == '\'' ? text_.find(quote, at_ + 1) : std::string_view::npos;
     if (end == std::string_view::npos) {
-      return complain(tag.position, "the attribute " + quoted(key) + " has no quoted value");
+      return complain(tag.position, "the attribute " + in_quotes(key) + " has no quoted value");
     }
     tag.attributes.emplace_back(key, decode_entities(text_.substr(at_ + 1, end - at_ - 1)));
     at_ = end + 1;

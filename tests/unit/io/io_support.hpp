@@ -1,0 +1,128 @@
+// What the tests of readers and writers share: a folder of their own, hard numbers, a model.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <bit>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <tetloft/model.hpp>
+
+namespace tetloft::test {
+
+/// A new folder, removed with everything in it.
+class TempFolder {
+ public:
+  TempFolder() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "tetloft-XXXXXX").string();
+    const char* const made = mkdtemp(pattern.data());
+    if (made == nullptr) ADD_FAILURE() << "no temporary folder";
+    path_ = pattern;
+  }
+  ~TempFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  TempFolder(const TempFolder&) = delete;
+  TempFolder& operator=(const TempFolder&) = delete;
+
+  [[nodiscard]] std::string file(const std::string& name) const { return (path_ / name).string(); }
+  [[nodiscard]] std::vector<std::string> names() const {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(path_)) {
+      names.push_back(entry.path().filename().string());
+    }
+    return names;
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+inline void put(const std::string& path, const std::string& bytes) {
+  std::ofstream(path, std::ios::binary) << bytes;
+}
+
+inline std::string get(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+inline std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
+
+inline bool same_bits(const Point3& a, const Point3& b) {
+  return bits(a.x) == bits(b.x) && bits(a.y) == bits(b.y) && bits(a.z) == bits(b.z);
+}
+
+/// Doubles that careless formatting loses.
+inline std::vector<double> hard_doubles() {
+  return {0.0,
+          -0.0,
+          0.1,
+          1.0 / 3,
+          0x1.fffffffffffffp0,
+          0x1.0000000000001p0,
+          1e22,
+          1e23,
+          1e-5,
+          5e-324,
+          -5e-324,
+          0x1.fffffffffffffp-1023,
+          0x1p-1022,
+          1e300,
+          -1e308,
+          123456,
+          1e15,
+          -4.35e-7,
+          9007199254740993.0,
+          2.2250738585072011e-308};
+}
+
+/// Two tets on hard points, with every label.
+inline Model hard_model() {
+  Model model;
+  const std::vector<double> hard = hard_doubles();
+  for (std::size_t i = 0; i + 2 < hard.size(); ++i) {
+    model.points.push_back({hard[i], hard[i + 1], hard[i + 2]});
+    model.section.push_back(static_cast<std::int32_t>(i % 3) - 1);
+    model.contour.push_back(static_cast<std::int32_t>(i % 5) - 1);
+    model.origin.push_back(static_cast<PointOrigin>(i % 5));
+  }
+  const auto tet = [](int a, int b, int c, int d) {
+    return TetVertices{VertexId(a), VertexId(b), VertexId(c), VertexId(d)};
+  };
+  model.tets.push_back(tet(0, 1, 2, 3));
+  model.tets.push_back(tet(4, 5, 6, 17));
+  model.component.push_back(ComponentId(0));
+  model.component.push_back(ComponentId(1));
+  model.slab.push_back(SlabId(7));
+  model.slab.push_back(SlabId(0));
+  model.kind.push_back(TetKind::prism);
+  model.kind.push_back(TetKind::t1_internal);
+  model.component_count = 2;
+  return model;
+}
+
+inline void expect_same(const Model& a, const Model& b) {
+  ASSERT_EQ(a.points.size(), b.points.size());
+  for (VertexId v(0); v < a.points.end_id(); v = VertexId(v.index() + 1)) {
+    EXPECT_TRUE(same_bits(a.points[v], b.points[v])) << v.index();
+  }
+  EXPECT_EQ(a.tets, b.tets);
+  EXPECT_EQ(a.component, b.component);
+  EXPECT_EQ(a.slab, b.slab);
+  EXPECT_EQ(a.kind, b.kind);
+  EXPECT_EQ(a.section, b.section);
+  EXPECT_EQ(a.contour, b.contour);
+  EXPECT_EQ(a.origin, b.origin);
+  EXPECT_EQ(a.component_count, b.component_count);
+}
+
+}  // namespace tetloft::test

@@ -1,0 +1,107 @@
+// Labels and points.
+#include <gtest/gtest.h>
+
+#include <tetloft/io.hpp>
+
+#include "io/bytes.hpp"
+#include "unit/io/io_support.hpp"
+
+namespace tetloft {
+namespace {
+
+using test::TempFolder;
+
+TEST(Labels, TakeCommentsAndBlankLines) {
+  const auto labels = parse_labels("# head\n\n0 1 7\r\n  2\t3 4294967294# tail\n#\n5 0 0", "l");
+  ASSERT_TRUE(labels.ok()) << to_string(labels.error());
+  ASSERT_EQ(labels->size(), 3U);
+  EXPECT_EQ((*labels)[0].contour, ContourId(1));
+  EXPECT_EQ((*labels)[0].label, 7U);
+  EXPECT_EQ((*labels)[1].section, SectionId(2));
+  EXPECT_EQ((*labels)[1].label, 4294967294U);
+  EXPECT_TRUE(parse_labels("", "l").ok());
+}
+
+TEST(Labels, NameTheLineOfAnError) {
+  for (const char* text :
+       {"0 0 1\n0 1\n", "0 0 1\n0 1 2 3\n", "0 0 1\n0 -1 2\n", "0 0 1\n0 1.5 2\n", "0 0 1\nx 1 2\n",
+        "0 0 1\n0 0 4294967295\n", "0 0 1\n99999999999999999999 0 0\n"}) {
+    const auto labels = parse_labels(text, "l.txt");
+    ASSERT_FALSE(labels.ok()) << text;
+    EXPECT_EQ(labels.error().code, ErrorCode::invalid_input) << text;
+    EXPECT_EQ(labels.error().where.line, 2U) << text;
+    EXPECT_EQ(labels.error().where.file, "l.txt") << text;
+  }
+}
+
+TEST(Labels, ComeFromAFile) {
+  TempFolder folder;
+  test::put(folder.file("l"), "1 2 3\n");
+  const auto labels = read_labels(folder.file("l"));
+  ASSERT_TRUE(labels.ok());
+  EXPECT_EQ(labels->size(), 1U);
+  EXPECT_EQ(read_labels(folder.file("none")).error().code, ErrorCode::io);
+}
+
+TEST(Points, ReadTextAndBinaryAlike) {
+  TempFolder folder;
+  const std::vector<double> hard = test::hard_doubles();
+  std::string text = "# points\n";
+  std::string bytes;
+  std::vector<Point3> expected;
+  for (std::size_t i = 0; i + 2 < hard.size(); ++i) {
+    expected.push_back({hard[i], hard[i + 1], hard[i + 2]});
+    for (std::size_t k = 0; k < 3; ++k) {
+      char buffer[40];
+      std::snprintf(buffer, sizeof buffer, "%a ", hard[i + k]);
+      text += buffer;
+      io::append_little(bytes, hard[i + k]);
+    }
+    text += "\n";
+  }
+  test::put(folder.file("p.txt"), text);
+  test::put(folder.file("p.bin"), bytes);
+  for (const char* name : {"p.txt", "p.bin"}) {
+    const auto points = read_points(folder.file(name));
+    ASSERT_TRUE(points.ok()) << to_string(points.error());
+    ASSERT_EQ(points->size(), expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      EXPECT_TRUE(test::same_bits((*points)[i], expected[i])) << name << ' ' << i;
+    }
+  }
+}
+
+TEST(Points, AcceptNone) {
+  TempFolder folder;
+  test::put(folder.file("p.txt"), "# nothing\n");
+  test::put(folder.file("p.bin"), "");
+  EXPECT_TRUE(read_points(folder.file("p.txt"))->empty());
+  EXPECT_TRUE(read_points(folder.file("p.bin"))->empty());
+}
+
+TEST(Points, NameTheLineOfAnError) {
+  TempFolder folder;
+  for (const char* text : {"0 0 0\n1 2\n", "0 0 0\n1 2 3 4\n", "0 0 0\n1 2 nan\n",
+                           "0 0 0\n1 2 inf\n", "0 0 0\n1,2,3\n"}) {
+    test::put(folder.file("p.txt"), text);
+    const auto points = read_points(folder.file("p.txt"));
+    ASSERT_FALSE(points.ok()) << text;
+    EXPECT_EQ(points.error().code, ErrorCode::invalid_input) << text;
+    EXPECT_EQ(points.error().where.line, 2U) << text;
+  }
+}
+
+TEST(Points, NameTheVertexOfABinaryError) {
+  TempFolder folder;
+  std::string bytes;
+  for (const double value : {0.0, 1.0, 2.0, 3.0, std::numeric_limits<double>::infinity(), 5.0}) {
+    io::append_little(bytes, value);
+  }
+  test::put(folder.file("p.bin"), bytes);
+  EXPECT_EQ(read_points(folder.file("p.bin")).error().where.vertex, 1U);
+  test::put(folder.file("p.bin"), bytes.substr(0, 47));
+  EXPECT_EQ(read_points(folder.file("p.bin")).error().code, ErrorCode::invalid_input);
+}
+
+}  // namespace
+}  // namespace tetloft
