@@ -46,13 +46,16 @@ enum class Sign : std::int8_t { negative = -1, zero = 0, positive = 1 };
                             const Point3& e);
 
 /// incircle, symbolically perturbed. Never zero for four distinct points of which a, b, c
-/// are not collinear.
+/// are not collinear; zero where two points coincide or all are collinear.
+/// (1) Swapping any two of the four points negates the result.
 [[nodiscard]] Sign incircle_perturbed(const Point2& a, const Point2& b, const Point2& c,
                                       const Point2& d);
 
 /// insphere, symbolically perturbed. Never zero for five distinct points of which a, b,
-/// c, d are not coplanar. Restricted to points of one plane of constant z it agrees with
-/// incircle_perturbed.
+/// c, d are not coplanar; zero where two points coincide or all are coplanar.
+/// (1) Swapping any two of the five points negates the result. (2) Restricted to a plane of
+/// constant z it agrees with incircle_perturbed: for a, b, c, e in the plane it is that of
+/// their (x, y) if d lies above the plane, and its negative if d lies below.
 [[nodiscard]] Sign insphere_perturbed(const Point3& a, const Point3& b, const Point3& c,
                                       const Point3& d, const Point3& e);
 

@@ -19,7 +19,7 @@ namespace test {
 
 namespace {
 
-constexpr int kTrials = 100;
+constexpr int kTrials = 80;
 
 class Family_ : public testing::TestWithParam<Family> {
  protected:
