@@ -110,10 +110,14 @@ SectionStack draft_near_touching(Prng& prng) {
   for (Layer& layer : layers) {
     const double shift = prng.chance(0.5) ? 0 : distance * prng.between(-2, 2);
     switch (number(prng, 0, 3)) {
-      case 0:  // side by side
+      case 0: {  // side by side
+        // Facing sides with different vertices are split to a spacing of about the square
+        // root of their distance: only wide gaps stay small stacks.
+        const std::size_t opposite = distance > 1e-4 ? number(prng, 1, 4) : per_side;
         layer = {rectangle({-4 + shift, -2}, {shift, 2}, per_side),
-                 rectangle({shift + distance, -2}, {4 + shift, 2}, number(prng, 1, 4))};
+                 rectangle({shift + distance, -2}, {4 + shift, 2}, opposite)};
         break;
+      }
       case 1:  // a thin wall
         layer = {rectangle({-4, -4 + shift}, {4, 4 + shift}, per_side),
                  rectangle({distance - 4, distance - 4 + shift},
