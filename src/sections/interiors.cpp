@@ -139,9 +139,9 @@ bool interiors_meet(const RegionOutline& a, const RegionOutline& b) {
   for (const OwnedEdge& piece : arrangement) sweep_edges.push_back(piece.edge);
   std::vector<std::uint8_t> above(arrangement.size(), 0);  // all regions above each piece
   bool meet = false;
-  Sweep(sweep_edges).run([&](std::uint32_t below, std::span<const std::uint32_t> outgoing) {
-    std::uint8_t inside = below == kNoEdge ? std::uint8_t{0} : above[below];
-    for (const std::uint32_t edge : outgoing) {
+  Sweep(sweep_edges).run([&](const SweepEvent& event) {
+    std::uint8_t inside = event.below == kNoEdge ? std::uint8_t{0} : above[event.below];
+    for (const std::uint32_t edge : event.outgoing) {
       const OwnedEdge& piece = arrangement[edge];
       inside = static_cast<std::uint8_t>((inside & ~piece.owner) | piece.above);
       above[edge] = inside;

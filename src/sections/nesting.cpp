@@ -6,7 +6,6 @@
 #include "sections/nesting.hpp"
 
 #include <algorithm>
-#include <span>
 #include <vector>
 
 #include "core/check.hpp"
@@ -50,14 +49,14 @@ Nesting nest(const Section& section) {
   }
 
   std::vector<bool> seen(contours, false);
-  sections::Sweep(edges).run([&](std::uint32_t below, std::span<const std::uint32_t> outgoing) {
-    if (outgoing.empty()) return true;
-    const ContourId c = owner[outgoing[0]];
+  sections::Sweep(edges).run([&](const sections::SweepEvent& event) {
+    if (event.outgoing.empty()) return true;
+    const ContourId c = owner[event.outgoing[0]];
     if (seen[c.index()]) return true;
     seen[c.index()] = true;
-    if (below != sections::kNoEdge) {
-      const ContourId neighbour = owner[below];
-      nesting.parent[c] = inside_above[below] ? neighbour : nesting.parent[neighbour];
+    if (event.below != sections::kNoEdge) {
+      const ContourId neighbour = owner[event.below];
+      nesting.parent[c] = inside_above[event.below] ? neighbour : nesting.parent[neighbour];
     }
     const ContourId parent = nesting.parent[c];
     if (parent.valid()) nesting.depth[c] = nesting.depth[parent] + 1;

@@ -26,6 +26,11 @@ using sections::Trapezoids;
 // ratios come out equal whichever way they were computed.
 constexpr int kRatioBits = 32;
 
+// An interval that holds two rounded ratios is resolved exactly, up to this many pairs of
+// edges (a second or so). More have contours of thousands of vertices folded hundreds of
+// times, where intervals are wide and a ratio without the last of its bits must do.
+constexpr std::size_t kMostExactPairs = 1'000'000;
+
 // Bounds of ∫ 2 min(p (1 − t) + q t, 0) dt over 0 ≤ t ≤ 1; it increases with p and q.
 double lower_bound_below(double p, double q) {
   if (p >= 0 && q >= 0) return 0;
@@ -52,10 +57,20 @@ class IntervalOverlap {
   IntervalOverlap(const std::vector<Trapezoid>& a, const std::vector<Trapezoid>& b)
       : a_(a), b_(b), slope_a_(slopes(a)), slope_b_(slopes(b)) {}
 
-  // Twice the area of the overlap.
-  [[nodiscard]] Interval twice_area() const {
+  // False where an edge is too steep for doubles.
+  [[nodiscard]] bool has_finite_slopes() const {
+    const auto finite = [](const Interval& s) {
+      return std::isfinite(s.lo) && std::isfinite(s.hi);
+    };
+    return std::all_of(slope_a_.begin(), slope_a_.end(), finite) &&
+           std::all_of(slope_b_.begin(), slope_b_.end(), finite);
+  }
+
+  // Twice the area of the overlap; counts pairs. Requires finite slopes.
+  [[nodiscard]] Interval twice_area(std::size_t& pairs) const {
     sections::IntervalSum sum;
     sections::visit_pairs(a_, b_, [&](std::uint32_t i, std::uint32_t j) {
+      ++pairs;
       const Trapezoid& e = a_[i];
       const Trapezoid& f = b_[j];
       const double l = std::max(e.left.x, f.left.x);
@@ -108,23 +123,28 @@ class IntervalOverlap {
 // Bounds of the overlap and of the smaller area, in one scale.
 struct Bounds {
   Interval overlap, smaller;
+  std::size_t pairs = 0;  // how many pairs of edges contributed
 };
 
 Bounds bounds(const Trapezoids& a, const Trapezoids& b) {
+  // All that is known of areas of coordinates below 1.
+  const Bounds unknown{{0, 8}, {0, 8}, 0};
   sections::Box box = a.box;
   box.add(b.box);
   const int scale = sections::scale_of(box);
   std::vector<Trapezoid> all_a = a.edges;
   std::vector<Trapezoid> all_b = b.edges;
-  if (!sections::rescale(all_a, scale) || !sections::rescale(all_b, scale)) {
-    return {{0, 8}, {0, 8}};  // all that is known of areas of coordinates below 1
-  }
+  if (!sections::rescale(all_a, scale) || !sections::rescale(all_b, scale)) return unknown;
   std::vector<Trapezoid> near_a = sections::edges_for_pairs(a.edges, b.box);
   std::vector<Trapezoid> near_b = sections::edges_for_pairs(b.edges, a.box);
   static_cast<void>(sections::rescale(near_a, scale));
   static_cast<void>(sections::rescale(near_b, scale));
-  return {IntervalOverlap(near_a, near_b).twice_area(),
-          sections::minimum(sections::twice_area(all_a), sections::twice_area(all_b))};
+  const IntervalOverlap overlap(near_a, near_b);
+  if (!overlap.has_finite_slopes()) return unknown;
+  Bounds result;
+  result.overlap = overlap.twice_area(result.pairs);
+  result.smaller = sections::minimum(sections::twice_area(all_a), sections::twice_area(all_b));
+  return result;
 }
 
 // To kRatioBits significant bits, halves rounded up.
@@ -165,6 +185,9 @@ double overlap_ratio(const RegionOutline& a, const RegionOutline& b) {
     const Interval ratio = sections::quotient(areas.overlap, areas.smaller);
     const double rounded = to_ratio_bits(ratio.lo);
     if (ratio.lo > 0 && rounded == to_ratio_bits(ratio.hi)) return rounded;
+    if (areas.pairs > kMostExactPairs) {
+      return std::min(to_ratio_bits(ratio.lo + (ratio.hi - ratio.lo) / 2), 1.0);
+    }
   }
   // The smallest overlaps of all would round to zero.
   const double rounded =

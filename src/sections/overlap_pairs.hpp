@@ -15,14 +15,16 @@
 
 namespace tetloft::sections {
 
-/// The edges that have a common range of x with `box`, sorted as visit_pairs() needs them.
+/// The edges that have a common range of x with `box`, sorted as visit_pairs() needs them
+/// and independently of the order of contours and vertices.
 inline std::vector<Trapezoid> edges_for_pairs(const std::vector<Trapezoid>& edges, const Box& box) {
   std::vector<Trapezoid> result;
   for (const Trapezoid& e : edges) {
     if (e.left.x < box.x1 && box.x0 < e.right.x) result.push_back(e);
   }
-  std::sort(result.begin(), result.end(),
-            [](const Trapezoid& e, const Trapezoid& f) { return canonical_less(e.left, f.left); });
+  std::sort(result.begin(), result.end(), [](const Trapezoid& e, const Trapezoid& f) {
+    return e.left == f.left ? canonical_less(e.right, f.right) : canonical_less(e.left, f.left);
+  });
   return result;
 }
 

@@ -13,6 +13,7 @@
 #include <numeric>
 #include <set>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <tetloft/point.hpp>
@@ -27,15 +28,24 @@ struct SweepEdge {
 
 inline constexpr std::uint32_t kNoEdge = 0xFFFFFFFFU;
 
+/// What the sweep finds at one vertex.
+struct SweepEvent {
+  Point2 at;
+  std::span<const std::uint32_t> incoming;  ///< edges with their high end here
+  std::span<const std::uint32_t> outgoing;  ///< edges with their low end here, bottom up
+  std::uint32_t below = kNoEdge;            ///< the edge next below the vertex
+  std::uint32_t above = kNoEdge;            ///< the edge next above it
+};
+
 class Sweep {
  public:
-  /// `edges` must outlive the sweep; no two may be equal, cross or touch but at ends.
+  /// `edges` must outlive the sweep. No two may be equal, cross or touch but at ends, up
+  /// to the vertex where the sweep is stopped.
   explicit Sweep(std::span<const SweepEdge> edges)
       : edges_(edges), status_(Below{edges}), place_(edges.size(), status_.end()) {}
 
-  /// Calls visit(below, outgoing) at every vertex in canonical order, where `below` is the
-  /// edge next below the vertex (or kNoEdge) and `outgoing` are the edges that have their
-  /// low end there, bottom up. Stops when visit returns false.
+  /// Calls visit(event) at every vertex in canonical order, before its outgoing edges enter
+  /// the status. Stops when visit returns false.
   template <class Visit>
   void run(Visit visit) {
     const std::vector<std::uint32_t> starts = sorted_by(&SweepEdge::low);
@@ -44,21 +54,38 @@ class Sweep {
     std::size_t e = 0;
     std::vector<std::uint32_t> outgoing;
     while (e < ends.size()) {
-      const Point2 at =
-          s < starts.size() && canonical_less(edges_[starts[s]].low, edges_[ends[e]].high)
-              ? edges_[starts[s]].low
-              : edges_[ends[e]].high;
+      SweepEvent event;
+      event.at = edges_[ends[e]].high;
+      if (s < starts.size() && canonical_less(edges_[starts[s]].low, event.at)) {
+        event.at = edges_[starts[s]].low;
+      }
       outgoing.clear();
-      while (s < starts.size() && edges_[starts[s]].low == at) outgoing.push_back(starts[s++]);
-      const std::size_t first_end = e;
-      while (e < ends.size() && edges_[ends[e]].high == at) ++e;
+      while (s < starts.size() && edges_[starts[s]].low == event.at) {
+        outgoing.push_back(starts[s++]);
+      }
       std::sort(outgoing.begin(), outgoing.end(), [&](std::uint32_t i, std::uint32_t j) {
-        return orient2d(at, edges_[i].high, edges_[j].high) == Sign::positive;
+        return orient2d(event.at, edges_[i].high, edges_[j].high) == Sign::positive;
       });
-      const Iterator first =
-          advance(at, std::span(ends).subspan(first_end, e - first_end), outgoing);
-      const std::uint32_t below = first == status_.begin() ? kNoEdge : std::prev(first)->edge;
-      if (!visit(below, std::span<const std::uint32_t>(outgoing))) return;
+      event.outgoing = outgoing;
+      const std::size_t first_end = e;
+      while (e < ends.size() && edges_[ends[e]].high == event.at) ++e;
+      event.incoming = std::span(ends).subspan(first_end, e - first_end);
+
+      // One edge that continues another takes its place: no search, no balancing.
+      const bool continues = event.incoming.size() == 1 && outgoing.size() == 1;
+      const Iterator place = continues ? place_[event.incoming[0]] : remove_incoming(event);
+      const Iterator next = continues ? std::next(place) : place;
+      if (place != status_.begin()) event.below = std::prev(place)->edge;
+      if (next != status_.end()) event.above = next->edge;
+      if (!visit(std::as_const(event))) return;
+      if (continues) {
+        place->edge = outgoing[0];
+        place_[outgoing[0]] = place;
+        continue;
+      }
+      for (const std::uint32_t edge : outgoing) {
+        place_[edge] = status_.emplace_hint(next, Item{edge});
+      }
     }
   }
 
@@ -93,25 +120,14 @@ class Sweep {
     return order;
   }
 
-  // Replaces the edges that end at `at` by those that start there; returns the position
-  // of the lowest new edge, or of the first edge above `at` if there is none.
-  Iterator advance(const Point2& at, std::span<const std::uint32_t> incoming,
-                   std::span<const std::uint32_t> outgoing) {
-    if (incoming.size() == 1 && outgoing.size() == 1) {
-      const Iterator place = place_[incoming[0]];
-      place->edge = outgoing[0];
-      place_[outgoing[0]] = place;
-      return place;
-    }
+  // Returns the first edge above the vertex.
+  Iterator remove_incoming(const SweepEvent& event) {
+    if (event.incoming.empty()) return status_.lower_bound(event.at);
     // Edges ending at one point are neighbours in the status: whichever goes last, the
     // edge after it is the first one above.
     Iterator above = status_.end();
-    if (incoming.empty()) above = status_.lower_bound(at);
-    for (const std::uint32_t edge : incoming) above = status_.erase(place_[edge]);
-    for (const std::uint32_t edge : outgoing) {
-      place_[edge] = status_.emplace_hint(above, Item{edge});
-    }
-    return outgoing.empty() ? above : place_[outgoing[0]];
+    for (const std::uint32_t edge : event.incoming) above = status_.erase(place_[edge]);
+    return above;
   }
 
   std::span<const SweepEdge> edges_;

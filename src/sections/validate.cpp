@@ -1,10 +1,9 @@
 // Exact validation of a stack of sections.
 //
-// Every vertex is looked at in the order (section, contour, vertex), and the first that is
-// part of a defect is reported, so the search stops there. A contact belongs to the vertex
-// that lies on something, a crossing to the start of the earlier edge. Contours without an
-// interior and contours with bad coordinates are defects themselves; they take part in no
-// contact.
+// The first defect in the order (section, contour, vertex) is reported. A contact belongs to
+// the vertex that lies on something, a crossing to the start of the earlier edge. Contours
+// without an interior and contours with bad coordinates are defects themselves; they take
+// part in no contact.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -15,31 +14,14 @@
 #include <tetloft/sections.hpp>
 
 #include "core/check.hpp"
-#include "sections/box_tree.hpp"
-#include "sections/segments.hpp"
+#include "sections/contacts.hpp"
 
 namespace tetloft {
 
 namespace {
 
-using sections::Box;
-using sections::box_of;
-using sections::BoxTree;
-using sections::cross;
-using sections::in_segment;
-
-constexpr std::size_t kWholeContour = static_cast<std::size_t>(-1);
-
-// A defect of one section; a defect of a whole contour comes before those of its vertices.
-struct Defect {
-  std::size_t contour;
-  std::size_t vertex;  // or kWholeContour
-  std::string reason;
-
-  [[nodiscard]] bool before(std::size_t c, std::size_t v) const {
-    return contour != c ? contour < c : vertex + 1 < v + 1;  // kWholeContour + 1 is 0
-  }
-};
+using sections::Defect;
+using sections::kWholeContour;
 
 const char* coordinate_reason(double x) {
   if (!std::isfinite(x)) return "coordinate is not finite";
@@ -95,150 +77,7 @@ std::optional<Defect> local_defect(const Contour& contour, std::size_t c) {
   return std::nullopt;
 }
 
-// Contacts between the vertices and edges of the usable contours of one section. Vertices
-// are numbered through; edge i starts at vertex i.
-class ContactSearch {
- public:
-  explicit ContactSearch(const Section& section, const std::vector<bool>& usable) {
-    std::vector<Box> boxes;
-    for (std::size_t c = 0; c < section.contours.size(); ++c) {
-      if (!usable[c]) continue;
-      const std::vector<Point2>& vertices = section.contours[ContourId(c)].vertices;
-      const std::size_t first = corners_.size();
-      for (std::size_t v = 0; v < vertices.size(); ++v) {
-        const std::size_t next = v + 1 == vertices.size() ? 0 : v + 1;
-        const std::size_t previous = (v == 0 ? vertices.size() : v) - 1;
-        corners_.push_back({vertices[v], c, v, first + next, first + previous});
-        boxes.push_back(box_of(vertices[v], vertices[next]));
-      }
-    }
-    tree_.emplace(boxes);
-  }
-
-  // The first contact before `limit`.
-  [[nodiscard]] std::optional<Defect> first(const std::optional<Defect>& limit) const {
-    for (std::size_t i = 0; i < corners_.size(); ++i) {
-      const Corner& corner = corners_[i];
-      if (limit && !Defect{corner.contour, corner.vertex, {}}.before(limit->contour, limit->vertex))
-        return std::nullopt;
-      const Contact contact = contact_at(i);
-      if (contact.kind != ContactKind::none) {
-        return Defect{corner.contour, corner.vertex, reason(i, contact)};
-      }
-    }
-    return std::nullopt;
-  }
-
- private:
-  struct Corner {
-    Point2 point;
-    std::size_t contour, vertex;
-    std::size_t next, previous;
-  };
-  enum class ContactKind { vertex, edge, crossing, none };
-  struct Contact {
-    ContactKind kind = ContactKind::none;
-    std::size_t other = 0;
-  };
-
-  // What vertex i and edge i touch: of several things the first kind, the lowest number.
-  [[nodiscard]] Contact contact_at(std::size_t i) const {
-    Contact best;
-    const Corner& p = corners_[i];
-    tree_->query(box_of(p.point, corners_[p.next].point), [&](std::size_t j) {
-      const ContactKind kind = classify(i, j);
-      if (kind < best.kind || (kind == best.kind && j < best.other)) best = {kind, j};
-    });
-    return best;
-  }
-
-  [[nodiscard]] ContactKind classify(std::size_t i, std::size_t j) const {
-    const Corner& p = corners_[i];
-    if (j == i || j == p.previous) return ContactKind::none;
-    const Corner& q = corners_[j];
-    const Point2& r = corners_[q.next].point;
-    if (p.point == q.point) {
-      // Neighbours that coincide, or coincide around a spike, are defects of their own.
-      const bool local = j == p.next || p.next == q.previous || p.previous == q.next;
-      return local ? ContactKind::none : ContactKind::vertex;
-    }
-    if (!(q.point == r) && in_segment(q.point, r, p.point)) {
-      const bool spike = j == p.next || q.next == p.previous;
-      return spike ? ContactKind::none : ContactKind::edge;
-    }
-    if (j > i && cross(p.point, corners_[p.next].point, q.point, r)) return ContactKind::crossing;
-    return ContactKind::none;
-  }
-
-  [[nodiscard]] std::string reason(std::size_t i, const Contact& contact) const {
-    const Corner& p = corners_[i];
-    const Corner& q = corners_[contact.other];
-    const bool same = p.contour == q.contour;
-    const std::string other = "contour " + std::to_string(q.contour);
-    const std::string from = "from vertex " + std::to_string(q.vertex);
-    switch (contact.kind) {
-      case ContactKind::vertex: {
-        const std::string at = other + ", vertex " + std::to_string(q.vertex);
-        if (same) {
-          return "contour passes twice through one point (again at vertex " +
-                 std::to_string(q.vertex) + ')';
-        }
-        if (repeats(i, contact.other)) return "the same contour twice (again as " + other + ')';
-        if (shares_edge(p, q)) return "two contours share an edge (at " + at + ')';
-        return "two contours share a vertex (with " + at + ')';
-      }
-      case ContactKind::edge: {
-        const std::string of = same ? "its own contour" : other;
-        const char* what =
-            overlaps_edge(p, q) ? "edge overlaps an edge of " : "vertex lies on an edge of ";
-        return what + of + " (the edge " + from + ')';
-      }
-      case ContactKind::crossing:
-        return (same ? "contour crosses itself" : "contour crosses " + other) + " (the edge " +
-               from + (same ? ")" : " there)");
-      case ContactKind::none: break;
-    }
-    return {};
-  }
-
-  [[nodiscard]] bool shares_edge(const Corner& p, const Corner& q) const {
-    for (const std::size_t a : {p.next, p.previous}) {
-      for (const std::size_t b : {q.next, q.previous}) {
-        if (corners_[a].point == corners_[b].point) return true;
-      }
-    }
-    return false;
-  }
-
-  // Does an edge at p run along the edge that starts at q and contains p?
-  [[nodiscard]] bool overlaps_edge(const Corner& p, const Corner& q) const {
-    const Point2& r = corners_[q.next].point;
-    return orient2d(q.point, r, corners_[p.next].point) == Sign::zero ||
-           orient2d(q.point, r, corners_[p.previous].point) == Sign::zero;
-  }
-
-  // Are the contours of i and j the same from these coinciding vertices on, in either
-  // direction?
-  [[nodiscard]] bool repeats(std::size_t i, std::size_t j) const {
-    bool along = true;
-    bool against = true;
-    std::size_t a = i;
-    std::size_t b = j;
-    std::size_t c = j;
-    do {
-      along = along && corners_[a].point == corners_[b].point;
-      against = against && corners_[a].point == corners_[c].point;
-      a = corners_[a].next;
-      b = corners_[b].next;
-      c = corners_[c].previous;
-    } while (a != i && b != j && (along || against));
-    return a == i && b == j && (along || against);
-  }
-
-  std::vector<Corner> corners_;
-  std::optional<BoxTree> tree_;
-};
-
+// Only where there is some defect is the first one looked for.
 std::optional<Defect> contour_defect(const Section& section) {
   std::optional<Defect> first;
   std::vector<bool> usable(section.contours.size(), true);
@@ -252,7 +91,9 @@ std::optional<Defect> contour_defect(const Section& section) {
     }
     if (defect && !first) first = std::move(defect);
   }
-  std::optional<Defect> contact = ContactSearch(section, usable).first(first);
+  if (!first && !sections::has_contact(section)) return std::nullopt;
+  std::optional<Defect> contact = sections::first_contact(section, usable, first);
+  TETLOFT_CHECK(contact || first);
   return contact ? contact : first;
 }
 

@@ -1,0 +1,35 @@
+// Contacts within one section: whether there is one, and which is the first.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <tetloft/sections.hpp>
+
+namespace tetloft::sections {
+
+inline constexpr std::size_t kWholeContour = static_cast<std::size_t>(-1);
+
+/// A defect of one section; a defect of a whole contour comes before those of its vertices.
+struct Defect {
+  std::size_t contour;
+  std::size_t vertex;  ///< or kWholeContour
+  std::string reason;
+
+  [[nodiscard]] bool before(std::size_t c, std::size_t v) const {
+    return contour != c ? contour < c : vertex + 1 < v + 1;  // kWholeContour + 1 is 0
+  }
+};
+
+/// Do contours cross, touch or overlap anywhere, themselves or each other? Requires contours
+/// of three vertices or more, consecutive ones different. O(n log n), whatever the input.
+[[nodiscard]] bool has_contact(const Section& section);
+
+/// The first contact among the usable contours, before `limit` if that is given.
+[[nodiscard]] std::optional<Defect> first_contact(const Section& section,
+                                                  const std::vector<bool>& usable,
+                                                  const std::optional<Defect>& limit);
+
+}  // namespace tetloft::sections
