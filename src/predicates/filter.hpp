@@ -16,10 +16,12 @@
 // differences cost fewer operations: Devillers and Pion, "Efficient exact geometric
 // predicates for Delaunay triangulations", ALENEX 2003.)
 //
-// Underflow adds an absolute error: at most 2^-1075 for each of fewer than 2^7 products, each
-// multiplied by at most 2^5 monomials of degree three at most in differences below
-// kLargest = 2^160, in total less than 2^-583; kTiny covers it. Overflow cannot occur below
-// kLargest: no intermediate value exceeds 72 · 2^800. Differences that overflow are larger.
+// Underflow adds an absolute error. In the determinant: at most 2^-1075 for each of fewer
+// than 2^7 products, each multiplied by at most 2^5 monomials of degree three at most in
+// differences below kLargest = 2^160, in total less than 2^-583. In the bound: 2^-1075 times
+// at most 3 · 2^640, thrice, in total less than 2^-432. kTiny covers both. Overflow cannot
+// occur below kLargest: no intermediate value exceeds 72 · 2^800. Differences that overflow
+// are larger.
 #pragma once
 
 #include <algorithm>
@@ -33,7 +35,7 @@ namespace tetloft::predicates {
 
 inline constexpr double kRounding = 0x1p-53;
 inline constexpr double kLargest = 0x1p+160;
-inline constexpr double kTiny = 0x1p-500;
+inline constexpr double kTiny = 0x1p-400;
 
 /// k = 8 (difference, product, 2 × 2 difference, difference and product along the third
 /// axis, two sums: at most 3 + 1 + 2 + 2), 6 monomials.

@@ -257,6 +257,20 @@ Points tall_and_thin(Prng& prng) {
   return points;
 }
 
+/// Nearly cocircular along y and z, nearly denormal along x: an error bound that multiplied
+/// its tiny factor first would underflow.
+Points wide_and_thin(Prng& prng) {
+  static constexpr int pairs[][2] = {{5, 0}, {3, 4}, {4, 3}, {0, 5}};
+  Points points;
+  for (Point3& p : points) {
+    const auto& t = pairs[prng.below(std::size(pairs))];
+    p = {0, (prng.chance(0.5) ? 0.1 : -0.1) * t[0] + 0.7, (prng.chance(0.5) ? 0.1 : -0.1) * t[1]};
+    jitter(prng, p.y);
+    p = {std::ldexp(integer(prng, -1, 1), -1040), std::ldexp(p.y, 157), std::ldexp(p.z, 157)};
+  }
+  return points;
+}
+
 Points signed_zeros(Prng& prng) {
   return from_coordinates(prng, [&] {
     const double values[] = {0.0, -0.0, 1.0, -1.0};
@@ -293,6 +307,7 @@ const std::vector<Family>& families() {
       {"EdgesOfRanges", edges_of_ranges},
       {"FullMantissas", full_mantissas},
       {"TallAndThin", tall_and_thin},
+      {"WideAndThin", wide_and_thin},
       {"SignedZeros", signed_zeros},
   };
   return all;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,8 @@ struct Family {
   std::string name;
   Points (*make)(Prng&);
 };
+
+inline void PrintTo(const Family& family, std::ostream* out) { *out << family.name; }
 
 [[nodiscard]] const std::vector<Family>& families();
 
