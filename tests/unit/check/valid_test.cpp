@@ -2,7 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
 #include <string>
+#include <utility>
+#include <vector>
+
+#include "core/prng.hpp"
 
 #include "unit/check/columns.hpp"
 #include "unit/check/verdict_text.hpp"
@@ -95,6 +101,53 @@ TEST(Check, PassesAnEmptyModelOfAnEmptyStackOnly) {
   const CheckReport report = *check(Model{}, testing::prism_case().stack);
   EXPECT_FALSE(report.guarantees[1].pass);
   EXPECT_FALSE(report.guarantees[3].pass);
+}
+
+TEST(Check, SurvivesGarbage) {
+  Prng prng(11);
+  const std::vector<Case> stacks = testing::all_cases();
+  for (int trial = 0; trial < 600; ++trial) {
+    const Case& from = stacks[prng.below(stacks.size())];
+    Model garbage = from.model;
+    const auto coordinate = [&]() -> double {
+      switch (prng.below(10)) {
+        case 0: return std::nan("");
+        case 1: return -std::numeric_limits<double>::infinity();
+        case 2: return 0x1.fp1023;
+        case 3: return -0x1.fp1023;
+        case 4: return 0x1p-1074;
+        default: return static_cast<double>(prng.below(5));
+      }
+    };
+    const std::uint64_t changes = 1 + prng.below(20);
+    for (std::uint64_t k = 0; k < changes; ++k) {
+      const VertexId v(prng.below(garbage.points.size() + 1));
+      if (prng.chance(0.3)) {
+        garbage.points.push_back({coordinate(), coordinate(), coordinate()});
+      } else if (prng.chance(0.5) && v.index() < garbage.points.size()) {
+        garbage.points[v] = {coordinate(), coordinate(), static_cast<double>(prng.below(3))};
+      } else {
+        garbage.tets.raw()[prng.below(garbage.tets.size())][prng.below(4)] =
+            prng.chance(0.1) ? VertexId() : v;
+      }
+    }
+    // One change more that no model survives.
+    garbage.tets.push_back({VertexId(0), VertexId(0), VertexId(1), VertexId(2)});
+    const auto report = check(garbage, from.stack);
+    ASSERT_TRUE(report.ok()) << to_string(report.error());
+    EXPECT_FALSE(report->guarantees[0].pass);
+  }
+}
+
+TEST(Check, LimitsThePlacesItNames) {
+  Case c = testing::slabs_case();
+  for (TetVertices& tet : c.model.tets) std::swap(tet[0], tet[1]);
+  CheckOptions options;
+  options.places = 2;
+  const auto report = check(c.model, c.stack, options);
+  ASSERT_EQ(report->guarantees[2].failures.size(), 1U);
+  EXPECT_EQ(report->guarantees[2].failures[0].count, c.model.tets.size());
+  EXPECT_EQ(report->guarantees[2].failures[0].places, (std::vector<std::string>{"tet 0", "tet 1"}));
 }
 
 TEST(Check, RefusesAnInvalidStack) {
