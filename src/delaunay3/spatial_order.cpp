@@ -12,13 +12,16 @@ namespace tetloft::delaunay3_detail {
 
 namespace {
 
-// A sort key is the round (4 bits) above the Hilbert index (60 bits): 20 bits for each of
-// three axes, 30 for each of two.
-constexpr int kHilbertBits = 60;
+// A sort key is the round (4 bits) above the Hilbert index (20 bits for each axis).
+constexpr int kAxisBits = 20;
+constexpr int kHilbertBits = 3 * kAxisBits;
 constexpr std::uint64_t kLastRound = 15;
 // A point leaves the last round for the one before with probability 1 / kRoundRatio, and
 // so on; 8^15 exceeds any number of points, so round 0 needs no special case.
 constexpr std::uint64_t kRoundRatio = 8;
+// Points of one cell, up to so many, stay in canonical order: the walks between them are
+// short anyway.
+constexpr std::size_t kSmallRun = 8;
 constexpr std::uint64_t kSeed = 0x7E71'0F73'D000'0003ULL;
 
 std::uint64_t draw_round(Prng& prng) {
@@ -28,14 +31,15 @@ std::uint64_t draw_round(Prng& prng) {
   return round;
 }
 
-// Turns the coordinates of a cell into the transposed Hilbert index: bit b of the index's
-// digit i is bit b of cell[i], highest bits first.
-template <std::size_t Axes>
-void transpose_hilbert(std::array<std::uint32_t, Axes>& cell, int bits) {
+using Cell = std::array<std::uint32_t, 3>;
+
+// Turns a cell into its transposed Hilbert index, whose bits are, from the highest, the
+// highest of cell[0], cell[1], cell[2], then the next of each.
+void transpose_hilbert(Cell& cell, int bits) {
   const std::uint32_t top = std::uint32_t{1} << (bits - 1);
   for (std::uint32_t q = top; q > 1; q >>= 1) {
     const std::uint32_t below = q - 1;
-    for (std::size_t i = 0; i < Axes; ++i) {
+    for (std::size_t i = 0; i < 3; ++i) {
       if ((cell[i] & q) != 0) {
         cell[0] ^= below;
       } else {
@@ -45,16 +49,15 @@ void transpose_hilbert(std::array<std::uint32_t, Axes>& cell, int bits) {
       }
     }
   }
-  for (std::size_t i = 1; i < Axes; ++i) cell[i] ^= cell[i - 1];
+  for (std::size_t i = 1; i < 3; ++i) cell[i] ^= cell[i - 1];
   std::uint32_t parity = 0;
   for (std::uint32_t q = top; q > 1; q >>= 1) {
-    if ((cell[Axes - 1] & q) != 0) parity ^= q - 1;
+    if ((cell[2] & q) != 0) parity ^= q - 1;
   }
   for (std::uint32_t& coordinate : cell) coordinate ^= parity;
 }
 
-template <std::size_t Axes>
-std::uint64_t interleave(const std::array<std::uint32_t, Axes>& cell, int bits) {
+std::uint64_t interleave(const Cell& cell, int bits) {
   std::uint64_t index = 0;
   for (int b = bits - 1; b >= 0; --b) {
     for (const std::uint32_t coordinate : cell) index = (index << 1) | ((coordinate >> b) & 1U);
@@ -62,41 +65,73 @@ std::uint64_t interleave(const std::array<std::uint32_t, Axes>& cell, int bits) 
   return index;
 }
 
-// Maps coordinates to cells of a grid over the bounding cube (a square if Axes is 2).
+struct Keyed {
+  std::uint64_t key;
+  std::uint32_t place;
+};
+
+// Maps points to the cells of a grid over the bounding cube of some of them.
 class Grid {
  public:
-  Grid(std::span<const Point3> points, std::size_t axes, int bits)
-      : cells_(static_cast<double>((std::uint64_t{1} << bits) - 1)) {
-    std::array<double, 3> high{};
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const std::array<double, 3> p = halved(points[i]);
-      for (std::size_t k = 0; k < axes; ++k) {
-        low_[k] = i == 0 ? p[k] : std::min(low_[k], p[k]);
-        high[k] = i == 0 ? p[k] : std::max(high[k], p[k]);
+  // Leaves z out if `flat`.
+  Grid(std::span<const Point3> points, std::span<const Keyed> some, bool flat)
+      : z_weight_(flat ? 0 : 0.5) {
+    low_ = halved(points[some.front().place]);
+    std::array<double, 3> high = low_;
+    for (const Keyed& entry : some) {
+      const std::array<double, 3> p = halved(points[entry.place]);
+      for (std::size_t k = 0; k < 3; ++k) {
+        low_[k] = std::min(low_[k], p[k]);
+        high[k] = std::max(high[k], p[k]);
       }
     }
-    for (std::size_t k = 0; k < axes; ++k) extent_ = std::max(extent_, high[k] - low_[k]);
+    for (std::size_t k = 0; k < 3; ++k) extent_ = std::max(extent_, high[k] - low_[k]);
   }
 
-  [[nodiscard]] std::uint32_t cell(const Point3& point, std::size_t axis) const {
-    // Every point in one cell also where halving denormal coordinates left no extent.
-    if (extent_ == 0) return 0;
-    return static_cast<std::uint32_t>((halved(point)[axis] - low_[axis]) / extent_ * cells_);
+  // Zero where the points differ in z left out only, or by halves of the least double.
+  [[nodiscard]] double extent() const { return extent_; }
+
+  // Requires a positive extent.
+  [[nodiscard]] std::uint64_t hilbert(const Point3& point) const {
+    constexpr double kLastCell = (std::uint64_t{1} << kAxisBits) - 1;
+    const std::array<double, 3> p = halved(point);
+    std::array<std::uint32_t, 3> cell;
+    for (std::size_t k = 0; k < 3; ++k) {
+      cell[k] = static_cast<std::uint32_t>((p[k] - low_[k]) / extent_ * kLastCell);
+    }
+    return hilbert_index(cell[0], cell[1], cell[2], kAxisBits);
   }
 
  private:
   // Halved, so that no difference of two coordinates overflows.
-  static std::array<double, 3> halved(const Point3& p) { return {p.x / 2, p.y / 2, p.z / 2}; }
+  [[nodiscard]] std::array<double, 3> halved(const Point3& p) const {
+    return {0.5 * p.x, 0.5 * p.y, z_weight_ * p.z};
+  }
 
-  double cells_;
-  std::array<double, 3> low_{};
+  double z_weight_;
+  std::array<double, 3> low_;
   double extent_ = 0;
 };
 
+// Replaces the Hilbert index in the keys of `run` by that in the run's own bounding cube,
+// and sorts it. False where the cube has no extent.
+bool sort_along_curve(std::span<const Point3> points, std::span<Keyed> run, bool flat) {
+  const Grid grid(points, run, flat);
+  if (grid.extent() == 0) return false;
+  for (Keyed& entry : run) {
+    entry.key = (entry.key >> kHilbertBits << kHilbertBits) | grid.hilbert(points[entry.place]);
+  }
+  std::sort(run.begin(), run.end(), [](const Keyed& a, const Keyed& b) {
+    return a.key != b.key ? a.key < b.key : a.place < b.place;
+  });
+  return true;
+}
+
 // Whether at most two values of z occur. Then z is left out of the order: the Delaunay
-// triangulation of two parallel planes does not depend on their distance, and visiting
-// one plane after the other would fan all of it around few vertices of the other.
+// triangulation of two parallel planes does not depend on their distance, and points of
+// the two are neighbours where they are near each other in projection.
 bool on_two_planes(std::span<const Point3> points) {
+  if (points.empty()) return true;
   const double low = points.front().z;
   const double high = points.back().z;
   const auto above = std::partition_point(points.begin(), points.end(),
@@ -106,40 +141,33 @@ bool on_two_planes(std::span<const Point3> points) {
 
 }  // namespace
 
-std::uint64_t hilbert_index(std::uint32_t x, std::uint32_t y, int bits) {
-  std::array<std::uint32_t, 2> cell{x, y};
-  transpose_hilbert(cell, bits);
-  return interleave(cell, bits);
-}
-
 std::uint64_t hilbert_index(std::uint32_t x, std::uint32_t y, std::uint32_t z, int bits) {
-  std::array<std::uint32_t, 3> cell{x, y, z};
+  Cell cell{x, y, z};
   transpose_hilbert(cell, bits);
   return interleave(cell, bits);
 }
 
 std::vector<std::uint32_t> insertion_order(std::span<const Point3> points) {
-  if (points.empty()) return {};
-  struct Keyed {
-    std::uint64_t key;
-    std::uint32_t place;
-  };
-  std::vector<Keyed> keyed(points.size());
   const bool flat = on_two_planes(points);
-  const int bits = flat ? kHilbertBits / 2 : kHilbertBits / 3;
-  const Grid grid(points, flat ? 2 : 3, bits);
+  std::vector<Keyed> keyed(points.size());
   Prng prng(kSeed);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const std::uint32_t x = grid.cell(points[i], 0);
-    const std::uint32_t y = grid.cell(points[i], 1);
-    const std::uint64_t index =
-        flat ? hilbert_index(x, y, bits) : hilbert_index(x, y, grid.cell(points[i], 2), bits);
-    keyed[i] = {(draw_round(prng) << kHilbertBits) | index, static_cast<std::uint32_t>(i)};
+    keyed[i] = {draw_round(prng) << kHilbertBits, static_cast<std::uint32_t>(i)};
   }
-  // Points of one cell follow canonical order.
-  std::sort(keyed.begin(), keyed.end(), [](const Keyed& a, const Keyed& b) {
-    return a.key != b.key ? a.key < b.key : a.place < b.place;
-  });
+  // Runs of points that are still to be sorted along the curve. Those that share a cell, as
+  // in dense clusters or in planes far from each other, get a finer grid: it spans their
+  // own bounding cube, so it separates at least two of them.
+  std::vector<std::span<Keyed>> runs;
+  if (!points.empty()) runs.emplace_back(keyed);
+  while (!runs.empty()) {
+    const std::span<Keyed> run = runs.back();
+    runs.pop_back();
+    if (!sort_along_curve(points, run, flat)) continue;
+    for (std::size_t begin = 0, end = 0; begin < run.size(); begin = end) {
+      while (end < run.size() && run[end].key == run[begin].key) ++end;
+      if (end - begin > kSmallRun) runs.push_back(run.subspan(begin, end - begin));
+    }
+  }
   std::vector<std::uint32_t> order(points.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = keyed[i].place;
   return order;

@@ -4,7 +4,8 @@
 // Every point draws its round; each round holds about kRoundRatio times the points of all
 // earlier ones, which keeps the expected cost of the randomised incremental construction.
 // Within a round the points follow a Hilbert curve, so that the next point is near the
-// last one: the walk is short and the memory it touches is hot.
+// last one: the walk is short and the memory it touches is hot. Points the grid of the
+// curve cannot tell apart are ordered along finer ones.
 #pragma once
 
 #include <cstdint>
@@ -20,11 +21,8 @@ namespace tetloft::delaunay3_detail {
 /// (1) A permutation of 0 … n−1. (2) Depends on the points only.
 [[nodiscard]] std::vector<std::uint32_t> insertion_order(std::span<const Point3> points);
 
-/// The place along the Hilbert curve of the cell (x, y) of a 2^bits × 2^bits grid.
-/// Requires bits ≤ 32.
-[[nodiscard]] std::uint64_t hilbert_index(std::uint32_t x, std::uint32_t y, int bits);
-
-/// The same for the cell (x, y, z) of a cubic grid. Requires bits ≤ 21.
+/// The place along the Hilbert curve of the cell (x, y, z) of a 2^bits × 2^bits × 2^bits
+/// grid. Requires 1 ≤ bits ≤ 21.
 [[nodiscard]] std::uint64_t hilbert_index(std::uint32_t x, std::uint32_t y, std::uint32_t z,
                                           int bits);
 

@@ -14,22 +14,6 @@ namespace {
 using delaunay3_detail::hilbert_index;
 using delaunay3_detail::insertion_order;
 
-TEST(HilbertIndex, VisitsEveryCellOfASquareByUnitSteps) {
-  constexpr int kBits = 3;
-  std::vector<std::array<int, 2>> cell(64, {-1, -1});
-  for (std::uint32_t x = 0; x < 8; ++x) {
-    for (std::uint32_t y = 0; y < 8; ++y) {
-      const std::uint64_t i = hilbert_index(x, y, kBits);
-      ASSERT_LT(i, cell.size());
-      ASSERT_EQ(cell[i][0], -1);
-      cell[i] = {static_cast<int>(x), static_cast<int>(y)};
-    }
-  }
-  for (std::size_t i = 1; i < cell.size(); ++i) {
-    EXPECT_EQ(std::abs(cell[i][0] - cell[i - 1][0]) + std::abs(cell[i][1] - cell[i - 1][1]), 1);
-  }
-}
-
 TEST(HilbertIndex, VisitsEveryCellOfACubeByUnitSteps) {
   constexpr int kBits = 3;
   std::vector<std::array<int, 3>> cell(512, {-1, -1, -1});
@@ -86,6 +70,29 @@ TEST(InsertionOrder, NeighboursInOrderAreNearInSpace) {
   // A random order has mean distance 1; neighbours on the curve are a few grid widths
   // 20000^(-1/3) = 0.037 apart.
   EXPECT_LT(sum / static_cast<double>(order.size()), 0.08);
+}
+
+// The mean distance, along x and y, of points that follow each other.
+double mean_step(const Points& points, const std::vector<std::uint32_t>& order) {
+  double sum = 0;
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    const Point3& a = points[order[i - 1]];
+    const Point3& b = points[order[i]];
+    sum += std::abs(a.x - b.x) + std::abs(a.y - b.y);
+  }
+  return sum / static_cast<double>(order.size());
+}
+
+TEST(InsertionOrder, SeparatesPointsThatShareACellOfTheFirstGrid) {
+  // A unit square seen from so far that its points are one cell of 2^-20.
+  Prng prng(34);
+  Points points = uniform(5000, prng);
+  for (Point3& p : points) p.z = 0;
+  points.push_back({0, 0, 1e9});
+  points.push_back({0, 0, 2e9});
+  std::sort(points.begin(), points.end(),
+            [](const Point3& a, const Point3& b) { return canonical_less(a, b); });
+  EXPECT_LT(mean_step(points, insertion_order(points)), 0.1);
 }
 
 TEST(InsertionOrder, DoesNotDependOnScaleUpToTheLargestDoubles) {
