@@ -14,7 +14,7 @@ namespace {
 /// One end of a segment at some vertex: 2 × segment + end.
 using SegmentEnd = std::uint32_t;
 
-/// Sorts directions around `centre` counter-clockwise, from straight down on.
+/// Sorts directions around `centre` counter-clockwise, from straight up on.
 struct AroundLess {
   const Point2& centre;
   bool operator()(const Point2& a, const Point2& b) const {
