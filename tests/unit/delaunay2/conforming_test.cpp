@@ -125,17 +125,23 @@ TEST(Conforming, TwoSegmentsSideBySideNeedFewSplits) {
 }
 
 TEST(Conforming, SpacingThatVariesByAMillion) {
+  // Around a wavy circle in steps that grow and shrink by √2 between 1e-7 and 1e-1.
   Prng prng(8);
   Points points;
   double angle = 0;
-  double step = 1e-3;
+  double step = 1e-1;
+  double factor = std::sqrt(0.5);
+  double least = step;
   while (angle < 6.28) {
-    const double radius = 10 + std::sin(5 * angle) + 1e-2 * step * prng.unit();
+    const double radius = 10 + std::sin(5 * angle) + 0.3 * step * prng.unit();
     points.push_back({radius * std::cos(angle), radius * std::sin(angle)});
-    step = std::clamp(step * (prng.chance(0.5 + 0.1 * std::sin(40 * angle)) ? 1.5 : 1 / 1.5), 1e-7,
-                      1e-1);
+    if (step * factor < 1e-7 || step * factor > 0.1) factor = 1 / factor;
+    step *= factor;
+    least = std::min(least, step);
     angle += step;
   }
+  ASSERT_GT(points.size(), 300U);
+  ASSERT_LT(least, 2e-7);
   expect_conforming(polygon(std::move(points)));
 }
 
