@@ -74,6 +74,12 @@ std::string readable(double value) {
   return buffer;
 }
 
+std::string readable_seconds(double seconds) {
+  char buffer[40];
+  std::snprintf(buffer, sizeof buffer, "%.3f", seconds);
+  return buffer;
+}
+
 std::string counted(std::size_t n, const char* singular) {
   return std::to_string(n) + ' ' + singular + (n == 1 ? "" : "s");
 }

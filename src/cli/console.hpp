@@ -42,6 +42,8 @@ void write_warnings(JsonWriter& json, const std::vector<Warning>& warnings);
 
 /// Six significant digits, for reading.
 [[nodiscard]] std::string readable(double value);
+/// Milliseconds are the finest that matter to people.
+[[nodiscard]] std::string readable_seconds(double seconds);
 /// "1 tet", "2 tets".
 [[nodiscard]] std::string counted(std::size_t n, const char* singular);
 

@@ -77,8 +77,8 @@ Result<int> run(const Arguments& arguments, Console& console) {
   } else if (!console.quiet()) {
     std::string text = counted(points->size(), "point") + " (" +
                        counted(delaunay->duplicates, "duplicate") + "), " +
-                       counted(delaunay->mesh.tet_count(), "tet") + ", " + readable(seconds) +
-                       " seconds\n";
+                       counted(delaunay->mesh.tet_count(), "tet") + ", " +
+                       readable_seconds(seconds) + " seconds\n";
     if (output) text += "written: " + *output + '\n';
     console.print(text);
   }

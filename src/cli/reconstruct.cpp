@@ -193,13 +193,14 @@ std::string to_text(const Reconstruction& result, const StackInput& input, const
              std::to_string(count);
   }
   text += "rules fired: " + (rules.empty() ? "none" : rules) + '\n';
-  text += "seconds: read " + readable(seconds.read);
+  text += "seconds: read " + readable_seconds(seconds.read);
   for (int s = 0; s < kSteps; ++s) {
     text += std::string(", ") + name_of(static_cast<Step>(s)) + ' ' +
-            readable(report.seconds[static_cast<std::size_t>(s)]);
+            readable_seconds(report.seconds[static_cast<std::size_t>(s)]);
   }
-  if (request.verify) text += ", verify " + readable(seconds.verify);
-  text += ", write " + readable(seconds.write) + ", total " + readable(seconds.total) + '\n';
+  if (request.verify) text += ", verify " + readable_seconds(seconds.verify);
+  text += ", write " + readable_seconds(seconds.write) + ", total " +
+          readable_seconds(seconds.total) + '\n';
   if (request.verify) text += "verified: all guarantees hold\n";
   text += "written: " + request.output;
   if (request.surface) text += ", " + *request.surface;
@@ -232,7 +233,10 @@ Result<int> run(const Arguments& arguments, Console& console) {
     if (error.where.file.empty()) error.where.file = request->input;
     return error;
   }
-  for (const Warning& warning : result->warnings) console.warn(warning);
+  for (Warning warning : result->warnings) {
+    if (warning.where.file.empty()) warning.where.file = request->input;
+    console.warn(warning);
+  }
   if (request->verify) {
     const Stopwatch verifying;
     Result<void> verified = verify(result->model, *input, *request);

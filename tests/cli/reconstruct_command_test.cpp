@@ -1,0 +1,213 @@
+// tetloft reconstruct.
+#include <gtest/gtest.h>
+
+#include <tetloft/io.hpp>
+
+#include "cli/runner.hpp"
+
+namespace tetloft {
+namespace {
+
+using test::expect_failure;
+using test::JsonValue;
+using test::Outcome;
+using test::run;
+using test::run_json;
+using test::TempFolder;
+
+class ReconstructCommand : public testing::Test {
+ protected:
+  ReconstructCommand() { test::put(in_, test::kFork); }
+
+  TempFolder folder_;
+  std::string in_ = folder_.file("a.cnt");
+  std::string out_ = folder_.file("o.vtu");
+};
+
+TEST_F(ReconstructCommand, WritesASolidThatPassesItsCheck) {
+  const Outcome made = run({"reconstruct", in_, "-o", out_, "--verify"});
+  EXPECT_EQ(made.code, 0) << made.err;
+  EXPECT_NE(made.out.find("1 component"), std::string::npos) << made.out;
+  EXPECT_TRUE(made.err.empty()) << made.err;
+  EXPECT_EQ(run({"check", out_, in_}).code, 0);
+  EXPECT_EQ(folder_.names().size(), 2U);
+}
+
+TEST_F(ReconstructCommand, TellsInJsonWhatTheFileHolds) {
+  const JsonValue json = run_json({"reconstruct", in_, "-o", out_});
+  const auto model = read_vtu(out_);
+  ASSERT_TRUE(model.ok());
+  EXPECT_EQ(json.at("slices").number, 2);
+  EXPECT_EQ(json.at("contours").number, 3);
+  EXPECT_EQ(json.at("input_vertices").number, 12);
+  EXPECT_EQ(json.at("vertices").number, static_cast<double>(model->points.size()));
+  EXPECT_EQ(json.at("tets").number, static_cast<double>(model->tets.size()));
+  EXPECT_EQ(json.at("components").number, static_cast<double>(model->component_count));
+  EXPECT_NEAR(json.at("volume").number, volume(*model), 1e-9);
+  EXPECT_EQ(json.at("split_vertices").kind, JsonValue::Kind::number);
+  EXPECT_EQ(json.at("smallest_lift").kind, JsonValue::Kind::number);
+  EXPECT_GT(json.at("seconds").at("total").number, 0);
+  for (const char* step : {"read", "sections", "delaunay", "correspondence", "complex",
+                           "subdivision", "contact", "assembly", "verify", "write"}) {
+    EXPECT_EQ(json.at("seconds").at(step).kind, JsonValue::Kind::number) << step;
+  }
+  EXPECT_TRUE(json.at("rules").has("merge_sheets"));
+  EXPECT_EQ(json.at("warnings").kind, JsonValue::Kind::array);
+  EXPECT_TRUE(json.at("warnings").array.empty());
+  EXPECT_FALSE(json.has("snap"));
+}
+
+TEST_F(ReconstructCommand, IsSilentWhenQuiet) {
+  const Outcome quiet = run({"reconstruct", in_, "-o", out_, "--quiet"});
+  EXPECT_EQ(quiet.code, 0);
+  EXPECT_TRUE(quiet.out.empty());
+  EXPECT_TRUE(quiet.err.empty());
+}
+
+TEST_F(ReconstructCommand, MakesTheSameFileWithAnyNumberOfThreads) {
+  ASSERT_EQ(run({"reconstruct", in_, "-o", out_, "--threads", "1"}).code, 0);
+  const std::string one = test::get(out_);
+  ASSERT_EQ(run({"reconstruct", in_, "-o", out_, "--threads", "3"}).code, 0);
+  EXPECT_EQ(test::get(out_), one);
+}
+
+TEST_F(ReconstructCommand, WritesTheSameModelAsText) {
+  ASSERT_EQ(run({"reconstruct", in_, "-o", out_}).code, 0);
+  ASSERT_EQ(run({"reconstruct", in_, "-o", folder_.file("t.vtu"), "--ascii"}).code, 0);
+  const auto binary = read_vtu(out_);
+  const auto text = read_vtu(folder_.file("t.vtu"));
+  ASSERT_TRUE(binary.ok() && text.ok());
+  test::expect_same(*binary, *text);
+  EXPECT_NE(test::get(folder_.file("t.vtu")).find("format=\"ascii\""), std::string::npos);
+}
+
+TEST_F(ReconstructCommand, WritesSurfaces) {
+  for (const char* name : {"s.obj", "s.ply", "s.vtp", "s.stl"}) {
+    const std::string surface = folder_.file(name);
+    const Outcome made = run({"reconstruct", in_, "-o", out_, "--surface", surface});
+    EXPECT_EQ(made.code, 0) << made.err;
+    EXPECT_GT(std::filesystem::file_size(surface), 100U) << name;
+  }
+  EXPECT_EQ(folder_.names().size(), 6U);
+}
+
+TEST_F(ReconstructCommand, WarnsWhereStlIsTooCoarse) {
+  // A tube of width 2^-20 at 1.
+  test::put(in_,
+            "S 2\nv 4 z 0\n{ 1 0 0x1.000002p0 0 0x1.000002p0 1 1 1 }\n"
+            "v 4 z 1\n{ 1 0 0x1.0000008p0 0 0x1.0000008p0 1 1 1 }\n");
+  const Outcome made = run({"reconstruct", in_, "-o", out_, "--surface", folder_.file("s.stl")});
+  EXPECT_EQ(made.code, 0) << made.err;
+  EXPECT_NE(made.err.find("warning: "), std::string::npos);
+  EXPECT_NE(made.err.find("float32"), std::string::npos);
+}
+
+TEST_F(ReconstructCommand, WarnsOfMendedSlips) {
+  test::put(in_, "S 3\nv 4 z 0\n{ 0 0 2 0 2 2 0 2 0 0 }\nv 4 z 1\n{ 0 0 2 0 2 2 0 2 }\n");
+  const Outcome made = run({"reconstruct", in_, "-o", out_});
+  EXPECT_EQ(made.code, 0) << made.err;
+  EXPECT_NE(made.err.find(in_ + ":3: section 0, contour 0"), std::string::npos) << made.err;
+  const JsonValue json = run_json({"reconstruct", in_, "-o", out_});
+  EXPECT_EQ(json.at("warnings").array.size(), 3U);
+  EXPECT_EQ(json.at("warnings").array[0].at("where").at("file").string, in_);
+  EXPECT_EQ(json.at("input_vertices").number, 8);
+}
+
+TEST_F(ReconstructCommand, MakesASolidOfASingleSection) {
+  test::put(in_, "S 1\nv 4 z 5\n{ 0 0 2 0 2 2 0 2 }\n");
+  const JsonValue thick = run_json({"reconstruct", in_, "-o", out_, "--thickness", "3"});
+  EXPECT_TRUE(thick.at("warnings").array.empty());
+  EXPECT_NEAR(thick.at("volume").number, 12, 1e-9);
+  const JsonValue unsaid = run_json({"reconstruct", in_, "-o", out_});
+  EXPECT_EQ(unsaid.at("warnings").array.size(), 1U);
+  EXPECT_NEAR(unsaid.at("volume").number, 0.8, 1e-9);
+}
+
+TEST_F(ReconstructCommand, EndsHalfAGapBeyond) {
+  test::put(in_, test::kTube);
+  const double flat =
+      run_json({"reconstruct", in_, "-o", out_, "--ends", "flat"}).at("volume").number;
+  const double half =
+      run_json({"reconstruct", in_, "-o", out_, "--ends", "half"}).at("volume").number;
+  // Two prisms over squares of area 4, each of half a gap.
+  EXPECT_NEAR(half - flat, 4, 1e-9);
+}
+
+TEST_F(ReconstructCommand, SaysWhatSnappingMoved) {
+  test::put(in_,
+            "S 2\nv 5 z 0\n{ 0.1 0 2 0 2 2 1.00000001 2 1 2 }\nv 4 z 1\n{ 0 0 2 0 2 2 0 2 }\n");
+  const JsonValue json = run_json({"reconstruct", in_, "-o", out_, "--snap", "10"});
+  const JsonValue& snap = json.at("snap");
+  EXPECT_EQ(snap.at("bits").number, 10);
+  EXPECT_EQ(snap.at("moved").number, 3);  // the removed one too
+  EXPECT_EQ(snap.at("removed").number, 1);
+  EXPECT_EQ(json.at("input_vertices").number, 8);
+  ASSERT_EQ(snap.at("first_moved").array.size(), 3U);
+  EXPECT_EQ(snap.at("first_moved").array[0].at("from").array[0].number, 0.1);
+  const Outcome plain = run({"reconstruct", in_, "-o", out_, "--snap", "10"});
+  EXPECT_NE(plain.out.find("3 vertices moved"), std::string::npos) << plain.out;
+  EXPECT_EQ(run({"check", out_, in_, "--snap", "10"}).code, 0);
+  EXPECT_EQ(run({"check", out_, in_}).code, 1);
+}
+
+TEST_F(ReconstructCommand, FollowsLabels) {
+  const std::string labels = folder_.file("l.txt");
+  test::put(labels, "# the two branches belong apart\n1 0 1\n1 1 2\n");
+  const JsonValue json = run_json({"reconstruct", in_, "-o", out_, "--labels", labels});
+  EXPECT_EQ(json.at("components").number, 2);
+  EXPECT_EQ(run({"check", out_, in_, "--labels", labels}).code, 0);
+  EXPECT_EQ(run({"check", out_, in_}).code, 1);
+  test::put(labels, "1 0 1\n1 x 2\n");
+  expect_failure({"reconstruct", in_, "-o", folder_.file("p.vtu"), "--labels", labels}, 3,
+                 "invalid_input", labels + ":2", {folder_.file("p.vtu")});
+  test::put(labels, "1 7 1\n");
+  expect_failure({"reconstruct", in_, "-o", folder_.file("p.vtu"), "--labels", labels}, 3,
+                 "invalid_input", "contour 7", {folder_.file("p.vtu")});
+  expect_failure({"reconstruct", in_, "-o", folder_.file("p.vtu"), "--labels", "none.txt"}, 4, "io",
+                 "none.txt", {folder_.file("p.vtu")});
+}
+
+TEST_F(ReconstructCommand, LeavesTheOldFileWhenItFails) {
+  test::put(in_, test::kBowtie);
+  test::put(out_, "old");
+  const Outcome failed = run({"reconstruct", in_, "-o", out_});
+  EXPECT_EQ(failed.code, 3);
+  EXPECT_NE(failed.err.find(in_ + ":3: section 0, contour 0, vertex "), std::string::npos)
+      << failed.err;
+  EXPECT_EQ(test::get(out_), "old");
+  EXPECT_EQ(folder_.names().size(), 2U);
+}
+
+TEST_F(ReconstructCommand, TellsTheErrorsPlaceInJson) {
+  test::put(in_, test::kBowtie);
+  const JsonValue json = run_json({"reconstruct", in_, "-o", out_}, 3);
+  const JsonValue& where = json.at("error").at("where");
+  EXPECT_EQ(where.at("file").string, in_);
+  EXPECT_EQ(where.at("line").number, 3);
+  EXPECT_EQ(where.at("section").number, 0);
+  EXPECT_EQ(where.at("contour").number, 0);
+  EXPECT_EQ(where.at("vertex").kind, JsonValue::Kind::number);
+  EXPECT_EQ(where.at("point").array.size(), 3U);
+}
+
+TEST_F(ReconstructCommand, TellsOfFilesThatCannotBeReadOrWritten) {
+  expect_failure({"reconstruct", folder_.file("none.cnt"), "-o", out_}, 4, "io", "none.cnt",
+                 {out_});
+  expect_failure({"reconstruct", folder_.file(""), "-o", out_}, 4, "io", "", {out_});
+  expect_failure({"reconstruct", in_, "-o", folder_.file("none/o.vtu")}, 4, "io", "none/o.vtu");
+  std::filesystem::create_directory(folder_.file("f.vtu"));
+  expect_failure({"reconstruct", in_, "-o", folder_.file("f.vtu")}, 4, "io", "f.vtu");
+  expect_failure({"reconstruct", in_, "-o", out_, "--surface", folder_.file("none/s.ply")}, 4, "io",
+                 "none/s.ply", {out_});
+}
+
+TEST_F(ReconstructCommand, LeavesNoFileWhenTheSurfaceCannotBeWritten) {
+  // Beyond float32, which shows only when the surface is written.
+  test::put(in_, "S 2\nv 3 z 0\n{ 0 0 1e40 0 0 1e40 }\nv 3 z 1e40\n{ 0 0 1e40 0 0 1e40 }\n");
+  expect_failure({"reconstruct", in_, "-o", out_, "--surface", folder_.file("s.stl")}, 3,
+                 "invalid_input", "float32", {out_, folder_.file("s.stl")});
+  EXPECT_EQ(folder_.names().size(), 1U);
+}
+
+}  // namespace
+}  // namespace tetloft
