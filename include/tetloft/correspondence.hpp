@@ -16,9 +16,9 @@
 // 4. For each label in increasing order, while its regions lie in several sets: from the
 //    set of the label's first region, the path to another set of this label by links
 //    between neighbouring sections through sets of this label or of none, that takes the
-//    fewest new links, then the least sum of distances (smallest vertex distance of the
-//    two regions), then the lowest regions. Its links are accepted. If there is none, the
-//    labels cannot be realised.
+//    fewest new links, then the least sum of distances (smallest distance in space of a
+//    vertex of the one region to a vertex of the other), then the lowest links. Its links
+//    are accepted. If there is none, the labels cannot be realised.
 //
 // Components of the object are the sets of step 4; classes of a slab are the unions of the
 // links accepted in that slab alone.

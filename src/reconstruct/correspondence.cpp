@@ -2,6 +2,7 @@
 #include "reconstruct/correspondence.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <optional>
@@ -91,17 +92,13 @@ class LabelledSets {
   RegionLabels label_;  // valid at representatives
 };
 
-// Squared distance of the nearest vertices of two regions, in the plane.
-double squared_distance(const RegionOutline& a, const RegionOutline& b) {
+// Distance of the nearest vertices of two regions, in the plane.
+double vertex_distance(const RegionOutline& a, const RegionOutline& b) {
   double best = std::numeric_limits<double>::infinity();
   for (const Contour* c : a.contours) {
     for (const Contour* d : b.contours) {
       for (const Point2& p : c->vertices) {
-        for (const Point2& q : d->vertices) {
-          const double dx = p.x - q.x;
-          const double dy = p.y - q.y;
-          best = std::min(best, dx * dx + dy * dy);
-        }
+        for (const Point2& q : d->vertices) best = std::min(best, std::hypot(p.x - q.x, p.y - q.y));
       }
     }
   }
@@ -130,19 +127,16 @@ class LabelConnector {
   }
 
  private:
-  // Cost of a path: new links, then distance, then the regions themselves.
-  struct Reach {
-    std::size_t new_links;
-    double distance;
-    std::size_t region;
-    friend auto operator<=>(const Reach&, const Reach&) = default;
+  // A way through sets: few links first, then short ones, then the lowest.
+  struct Path {
+    double distance = 0;
+    std::vector<Link> links;
+    [[nodiscard]] bool better_than(const Path& other) const {
+      if (links.size() != other.links.size()) return links.size() < other.links.size();
+      return distance != other.distance ? distance < other.distance : links < other.links;
+    }
   };
-  struct Step {
-    Reach cost{std::numeric_limits<std::size_t>::max(), 0, 0};
-    std::optional<Link> by;
-    std::size_t from = 0;
-    bool done = false;
-  };
+  enum class State : std::uint8_t { unseen, open, done };
 
   [[nodiscard]] std::size_t first_with(std::uint32_t value) const {
     const auto at = std::find_if(labels_.begin(), labels_.end(),
@@ -159,56 +153,62 @@ class LabelConnector {
     return std::nullopt;
   }
 
-  // Dijkstra from the set of the label's first region over sets of this label or none.
-  // Regions of one set are reached together, at no cost.
+  // Dijkstra from the set of the label's first region over sets of this label or none,
+  // then accepts the links of the path found.
   bool extend(std::uint32_t value, std::vector<Link>& accepted) {
     const std::size_t home = sets_.find(first_with(value));
-    std::vector<Step> step(numbering_.size());
-    std::set<Reach> queue;
-    const auto reach_set = [&](std::size_t set, const Step& how) {
-      for (std::size_t r = 0; r < step.size(); ++r) {
-        if (sets_.find(r) != set) continue;
-        Step next = how;
-        next.cost.region = r;
-        if (step[r].done || !(next.cost < step[r].cost)) continue;
-        queue.erase(step[r].cost);
-        step[r] = next;
-        queue.insert(next.cost);
-      }
-    };
-    Step start;
-    start.cost = {0, 0, home};
-    reach_set(home, start);
-    while (!queue.empty()) {
-      const std::size_t r = queue.begin()->region;
-      queue.erase(queue.begin());
-      step[r].done = true;
-      if (sets_.find(r) != home && sets_.label(r) && *sets_.label(r) == value) {
-        accept_path(step, r, accepted);
+    // By representative of a set; the members of each set by representative.
+    std::vector<State> state(numbering_.size(), State::unseen);
+    std::vector<Path> path(numbering_.size());
+    std::vector<std::vector<std::size_t>> members(numbering_.size());
+    for (std::size_t r = 0; r < numbering_.size(); ++r) members[sets_.find(r)].push_back(r);
+
+    std::vector<std::size_t> open{home};
+    while (!open.empty()) {
+      const auto nearest = std::min_element(
+          open.begin(), open.end(),
+          [&](std::size_t a, std::size_t b) { return path[a].better_than(path[b]); });
+      const std::size_t set = *nearest;
+      open.erase(nearest);
+      state[set] = State::done;
+      if (set != home && sets_.label(set) && *sets_.label(set) == value) {
+        for (const Link& link : path[set].links) {
+          accepted.push_back(link);
+          sets_.unite(numbering_.below(link), numbering_.above(link));
+        }
         return true;
       }
-      for_each_neighbour(r, [&](const Link& link, std::size_t other) {
-        if (sets_.find(other) == sets_.find(r)) return;
-        if (sets_.label(other) && *sets_.label(other) != value) return;
-        Step next;
-        next.cost = {step[r].cost.new_links + 1,
-                     step[r].cost.distance + squared_distance(outline_of(r), outline_of(other)),
-                     other};
-        next.by = link;
-        next.from = r;
-        reach_set(sets_.find(other), next);
-      });
+      for (const std::size_t r : members[set]) {
+        for_each_neighbour(r, [&](const Link& link, std::size_t other) {
+          const std::size_t to = sets_.find(other);
+          if (state[to] == State::done) return;
+          if (sets_.label(to) && *sets_.label(to) != value) return;
+          Path longer = path[set];
+          longer.distance += distance(link);
+          longer.links.push_back(link);
+          if (state[to] == State::unseen) {
+            state[to] = State::open;
+            open.push_back(to);
+          } else if (!longer.better_than(path[to])) {
+            return;
+          }
+          path[to] = std::move(longer);
+        });
+      }
     }
     return false;
   }
 
-  void accept_path(const std::vector<Step>& step, std::size_t r, std::vector<Link>& accepted) {
-    while (step[r].by) {
-      const Link& link = *step[r].by;
-      accepted.push_back(link);
-      sets_.unite(numbering_.below(link), numbering_.above(link));
-      r = step[r].from;
-    }
+  // Smallest vertex distance of the two regions of a link, in space.
+  double distance(const Link& link) {
+    const auto [at, fresh] = distances_.try_emplace(link, 0.0);
+    if (!fresh) return at->second;
+    const SectionId below(link.slab.index());
+    const SectionId above(link.slab.index() + 1);
+    const double in_plane =
+        vertex_distance(outline(stack_.sections[below], nestings_[below], link.lower),
+                        outline(stack_.sections[above], nestings_[above], link.upper));
+    return at->second = std::hypot(in_plane, stack_.sections[above].z - stack_.sections[below].z);
   }
 
   [[nodiscard]] std::pair<SectionId, RegionId> locate(std::size_t r) const {
@@ -219,11 +219,6 @@ class LabelConnector {
       }
     }
   }
-  [[nodiscard]] RegionOutline outline_of(std::size_t r) const {
-    const auto [s, region] = locate(r);
-    return outline(stack_.sections[s], nestings_[s], region);
-  }
-
   template <class Visit>
   void for_each_neighbour(std::size_t r, const Visit& visit) const {
     const auto [s, region] = locate(r);
@@ -266,6 +261,7 @@ class LabelConnector {
   const RegionNumbering& numbering_;
   const RegionLabels& labels_;
   LabelledSets& sets_;
+  std::map<Link, double> distances_;  // known ones
 };
 
 // Candidates in order of decreasing evidence.

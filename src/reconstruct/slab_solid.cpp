@@ -92,7 +92,7 @@ Result<SlabSolid> build_between(SlabId id, const ConformingSection& lower,
     Lifting lifting(slab, subdivision);
     if (!lifting.settle(rules)) return no_room(id, lifting.at());
     Truncation truncation = truncate(slab, classes, complex, subdivision,
-                                     choose_trimmed(slab, complex, subdivision, lifting));
+                                     choose_trimmed(slab, classes, complex, subdivision, lifting));
     Embedding embedding(slab, classes, subdivision, lifting, truncation, lone, rules);
     const Embedding::Outcome outcome = embedding.settle();
     clock.end(Step::subdivision);

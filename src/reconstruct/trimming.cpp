@@ -1,6 +1,8 @@
 #include "reconstruct/trimming.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -32,9 +34,13 @@ double distance_to_region(const ConformingSection& section, const Point2& p, dou
 
 class Trimmer {
  public:
-  Trimmer(const Slab& slab, const Complex& complex, const Subdivision& subdivision,
-          const Lifting& lifting)
-      : slab_(slab), complex_(complex), subdivision_(subdivision), lifting_(lifting) {}
+  Trimmer(const Slab& slab, const SlabClasses& classes, const Complex& complex,
+          const Subdivision& subdivision, const Lifting& lifting)
+      : slab_(slab),
+        classes_(classes),
+        complex_(complex),
+        subdivision_(subdivision),
+        lifting_(lifting) {}
 
   std::vector<std::uint8_t> run() {
     const std::size_t n = subdivision_.lifted.size();
@@ -46,22 +52,14 @@ class Trimmer {
     }
     if (overhanging.empty()) return trimmed_;
     std::sort(overhanging.begin(), overhanging.end());
-    collect_neighbours(overhanging);
-    UnionFind components(n);
-    for (const auto& entry : overhanging) try_to_trim(entry.second, components);
+    collect_children(overhanging);
+    for (const auto& entry : overhanging) {
+      if (collapsible_link(entry.second)) trimmed_[entry.second] = 1;
+    }
     return trimmed_;
   }
 
  private:
-  // A neighbour of an overhanging vertex in one parent tet.
-  struct Neighbour {
-    std::size_t vertex;  // the overhanging one
-    TetId parent;
-    std::size_t other;
-    bool through_interior;
-    friend auto operator<=>(const Neighbour&, const Neighbour&) = default;
-  };
-
   [[nodiscard]] double overhang_of(std::size_t k) const {
     const LiftedVertex& vertex = subdivision_.lifted[k];
     const Point3& at = lifting_.points()[slab_.vertex_count() + k];
@@ -76,62 +74,99 @@ class Trimmer {
                     distance_to_region(slab_.upper(), p, enough));
   }
 
-  // Lifted vertices that share a child with one that overhangs. Only those that belong to
-  // the solid count: all corners they are the mean of are attached.
-  void collect_neighbours(const std::vector<std::pair<double, std::size_t>>& overhanging) {
+  // The children at each overhanging vertex in which it has weight 1.
+  void collect_children(const std::vector<std::pair<double, std::size_t>>& overhanging) {
     std::vector<std::uint8_t> wanted(subdivision_.lifted.size(), 0);
     for (const auto& entry : overhanging) wanted[entry.second] = 1;
     const std::size_t n = slab_.vertex_count();
-    for (const Child& child : subdivision_.children) {
-      const unsigned attached = complex_.attached[child.parent];
-      const bool type1 = slab_.kind(child.parent) == TetKind::t1_external;
+    for (std::size_t c = 0; c < subdivision_.children.size(); ++c) {
+      const Child& child = subdivision_.children[c];
       for (std::size_t i = 0; i < 4; ++i) {
         const std::size_t v = child.node[i].index();
-        if (v < n || wanted[v - n] == 0 || (child.mean_of[i] & ~attached) != 0) continue;
-        for (std::size_t j = 0; j < 4; ++j) {
-          const std::size_t w = child.node[j].index();
-          if (j == i || w < n || wanted[w - n] == 0) continue;
-          if ((child.mean_of[j] & ~attached) != 0) continue;
-          neighbours_.push_back({v - n, child.parent, w - n, !type1});
-        }
+        if (v < n || wanted[v - n] == 0) continue;
+        if ((child.mean_of[i] & ~unsigned{complex_.attached[child.parent]}) != 0) continue;
+        children_.emplace_back(v - n, c);
       }
     }
-    std::sort(neighbours_.begin(), neighbours_.end());
-    neighbours_.erase(std::unique(neighbours_.begin(), neighbours_.end()), neighbours_.end());
+    std::sort(children_.begin(), children_.end());
   }
 
-  void try_to_trim(std::size_t k, UnionFind& components) {
-    auto at = std::lower_bound(neighbours_.begin(), neighbours_.end(), k,
-                               [](const Neighbour& a, std::size_t v) { return a.vertex < v; });
-    // Trimmed neighbours of one parent triangle are joined to each other there: one contact.
-    std::vector<std::pair<TetId, std::size_t>> met;  // parent, component
-    for (; at != neighbours_.end() && at->vertex == k; ++at) {
-      if (trimmed_[at->other] == 0) continue;
-      if (at->through_interior) return;
-      const std::pair contact(at->parent, components.find(at->other));
-      if (std::find(met.begin(), met.end(), contact) != met.end()) continue;
-      for (const auto& earlier : met) {
-        if (earlier.second == contact.second) return;
+  // Is the link of lifted vertex k in F, as trimmed so far, connected and of χ = 1?
+  [[nodiscard]] bool collapsible_link(std::size_t k) const {
+    const VertexId self(slab_.vertex_count() + k);
+    std::vector<VertexId> vertices;
+    std::vector<std::array<VertexId, 2>> edges;
+    std::vector<std::array<VertexId, 3>> triangles;
+    for (auto at =
+             std::lower_bound(children_.begin(), children_.end(), std::pair(k, std::size_t{0}));
+         at != children_.end() && at->first == k; ++at) {
+      std::vector<VertexId> simplex = whole_corners(subdivision_.children[at->second], self);
+      std::sort(simplex.begin(), simplex.end());
+      for (std::size_t i = 0; i < simplex.size(); ++i) {
+        vertices.push_back(simplex[i]);
+        for (std::size_t j = i + 1; j < simplex.size(); ++j)
+          edges.push_back({simplex[i], simplex[j]});
       }
-      met.push_back(contact);
+      if (simplex.size() == 3) triangles.push_back({simplex[0], simplex[1], simplex[2]});
     }
-    trimmed_[k] = 1;
-    for (const auto& contact : met) components.unite(k, contact.second);
+    sort_unique(vertices);
+    sort_unique(edges);
+    sort_unique(triangles);
+    if (vertices.size() + triangles.size() != edges.size() + 1) return false;
+    UnionFind parts(vertices.size());
+    std::size_t count = vertices.size();
+    const auto index = [&](VertexId v) {
+      return static_cast<std::size_t>(std::lower_bound(vertices.begin(), vertices.end(), v) -
+                                      vertices.begin());
+    };
+    for (const auto& [u, v] : edges) count -= parts.unite(index(u), index(v)) ? 1U : 0U;
+    return count == 1;
+  }
+
+  // The corners of weight 1 for the class of `self`, but itself.
+  [[nodiscard]] std::vector<VertexId> whole_corners(const Child& child, VertexId self) const {
+    std::uint8_t ends = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (child.node[i] == self) ends = child.mean_of[i];
+    }
+    const ClassId c =
+        classes_.of(slab_.mesh().vertex(child.parent, std::countr_zero(unsigned{ends})));
+    // The class's attached corners of the parent.
+    const unsigned own =
+        complex_.attached[child.parent] & own_corners(slab_, classes_, child.parent, c);
+    std::vector<VertexId> corners;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const VertexId v = child.node[i];
+      if (v == self || (child.mean_of[i] & ~own) != 0) continue;
+      if (v.index() >= slab_.vertex_count() && trimmed_[v.index() - slab_.vertex_count()] != 0) {
+        continue;
+      }
+      corners.push_back(v);
+    }
+    return corners;
+  }
+
+  template <class Item>
+  static void sort_unique(std::vector<Item>& items) {
+    std::sort(items.begin(), items.end());
+    items.erase(std::unique(items.begin(), items.end()), items.end());
   }
 
   const Slab& slab_;
+  const SlabClasses& classes_;
   const Complex& complex_;
   const Subdivision& subdivision_;
   const Lifting& lifting_;
   std::vector<std::uint8_t> trimmed_;
-  std::vector<Neighbour> neighbours_;  // sorted
+  std::vector<std::pair<std::size_t, std::size_t>> children_;  // (lifted vertex, child), sorted
 };
 
 }  // namespace
 
-std::vector<std::uint8_t> choose_trimmed(const Slab& slab, const Complex& complex,
-                                         const Subdivision& subdivision, const Lifting& lifting) {
-  return Trimmer(slab, complex, subdivision, lifting).run();
+std::vector<std::uint8_t> choose_trimmed(const Slab& slab, const SlabClasses& classes,
+                                         const Complex& complex, const Subdivision& subdivision,
+                                         const Lifting& lifting) {
+  return Trimmer(slab, classes, complex, subdivision, lifting).run();
 }
 
 }  // namespace tetloft

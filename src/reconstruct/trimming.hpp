@@ -1,17 +1,15 @@
 // Trimming: lifted vertices that overhang are cut off again.
 //
 // A long external edge with both ends attached, as over a wide notch, has its midpoint far
-// sideways of both regions: the solid grows a web there. A lifted vertex is a boundary
-// vertex, so truncating it like a foreign corner changes no topology, and the cuts stay
-// near the corners kept.
+// sideways of both regions: the solid grows a web there. Such a vertex can be given the
+// weight of a foreign corner, and the cuts then stay near the corners kept.
 //
-// For several vertices trimmed together, topology stays as it was while the subcomplex they
-// span lies in the boundary surface and each of its components is collapsible. Vertices are
-// taken by decreasing overshoot; one is refused
-//   if it is joined to a trimmed one by an edge through the interior (two midpoints of one
-//   type-2 tet attached at all corners), or
-//   if it is joined, in the triangles left and right of its edge, to trimmed vertices of
-//   one component twice: the component would close a cycle.
+// The solid of a class is a regular neighbourhood of the full subcomplex F spanned by the
+// nodes of weight 1. Taking a vertex out of F is a collapse if its link in F is
+// collapsible, and neighbourhoods before and after are then homeomorphic. The link lies in
+// a disc (the vertex is on the boundary), where collapsible means connected and of Euler
+// characteristic 1. Vertices are taken one after the other, by decreasing overhang, each
+// judged by what is left of F.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +23,8 @@ namespace tetloft {
 inline constexpr double kLargestOverhang = 0.5;
 
 /// Per lifted vertex: trimmed? Requires settled lifting.
-[[nodiscard]] std::vector<std::uint8_t> choose_trimmed(const Slab& slab, const Complex& complex,
+[[nodiscard]] std::vector<std::uint8_t> choose_trimmed(const Slab& slab, const SlabClasses& classes,
+                                                       const Complex& complex,
                                                        const Subdivision& subdivision,
                                                        const Lifting& lifting);
 
