@@ -15,7 +15,8 @@ namespace tetloft {
 
 /// A condition that fails, with counts and the first places.
 struct CheckFailure {
-  std::string what;      ///< the condition, e.g. "vertex link is neither disc nor sphere"
+  /// The condition, with its number in src/check/README.md: "1.4 a vertex link is …".
+  std::string what;
   std::size_t count = 0;
   std::vector<std::string> places;  ///< the first few
 };
@@ -45,13 +46,17 @@ struct CheckReport {
   std::vector<long> genus;
   double volume = 0;
   /// The largest sideways distance of a vertex between two sections from both sections'
-  /// regions, in gaps of its slab; 0 without such vertices.
+  /// regions, in gaps of its slab; 0 without such vertices. Beyond an end from the one
+  /// region, in gaps of the next slab; of a single section in twice the height over it.
   double overshoot = 0;
   double smallest_dihedral_degrees = 0;
   double largest_split_ulps = 0;  ///< of inserted vertices off their contour edge
 };
 
 /// Checks points and tets of `model` (not its labels and provenance) against the input.
+/// Takes any model: what is malformed (ids out of range, coordinates that are not finite, …)
+/// fails a guarantee. Refused (invalid_input) for an invalid stack, invalid labels or 2^30
+/// tets, (usage) for options out of range. Both ends may be flat or extend beyond the stack.
 [[nodiscard]] Result<CheckReport> check(const Model& model, const SectionStack& stack,
                                         const CheckOptions& options = {});
 

@@ -144,12 +144,25 @@ std::string corrupt(Prng& prng, Case& c, CheckOptions& options) {
   }
 }
 
+// Sanitizers slow rational arithmetic down tenfold, and it is not what they look for.
+#if defined(__SANITIZE_ADDRESS__)
+constexpr int kTrials = 150;
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+constexpr int kTrials = 150;
+#else
+constexpr int kTrials = 1000;
+#endif
+#else
+constexpr int kTrials = 1000;
+#endif
+
 TEST(CheckAgainstOracle, AgreesOnRandomCorruptions) {
   constexpr std::uint64_t kSeed = 20240607;
   Prng prng(kSeed);
   std::array<int, 4> held{};
   std::array<int, 4> failed{};
-  for (int trial = 0; trial < 1000; ++trial) {
+  for (int trial = 0; trial < kTrials; ++trial) {
     Case c = random_case(prng);
     CheckOptions options;
     std::string what = "seed " + std::to_string(kSeed) + ", trial " + std::to_string(trial);
@@ -162,8 +175,8 @@ TEST(CheckAgainstOracle, AgreesOnRandomCorruptions) {
   }
   // The comparison means something only where both answers occur.
   for (std::size_t g = 0; g < 4; ++g) {
-    EXPECT_GT(held[g], 100) << "guarantee " << g + 1;
-    EXPECT_GT(failed[g], 50) << "guarantee " << g + 1;
+    EXPECT_GT(held[g], kTrials / 10) << "guarantee " << g + 1;
+    EXPECT_GT(failed[g], kTrials / 20) << "guarantee " << g + 1;
   }
 }
 
