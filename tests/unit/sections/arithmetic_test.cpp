@@ -32,7 +32,7 @@ void expect_contains(const Interval& interval, const Rational& truth) {
 
 TEST(Interval, ContainsTheTruth) {
   Prng prng(1);
-  for (int round = 0; round < 3000; ++round) {
+  for (int round = 0; round < 1500; ++round) {
     const double a = random_double(prng);
     const double b = random_double(prng);
     const double c = random_double(prng);
@@ -65,7 +65,7 @@ TEST(IntervalSum, StaysNarrow) {
   Prng prng(2);
   sections::IntervalSum sum;
   Rational truth;
-  for (int k = 0; k < 20000; ++k) {
+  for (int k = 0; k < 5000; ++k) {
     const double a = prng.unit();
     truth = truth + Rational::exactly(a);
     sum.add({a, a});

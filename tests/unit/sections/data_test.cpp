@@ -43,8 +43,8 @@ void expect_conforming(const std::string& folder, std::uintmax_t most_bytes) {
 }
 
 TEST(SharedData, CasesConform) { expect_conforming("cases", 1 << 20); }
-TEST(SharedData, SyntheticStacksConform) { expect_conforming("synth", 150 << 10); }
-TEST(SharedData, RealStacksConform) { expect_conforming("real", 100 << 10); }
+TEST(SharedData, SyntheticStacksConform) { expect_conforming("synth", 60 << 10); }
+TEST(SharedData, RealStacksConform) { expect_conforming("real", 60 << 10); }
 
 }  // namespace
 }  // namespace tetloft::testing

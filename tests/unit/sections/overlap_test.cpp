@@ -64,6 +64,14 @@ Region random_region(Prng& prng, int x, int y, int radius) {
   return region;
 }
 
+// The same about a point up to `reach` away from the origin along each axis.
+Region region_near(Prng& prng, int reach, int radius) {
+  const auto range = static_cast<std::uint64_t>(2 * reach);
+  const int x = static_cast<int>(prng.below(range)) - reach;
+  const int y = static_cast<int>(prng.below(range)) - reach;
+  return random_region(prng, x, y, radius);
+}
+
 TEST(OverlapRatio, OfSimpleSquares) {
   const Region square{rectangle(0, 0, 4, 4)};
   EXPECT_EQ(ratio(square, square), 1);
@@ -137,24 +145,21 @@ TEST(CompareOverlap, TakesAnyTau) {
 TEST(Overlap, AgreesWithClippingOnLattices) {
   Prng prng(1);
   int empty = 0;
-  for (int round = 0; round < 60; ++round) {
+  for (int round = 0; round < 30; ++round) {
     const Region a = random_region(prng, 0, 0, 8);
-    const Region b = random_region(prng, static_cast<int>(prng.below(24)) - 12,
-                                   static_cast<int>(prng.below(24)) - 12, 6);
+    const Region b = region_near(prng, 12, 6);
     expect_exact(a, b);
     if (HasFatalFailure()) FAIL() << "round " << round;
     empty += ratio(a, b) == 0 ? 1 : 0;
   }
-  EXPECT_GT(empty, 5);
+  EXPECT_GT(empty, 2);
 }
 
 TEST(Overlap, AgreesWithClippingOffLattices) {
   Prng prng(2);
-  for (int round = 0; round < 6; ++round) {
+  for (int round = 0; round < 3; ++round) {
     const Region a = moved(random_region(prng, 0, 0, 8), 0.1, {0.123, 4.56});
-    const Region b = moved(random_region(prng, static_cast<int>(prng.below(20)) - 10,
-                                         static_cast<int>(prng.below(20)) - 10, 6),
-                           0.0987654321, {0.123, 4.56});
+    const Region b = moved(region_near(prng, 10, 6), 0.0987654321, {0.123, 4.56});
     expect_exact(a, b);
     if (HasFatalFailure()) FAIL() << "round " << round;
   }
@@ -249,8 +254,8 @@ TEST(Overlap, OfLargeContoursIsFast) {
 // So folded that intervals are wide: no exact sum of millions of terms is begun.
 TEST(OverlapRatio, OfFoldedContoursIsBounded) {
   Prng prng(7);
-  const Region a{random_star(prng, 0, 0, 1000000, 3000)};
-  const Region b{random_star(prng, 1000, 500, 1000000, 3000)};
+  const Region a{random_star(prng, 0, 0, 1000000, 2000)};
+  const Region b{random_star(prng, 1000, 500, 1000000, 2000)};
   const double r = ratio(a, b);
   EXPECT_GT(r, 0.5);
   EXPECT_LT(r, 0.9);

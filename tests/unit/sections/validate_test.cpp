@@ -22,7 +22,8 @@ std::string verdict(const SectionStack& stack) {
   std::string place;
   if (error.where.contour) place += std::to_string(*error.where.contour);
   if (error.where.vertex) {
-    place += "." + std::to_string(*error.where.vertex);
+    place += '.';
+    place += std::to_string(*error.where.vertex);
     const Section& section = stack.sections[SectionId(*error.where.section)];
     const Point2& p =
         section.contours[ContourId(*error.where.contour)].vertices[*error.where.vertex];
@@ -99,11 +100,11 @@ TEST(Validate, NamesSpikesWhereverTheContourStarts) {
   const Contour exact = contour({{0, 0}, {10, 0}, {15, 0}, {10, 0}, {10, 10}, {0, 10}});
   const Contour inward = contour({{0, 0}, {5, 0}, {2, 0}, {10, 0}, {10, 10}, {0, 10}});
   for (std::size_t k = 0; k < 5; ++k) {
-    const std::string at = "0." + std::to_string((6 - k) % 5);
+    const std::string at = std::string("0.") + std::to_string((6 - k) % 5);
     expect_verdict(one({rotated(spike, k)}), at + " edge folds back on itself (spike)");
   }
   for (std::size_t k = 0; k < 6; ++k) {
-    const std::string at = "0." + std::to_string((8 - k) % 6);
+    const std::string at = std::string("0.") + std::to_string((8 - k) % 6);
     expect_verdict(one({rotated(exact, k)}), at + " edge folds back on itself (spike)");
   }
   expect_verdict(one({inward}), "0.1 edge folds back on itself (spike)");
@@ -211,7 +212,7 @@ bool is_valid_by_force(const std::vector<Contour>& contours) {
 TEST(Validate, AgreesWithBruteForceOnSmallGrids) {
   Prng prng(20);
   int valid = 0;
-  for (int round = 0; round < 20000; ++round) {
+  for (int round = 0; round < 10000; ++round) {
     std::vector<Contour> contours(1 + prng.below(2));
     for (Contour& c : contours) {
       c.vertices.resize(3 + prng.below(4));
@@ -223,7 +224,7 @@ TEST(Validate, AgreesWithBruteForceOnSmallGrids) {
     valid += expected ? 1 : 0;
     ASSERT_EQ(validate(one(contours)).ok(), expected) << "round " << round;
   }
-  EXPECT_GT(valid, 1000);
+  EXPECT_GT(valid, 500);
 }
 
 TEST(Validate, DoesNotDependOnScaleOrOffset) {
@@ -257,9 +258,9 @@ TEST(Validate, AcceptsStarsAndGeneratedStacks) {
 
 TEST(Validate, FindsTheOneDefectInALargeContour) {
   Prng prng(23);
-  Contour big = random_star(prng, 0, 0, 100000, 20000);
+  Contour big = random_star(prng, 0, 0, 100000, 8000);
   ASSERT_EQ(verdict(one({big})), "");
-  const std::size_t v = 12345 % (big.vertices.size() - 10);
+  const std::size_t v = 4321 % (big.vertices.size() - 10);
   std::swap(big.vertices[v], big.vertices[v + 3]);
   EXPECT_NE(verdict(one({big})), "");
 }
