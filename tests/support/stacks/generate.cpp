@@ -52,6 +52,9 @@ constexpr std::array kKinds{
     Kind{StackKind::slivers, "slivers", draft_slivers},
     Kind{StackKind::u_over_blobs, "u_over_blobs", draft_u_over_blobs},
     Kind{StackKind::crossing_bars, "crossing_bars", draft_crossing_bars},
+    Kind{StackKind::interlocking, "interlocking", draft_interlocking},
+    Kind{StackKind::split_runs, "split_runs", draft_split_runs},
+    Kind{StackKind::few_ulps, "few_ulps", draft_few_ulps, true},
     Kind{StackKind::oblique, "oblique", draft_oblique},
     Kind{StackKind::random_labels, "random_labels", draft_for_labels},
 };
@@ -61,6 +64,13 @@ constexpr auto kAllKinds = [] {
   for (std::size_t i = 0; i < kinds.size(); ++i) kinds[i] = kKinds[i].kind;
   return kinds;
 }();
+
+static_assert([] {
+  for (std::size_t i = 0; i < kKinds.size(); ++i) {
+    if (kKinds[i].kind != static_cast<StackKind>(i)) return false;
+  }
+  return true;
+}());
 
 const Kind& entry(StackKind kind) { return kKinds[static_cast<std::size_t>(kind)]; }
 

@@ -38,6 +38,9 @@ enum class StackKind : std::uint8_t {
   slivers,          ///< thin annuli, bars, corridors, needles
   u_over_blobs,     ///< horseshoes over blobs in their mouths
   crossing_bars,    ///< parallel bars over parallel bars the other way
+  interlocking,     ///< two components whose thin bars cross, each in the other's plane too
+  split_runs,       ///< cross edges on the hull around which a component is kept twice
+  few_ulps,         ///< so far from the origin that shapes are some hundred ulps wide or less
   oblique,          ///< columns that drift by up to more than their width
   random_labels,    ///< any of some kinds, with realisable labels
 };

@@ -40,6 +40,11 @@ SectionStack draft_u_over_blobs(Prng& prng);
 SectionStack draft_crossing_bars(Prng& prng);
 SectionStack draft_oblique(Prng& prng);
 
+// kinds_rare.cpp
+SectionStack draft_interlocking(Prng& prng);
+SectionStack draft_split_runs(Prng& prng);
+SectionStack draft_few_ulps(Prng& prng);
+
 // labels.cpp
 /// Labels for regions of a valid stack such that each label can be made one component by
 /// links between its own regions: its regions lie in consecutive sections, at least one in
