@@ -61,16 +61,22 @@ std::string contradiction(const Reconstruction& made, const SectionStack& stack)
   return {};
 }
 
-Attempt error_attempt(const Error& error, bool refusable) {
-  const bool refused = error.code == ErrorCode::unrepresentable && refusable;
-  if (refused && names_a_place(error.where)) {
-    return {Outcome::refused, tetloft::to_string(error), {}};
+bool is_excused(const Error& error, Excuse excuse) {
+  if (error.code != ErrorCode::unrepresentable || !names_a_place(error.where)) return false;
+  switch (excuse) {
+    case Excuse::none: return false;
+    case Excuse::precision: return true;
+    case Excuse::labels: return !error.where.point;
   }
-  const std::string why = refused ? "refusal without a place: " : "";
-  return {Outcome::wrong_error, why + tetloft::to_string(error), {}};
+  return false;
 }
 
-// A counterexample: what it is and where it came from.
+Attempt error_attempt(const Error& error, Excuse excuse) {
+  const Outcome outcome = is_excused(error, excuse) ? Outcome::refused : Outcome::wrong_error;
+  return {outcome, tetloft::to_string(error), {}};
+}
+
+// One stack of a campaign and what came of it.
 struct Case {
   StackKind kind{};
   std::uint64_t seed = 0;
@@ -83,7 +89,7 @@ Case try_stack(StackKind kind, std::uint64_t seed) {
   Case result{kind, seed, {}, 0};
   const GeneratedStack generated = generate(kind, seed);
   for (std::size_t i = 0; i < kCriteria.size(); ++i) {
-    result.attempts[i] = attempt(generated, kCriteria[i], is_refusable(kind));
+    result.attempts[i] = attempt(generated, kCriteria[i], excuse_of(kind));
   }
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
   result.seconds = taken.count();
@@ -93,9 +99,9 @@ Case try_stack(StackKind kind, std::uint64_t seed) {
 bool is_wrong(Outcome outcome) { return outcome >= Outcome::wrong_manifold; }
 
 void shrink_and_write(Failure& failure, const CampaignOptions& options) {
-  const bool refusable = is_refusable(failure.kind);
+  const Excuse excuse = excuse_of(failure.kind);
   const auto still_fails = [&](const GeneratedStack& candidate) {
-    return attempt(candidate, failure.criterion, refusable).outcome == failure.attempt.outcome;
+    return attempt(candidate, failure.criterion, excuse).outcome == failure.attempt.outcome;
   };
   const GeneratedStack least =
       shrink(generate(failure.kind, failure.seed), still_fails, {.trials = options.shrink_trials});
@@ -128,11 +134,12 @@ const char* name_of(Outcome outcome) {
   return "?";
 }
 
-bool is_refusable(StackKind kind) {
-  return is_near_coincident(kind) || kind == StackKind::random_labels;
+Excuse excuse_of(StackKind kind) {
+  if (is_near_coincident(kind)) return Excuse::precision;
+  return kind == StackKind::random_labels ? Excuse::labels : Excuse::none;
 }
 
-Attempt attempt(const GeneratedStack& generated, Criterion criterion, bool refusable) {
+Attempt attempt(const GeneratedStack& generated, Criterion criterion, Excuse excuse) {
   ReconstructOptions options;
   options.correspondence = generated.correspondence;
   options.correspondence.criterion = criterion;
@@ -146,7 +153,7 @@ Attempt attempt(const GeneratedStack& generated, Criterion criterion, bool refus
                     : !one.ok() && !two.ok() ? same_error(one.error(), two.error())
                                              : false;
   if (!same) return {Outcome::wrong_threads, "one and two threads differ", {}};
-  if (!one) return error_attempt(one.error(), refusable);
+  if (!one) return error_attempt(one.error(), excuse);
   const std::string contradicted = contradiction(*one, generated.stack);
   if (!contradicted.empty()) return {Outcome::wrong_report, contradicted, {}};
 

@@ -2,7 +2,7 @@
 //
 // A stack is tried with both criteria of correspondence, each with one thread and with
 // two. It counts as wrong if any attempt gives a model that fails a guarantee, models that
-// differ by the number of threads, or an error other than an allowed refusal; then it is
+// differ by the number of threads, or an error other than an excused refusal; then it is
 // shrunk to a minimal stack with the same kind of defect and written down.
 #pragma once
 
@@ -32,14 +32,14 @@ struct CampaignOptions {
 /// What one attempt came to.
 enum class Outcome : std::uint8_t {
   model,    ///< a model that keeps all guarantees
-  refused,  ///< unrepresentable, naming a place, where that is allowed
+  refused,  ///< unrepresentable, naming a place, where there is an excuse
   wrong_manifold,
   wrong_sampling,
   wrong_embedding,
   wrong_components,
   wrong_threads,  ///< one and two threads give different models or errors
   wrong_report,   ///< the report contradicts the model
-  wrong_error,    ///< any other error, or a refusal that is not allowed
+  wrong_error,    ///< any other error, or a refusal without excuse
   wrong_check,    ///< check() itself failed
 };
 [[nodiscard]] const char* name_of(Outcome outcome);
