@@ -6,6 +6,7 @@
 
 #include <tetloft/io.hpp>
 
+#include "core/prng.hpp"
 #include "unit/io/io_support.hpp"
 
 namespace tetloft {
@@ -189,6 +190,38 @@ TEST(WriteCnt, ReadsBackBitForBit) {
       }
     }
   }
+}
+
+// Whatever the damage: a stack that is valid, or an error that names the file.
+TEST(ReadCnt, SurvivesDamage) {
+  Prng prng(11);
+  const std::string whole =
+      "S 2\r\nv 7 z -1.5e0\n{\n0 0\n0x1p3 0\n8 8.25\n0 8\n}\n{ 2 2 3 2 2 3 }\nV 3 Z 1\n"
+      "{ 1 1 5 1 1 5 }\n";
+  std::size_t accepted = 0;
+  constexpr std::size_t kTrials = 5000;
+  for (std::size_t trial = 0; trial < kTrials; ++trial) {
+    std::string text = whole;
+    for (std::uint64_t n = prng.below(3) + 1; n > 0 && !text.empty(); --n) {
+      const auto at = static_cast<std::size_t>(prng.below(text.size()));
+      switch (prng.below(4)) {
+        case 0: text[at] = static_cast<char>(prng.below(256)); break;
+        case 1: text.erase(at, static_cast<std::size_t>(prng.below(10))); break;
+        case 2: text.resize(at + 1); break;
+        default: text.insert(at, 1, "0123456789.-+eExXpP{}vVsSzZ \n"[prng.below(29)]); break;
+      }
+    }
+    const auto read = parse_cnt(text, "t.cnt");
+    if (read.ok()) {
+      ++accepted;
+      ASSERT_TRUE(validate(read->stack).ok()) << text;
+    } else {
+      ASSERT_EQ(read.error().code, ErrorCode::invalid_input) << to_string(read.error());
+      ASSERT_EQ(read.error().where.file, "t.cnt");
+    }
+  }
+  EXPECT_GT(accepted, kTrials / 20);
+  EXPECT_LT(accepted, kTrials * 9 / 10);
 }
 
 // One pass: 400 sections with contours of 1,000 vertices are read in time that shows no
