@@ -50,12 +50,16 @@ struct Attempt {
   std::array<std::uint64_t, kRules> rules{};
 };
 
-/// Reconstructs by one criterion and checks. `refusable`: unrepresentable is an answer.
-[[nodiscard]] Attempt attempt(const GeneratedStack& generated, Criterion criterion, bool refusable);
+/// Why a stack may be refused as unrepresentable.
+enum class Excuse : std::uint8_t {
+  none,
+  precision,  ///< features a few ulps wide
+  labels,     ///< regions of one label with no Delaunay edge between them; has no point
+};
+[[nodiscard]] Excuse excuse_of(StackKind kind);
 
-/// True where a stack of the kind may be refused: features a few ulps wide, and labels that
-/// geometry cannot realise.
-[[nodiscard]] bool is_refusable(StackKind kind);
+/// Reconstructs by one criterion and checks.
+[[nodiscard]] Attempt attempt(const GeneratedStack& generated, Criterion criterion, Excuse excuse);
 
 struct KindTally {
   StackKind kind{};
