@@ -82,7 +82,7 @@ struct Pair {
 
 Pair random_pair(Prng& prng) {
   Pair p{BigInteger(0), oracle::BigInt(0)};
-  const std::uint64_t digits = prng.below(5);
+  const std::uint64_t digits = prng.below(11);
   for (std::uint64_t k = 0; k < digits; ++k) {
     // Long runs of zeros and ones exercise carries and borrows.
     const auto kind = prng.below(4);

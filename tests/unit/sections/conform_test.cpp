@@ -317,6 +317,18 @@ TEST(Conform, NamesWhereThereIsNoRoomToSplit) {
   EXPECT_EQ(s.error().where.point->z, 7);
 }
 
+TEST(Conform, RefusesWhereRoundingTurnsAContour) {
+  const double s = 0x1p52;
+  const Contour thin = moved(contour({{10, 11}, {13, 1}, {12, 5}}), 1, {s, s});
+  const Contour near = moved(contour({{4, 12}, {2, 2}, {10, 2}}), 1, {s, s});
+  const Section section = testing::section(0, {thin, near});
+  ASSERT_TRUE(validate(stack({section})).ok());
+  const Result<ConformingSection> result = conform(section, SectionId(0));
+  ASSERT_FALSE(result.ok());
+  EXPECT_EQ(result.error().code, ErrorCode::unrepresentable);
+  EXPECT_EQ(result.error().where.contour, 0U);
+}
+
 // Slivers of a few units in the last place: whatever is delivered is valid.
 TEST(Conform, IsValidOrRefusesOnCoarseLattices) {
   Prng prng(99);

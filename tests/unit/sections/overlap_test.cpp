@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "sections/interiors.hpp"
 #include "support/stacks/generate.hpp"
 #include "unit/sections/shapes.hpp"
 
@@ -155,6 +156,17 @@ TEST(Overlap, AgreesWithClippingOnLattices) {
   EXPECT_GT(empty, 2);
 }
 
+// Just within and just beyond the lattices of 128-bit arithmetic.
+TEST(Overlap, AgreesWithClippingOnLargeLattices) {
+  Prng prng(9);
+  for (const int radius : {1 << 17, (1 << 18) + 12345, 1 << 19, 1 << 24}) {
+    const Region a{random_star(prng, 0, 0, radius, 8)};
+    const Region b{random_star(prng, radius / 3, radius / 5, radius / 2, 6)};
+    expect_exact(a, b);
+    if (HasFatalFailure()) FAIL() << "radius " << radius;
+  }
+}
+
 TEST(Overlap, AgreesWithClippingOffLattices) {
   Prng prng(2);
   for (int round = 0; round < 3; ++round) {
@@ -184,6 +196,9 @@ TEST(Overlap, AgreesWithClippingOnTinyGrids) {
     const Rational exact = overlap_by_clipping(regions[0], regions[1]);
     ASSERT_EQ(ratio(regions[0], regions[1]) == 0, exact.sign() == 0) << "round " << round;
     ASSERT_EQ(sign(regions[0], regions[1], 0), exact.sign()) << "round " << round;
+    // Intervals decide most of these before topology is asked.
+    ASSERT_EQ(sections::interiors_meet(outline_of(regions[0]), outline_of(regions[1])),
+              exact.sign() != 0);
     touching += exact.sign() == 0 ? 1 : 0;
   }
   EXPECT_GT(touching, 100);

@@ -37,7 +37,12 @@ TEST(VoronoiSkeleton, RaysPointAwayFromTheHull) {
     if (!e.ray) continue;
     EXPECT_FALSE(e.right.valid());
     EXPECT_TRUE(e.left.valid());
-    EXPECT_NE(e.to, (Point2{0, 0}));
+    // The triangle's third corner lies on the other side.
+    const Point2& a = s.point(s.edges[e.dual].a);
+    for (const VertexId v : s.triangulation.triangles[e.left]) {
+      if (v == s.edges[e.dual].a || v == s.edges[e.dual].b) continue;
+      EXPECT_LT((s.point(v).x - a.x) * e.to.x + (s.point(v).y - a.y) * e.to.y, 0);
+    }
     down += e.to.x == 0 && e.to.y < 0 ? 1 : 0;
   }
   EXPECT_EQ(down, 1);
