@@ -27,15 +27,37 @@ std::array<std::array<VertexId, 4>, 3> split_prism(const std::array<VertexId, 6>
   return {{{v[0], v[1], v[2], v[4]}, {v[0], v[4], v[2], v[5]}, {v[0], v[4], v[5], v[3]}}};
 }
 
+namespace {
+
+// A cut is at least this many ulps of its coordinates from the corner kept, across the gap
+// and sideways, or rounding would decide the shape of what is left.
+constexpr double kResolution = 0x1p10;
+
+double ulp(double value) { return std::nextafter(value, HUGE_VAL) - value; }
+
+// The share of a distance at which it is resolved by coordinates of this magnitude.
+double resolved_share(double magnitude, double distance) {
+  return distance > 0 ? kResolution * ulp(magnitude) / distance : 0;
+}
+
+}  // namespace
+
 Point3 place_cut(const Cut& cut, const Point3& kept, const Point3& away, double gap) {
   const double dx = away.x - kept.x;
   const double dy = away.y - kept.y;
+  const double dz = away.z - kept.z;
   const double sideways = std::max(std::abs(dx), std::abs(dy)) > 0 ? std::hypot(dx, dy) : 0;
-  double t = cut.towards_half ? 1 - 2 * kSeparation : 0.5 - kSeparation;
+  const double full = cut.towards_half ? 1 - 2 * kSeparation : 0.5 - kSeparation;
   const double lean = (cut.from_lifted ? 0.5 : 1.0) * kLargestLean * gap;
-  if (t * sideways > lean) t = lean / sideways;
+  double t = full;
+  if (t * sideways > lean) {
+    const double floor =
+        std::max(resolved_share(std::max(std::abs(kept.x), std::abs(kept.y)), sideways),
+                 resolved_share(std::max(std::abs(kept.z), std::abs(away.z)), std::abs(dz)));
+    t = std::min(full, std::max(lean / sideways, floor));
+  }
   t *= cut.scale;
-  return {kept.x + t * dx, kept.y + t * dy, kept.z + t * (away.z - kept.z)};
+  return {kept.x + t * dx, kept.y + t * dy, kept.z + t * dz};
 }
 
 namespace {
