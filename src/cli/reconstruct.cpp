@@ -114,17 +114,18 @@ Result<void> verify(const Model& model, const StackInput& input, const Request& 
   return {};
 }
 
+// The surface first: it is the one that can fail for what it is (coordinates beyond STL),
+// and the solid at the same place must then stay as it was.
 Result<void> write_outputs(const Model& model, const Request& request, Console& console) {
-  Result<void> written = write_vtu(request.output, model, request.encoding);
-  if (!written || !request.surface) return written;
-  const auto warnings = write_surface(*request.surface, model, request.encoding);
-  if (!warnings) {
-    // A command that fails leaves no output, also where one of two files was fine.
-    std::remove(request.output.c_str());
-    return warnings.error();
+  if (request.surface) {
+    const auto warnings = write_surface(*request.surface, model, request.encoding);
+    if (!warnings) return warnings.error();
+    for (const Warning& warning : *warnings) console.warn(warning);
   }
-  for (const Warning& warning : *warnings) console.warn(warning);
-  return {};
+  Result<void> written = write_vtu(request.output, model, request.encoding);
+  // A command that fails leaves no output, also where one of two files was fine.
+  if (!written && request.surface) std::remove(request.surface->c_str());
+  return written;
 }
 
 // Wall-clock seconds of what the command line does around the reconstruction.

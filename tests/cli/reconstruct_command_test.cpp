@@ -207,6 +207,9 @@ TEST_F(ReconstructCommand, LeavesNoFileWhenTheSurfaceCannotBeWritten) {
   expect_failure({"reconstruct", in_, "-o", out_, "--surface", folder_.file("s.stl")}, 3,
                  "invalid_input", "float32", {out_, folder_.file("s.stl")});
   EXPECT_EQ(folder_.names().size(), 1U);
+  test::put(out_, "old");
+  EXPECT_EQ(run({"reconstruct", in_, "-o", out_, "--surface", folder_.file("s.stl")}).code, 3);
+  EXPECT_EQ(test::get(out_), "old");
 }
 
 }  // namespace
