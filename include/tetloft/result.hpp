@@ -31,7 +31,7 @@ enum class ErrorCode : int {
 /// Where something is wrong; every part is optional.
 struct Place {
   std::string file;
-  std::optional<std::size_t> line;    ///< one-based
+  std::optional<std::size_t> line;     ///< one-based
   std::optional<std::size_t> section;  ///< zero-based, like all below
   std::optional<std::size_t> slab;     ///< between sections `slab` and `slab + 1`
   std::optional<std::size_t> contour;

@@ -44,6 +44,7 @@ std::vector<Unconnectable> Completion::run() {
       settle_queue();
     }
   }
+  if (left.empty()) fill_convex();
   return left;
 }
 
@@ -58,7 +59,7 @@ void Completion::keep(TetId t, ClassId c) {
   const std::uint8_t mask = own_corners(slab_, classes_, t, c);
   complex_.kept[t] = static_cast<std::uint8_t>(complex_.kept[t] | mask);
   for (int i = 0; i < 4; ++i) {
-    if (((mask >> i) & 1U) != 0) enqueue(slab_.mesh().vertex(t, i));
+    if (has_corner(mask, i)) enqueue(slab_.mesh().vertex(t, i));
   }
 }
 
@@ -109,7 +110,7 @@ void Completion::find_primary_sheet() {
     if (slab_.kind(spoke.tet) != TetKind::t1_internal) continue;
     const std::uint8_t upper = slab_.upper_corners(spoke.tet);
     const bool triangle_above = std::popcount(upper) == 3;
-    if ((((upper >> spoke.corner) & 1U) != 0) != triangle_above) continue;  // p is the apex
+    if (has_corner(upper, spoke.corner) != triangle_above) continue;  // p is the apex
     primary_[k] = 1;
     stack_.push_back(static_cast<std::uint32_t>(k));
   }

@@ -18,6 +18,10 @@
 // While a class is not connected through attached corners: *merge* a detached sheet with
 // its vertex's primary sheet by a shortest path of tets; where there is none, *connect*:
 // keep a tet at the shortest own–own edge of D between two parts.
+//
+// At last *convex filling*: stacked copies of a convex contour would lose their corners,
+// which are redundant tets (CC). Such a tet is added if it lies on the region's side of both
+// its contour edges and adding it is an elementary expansion: topology stays as it is.
 #pragma once
 
 #include <cstdint>
@@ -78,6 +82,10 @@ class Completion {
   [[nodiscard]] bool spoke_kept(std::size_t k) const {
     return complex_.keeps(spokes_[k].tet, spokes_[k].corner);
   }
+
+  void fill_convex();
+  [[nodiscard]] bool is_convex_filling(TetId t) const;
+  [[nodiscard]] bool is_expansion(TetId t);
 
   [[nodiscard]] UnionFind parts() const;
   [[nodiscard]] bool connect_class(ClassId c, const UnionFind& parts);

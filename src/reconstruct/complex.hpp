@@ -28,9 +28,9 @@ struct Complex {
   IdVector<TetId, std::uint8_t> kept;
   IdVector<TetId, std::uint8_t> attached;
 
-  [[nodiscard]] bool keeps(TetId t, int corner) const { return ((kept[t] >> corner) & 1U) != 0; }
+  [[nodiscard]] bool keeps(TetId t, int corner) const { return has_corner(kept[t], corner); }
   [[nodiscard]] bool is_attached(TetId t, int corner) const {
-    return ((attached[t] >> corner) & 1U) != 0;
+    return has_corner(attached[t], corner);
   }
 };
 

@@ -23,7 +23,7 @@ UnionFind Completion::parts() const {
     if (std::popcount(attached) < 2) continue;
     for (int i = 0; i < 4; ++i) {
       for (int j = i + 1; j < 4; ++j) {
-        if (((attached >> i) & (attached >> j) & 1U) == 0) continue;
+        if (!has_corner(attached, i) || !has_corner(attached, j)) continue;
         const VertexId u = slab_.mesh().vertex(t, i);
         const VertexId v = slab_.mesh().vertex(t, j);
         if (classes_.of(u) == classes_.of(v)) {
@@ -147,7 +147,7 @@ std::optional<TetId> Completion::connecting_tet(ClassId c, const UnionFind& part
     if (std::popcount(own) < 2 || (complex_.kept[t] & own) != 0) continue;
     for (int i = 0; i < 4; ++i) {
       for (int j = i + 1; j < 4; ++j) {
-        if (((own >> i) & (own >> j) & 1U) == 0) continue;
+        if (!has_corner(own, i) || !has_corner(own, j)) continue;
         const VertexId u = slab_.mesh().vertex(t, i);
         const VertexId v = slab_.mesh().vertex(t, j);
         if (parts.same(classes_.region(u).index(), classes_.region(v).index())) continue;

@@ -4,7 +4,9 @@
 // Proof. All pieces are positive by the exact predicate, and the boundary surface of the
 // slab's solid has no contact with itself. The degree of the piecewise linear map from the
 // abstract complex to space is locally constant off the image of the boundary; an embedded
-// boundary and positive tets make it 0 or 1 everywhere: no two tets overlap.
+// boundary and positive tets make it 0 or 1 everywhere, unless one component lies inside
+// another or winds twice; but each component meets a section plane, and there only in its
+// regions, which are disjoint and covered once. So no two tets overlap.
 //
 // Where a test fails, the constructed nodes it involves come closer to where they came
 // from: cuts to their kept corner, lifted vertices to their plane, prisms get lower and

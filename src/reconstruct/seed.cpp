@@ -30,7 +30,7 @@ Complex seed(const Slab& slab, const SlabClasses& classes,
       // The triangle's corners are the three in one plane.
       const bool triangle_above = std::popcount(slab.upper_corners(t)) == 3;
       int corner = 0;
-      while ((((slab.upper_corners(t) >> corner) & 1U) != 0) != triangle_above) ++corner;
+      while (has_corner(slab.upper_corners(t), corner) != triangle_above) ++corner;
       keep_for_corner(slab, classes, active, t, corner, mask);
     } else if (kind == TetKind::ii || kind == TetKind::ie || kind == TetKind::ic) {
       for (int i = 0; i < 4; ++i) {
@@ -45,7 +45,7 @@ Complex seed(const Slab& slab, const SlabClasses& classes,
     if (kind == TetKind::ii && mask != 0) {
       ClassId first;
       for (int i = 0; i < 4; ++i) {
-        if (((mask >> i) & 1U) == 0) continue;
+        if (!has_corner(mask, i)) continue;
         const ClassId c = classes.of(slab.mesh().vertex(t, i));
         if (!first.valid()) first = c;
         if (c != first) {

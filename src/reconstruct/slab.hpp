@@ -23,6 +23,9 @@ namespace tetloft {
 [[nodiscard]] Result<TetMesh> slab_delaunay(const ConformingSection& lower,
                                             const ConformingSection& upper);
 
+/// Is corner i in a mask over a tet's corners?
+[[nodiscard]] constexpr bool has_corner(unsigned mask, int i) { return ((mask >> i) & 1U) != 0; }
+
 class Slab {
  public:
   /// A tet of a vertex's star, and which of its corners the vertex is.
@@ -54,7 +57,7 @@ class Slab {
   /// Bit i: corner i lies in the upper plane.
   [[nodiscard]] std::uint8_t upper_corners(TetId t) const { return upper_corners_[t]; }
   [[nodiscard]] bool same_plane(TetId t, int i, int j) const {
-    return ((upper_corners_[t] >> i) & 1U) == ((upper_corners_[t] >> j) & 1U);
+    return has_corner(upper_corners_[t], i) == has_corner(upper_corners_[t], j);
   }
   /// Kind of the in-plane edge between two slab vertices of one plane.
   [[nodiscard]] EdgeKind edge_kind(VertexId u, VertexId v) const;

@@ -1,0 +1,101 @@
+// Convex filling: redundant tets (CC) that lie on the region's side of both their contour
+// edges are added where that changes no topology (see completion.hpp).
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <tetloft/predicates.hpp>
+
+#include "reconstruct/completion.hpp"
+
+namespace tetloft {
+
+namespace {
+
+// Does the whole tet lie on the region's side of the contour edge u v of one plane, in
+// projection?
+bool tet_on_inner_side(const Slab& slab, VertexId u, VertexId v, VertexId w, VertexId x) {
+  const auto flat = [&](VertexId t) { return slab.section_of(t).point(slab.in_section(t)); };
+  if (slab.section_of(u).next[slab.in_section(u)] != slab.in_section(v)) std::swap(u, v);
+  return orient2d(flat(u), flat(v), flat(w)) != Sign::negative &&
+         orient2d(flat(u), flat(v), flat(x)) != Sign::negative;
+}
+
+}  // namespace
+
+bool Completion::is_convex_filling(TetId t) const {
+  if (slab_.kind(t) != TetKind::cc) return false;
+  std::array<VertexId, 4> v = slab_.mesh().vertices(t);
+  const ClassId c = classes_.of(v[0]);
+  if (active_[c] == 0) return false;
+  for (const VertexId u : v) {
+    if (classes_.of(u) != c) return false;
+  }
+  std::stable_partition(v.begin(), v.end(), [&](VertexId u) { return !slab_.is_upper(u); });
+  return tet_on_inner_side(slab_, v[0], v[1], v[2], v[3]) &&
+         tet_on_inner_side(slab_, v[2], v[3], v[0], v[1]);
+}
+
+// Adding a tet is an elementary expansion if it meets the complex in a disc: here in three
+// faces, or in two whose opposite edge is not in the complex. All four corners are own
+// vertices, so fewer faces would leave out a vertex that is in the complex.
+bool Completion::is_expansion(TetId t) {
+  std::array<bool, 4> shared{};
+  int faces = 0;
+  for (int i = 0; i < 4; ++i) {
+    const HalfFaceId h = slab_.mesh().opposite(TetMesh::half_face(t, i));
+    if (!h.valid()) continue;
+    const TetId across = TetMesh::tet_of(h);
+    int kept = 0;
+    int attached = 0;
+    for (int j = 0; j < 4; ++j) {
+      if (j == TetMesh::face_of(h)) continue;
+      kept += complex_.keeps(across, j) ? 1 : 0;
+      attached += complex_.is_attached(across, j) ? 1 : 0;
+    }
+    if (kept == 0) continue;
+    // A sheet detached at one of the corners would be joined to it.
+    if (attached != 3) return false;
+    shared[static_cast<std::size_t>(i)] = true;
+    ++faces;
+  }
+  if (faces == 3) return true;
+  if (faces != 2) return false;
+  // The edge opposite to the one common to both shared faces joins the corners opposite to
+  // them.
+  std::array<int, 2> ends{};
+  int found = 0;
+  for (int i = 0; i < 4; ++i) {
+    if (shared[static_cast<std::size_t>(i)]) ends[static_cast<std::size_t>(found++)] = i;
+  }
+  const VertexId u = slab_.mesh().vertex(t, ends[0]);
+  const VertexId v = slab_.mesh().vertex(t, ends[1]);
+  if (slab_.is_upper(u) == slab_.is_upper(v)) return false;  // a contour edge
+  slab_.ring(t, u, v, ring_);
+  return std::none_of(ring_.begin(), ring_.end(),
+                      [&](TetId r) { return complex_.keeps(r, slab_.mesh().index_in(r, u)); });
+}
+
+void Completion::fill_convex() {
+  std::vector<TetId> candidates;
+  for (std::size_t k = 0; k < slab_.mesh().tet_slots(); ++k) {
+    const TetId t(k);
+    if (complex_.kept[t] == 0 && is_convex_filling(t)) candidates.push_back(t);
+  }
+  for (bool grown = true; grown;) {
+    grown = false;
+    std::vector<TetId> left;
+    for (const TetId t : candidates) {
+      if (!is_expansion(t)) {
+        left.push_back(t);
+        continue;
+      }
+      keep(t, classes_.of(slab_.mesh().vertex(t, 0)));
+      settle_queue();
+      grown = true;
+    }
+    candidates = std::move(left);
+  }
+}
+
+}  // namespace tetloft
