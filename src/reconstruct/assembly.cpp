@@ -58,15 +58,18 @@ class Assembler {
   void add(const Part& part) {
     const SlabSolid& solid = part.solid;
     const std::size_t lows = part.lower.valid() ? sections_[part.lower].vertex_count() : 0;
-    std::vector<VertexId> constructed(solid.constructed.size());  // model ids, when used
-    std::vector<std::uint8_t> used(solid.constructed.size(), 0);
+    // Model ids of constructed nodes. Those that a piece uses are marked first (with any
+    // valid id), then numbered in order.
+    std::vector<VertexId> constructed(solid.constructed.size());
     for (const Piece& piece : solid.pieces) {
       for (const VertexId v : piece.node) {
-        if (v.index() >= solid.section_vertices) used[v.index() - solid.section_vertices] = 1;
+        if (v.index() >= solid.section_vertices) {
+          constructed[v.index() - solid.section_vertices] = VertexId(0);
+        }
       }
     }
-    for (std::size_t k = 0; k < used.size(); ++k) {
-      if (used[k] == 0) continue;
+    for (std::size_t k = 0; k < constructed.size(); ++k) {
+      if (!constructed[k].valid()) continue;
       constructed[k] = add_point(solid.constructed[k], kNoSection, kNoContour, solid.origin[k]);
     }
     const auto model_id = [&](VertexId v) {

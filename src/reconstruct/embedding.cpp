@@ -126,6 +126,12 @@ void Embedding::blame_node(VertexId node, Blame& blame) const {
 
 Embedding::Blame Embedding::find_fault() {
   Blame blame;
+  // Rounding must not have put anything into a section plane.
+  for (std::size_t k = slab_.vertex_count(); k < points_.size(); ++k) {
+    if (slab_.lower().z < points_[k].z && points_[k].z < slab_.upper().z) continue;
+    at_ = points_[k];
+    blame_node(VertexId(k), blame);
+  }
   for (const Piece& piece : pieces_) {
     const auto& [a, b, c, d] = piece.node;
     if (orient3d(points_[a.index()], points_[b.index()], points_[c.index()], points_[d.index()]) ==
