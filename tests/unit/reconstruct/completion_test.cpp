@@ -1,0 +1,234 @@
+// The invariants of completion on generated slabs, against sets.
+#include "reconstruct/completion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <vector>
+
+#include "core/union_find.hpp"
+#include "unit/reconstruct/cases.hpp"
+
+namespace tetloft::testing {
+namespace {
+
+using Triangle = std::set<VertexId>;
+using Edge = std::set<VertexId>;
+
+// Empty if the triangles form a disc, else what is wrong.
+std::string not_a_disc(const std::vector<Triangle>& triangles) {
+  if (triangles.empty()) return "no triangle";
+  std::map<Edge, std::vector<std::size_t>> on_edge;
+  std::set<VertexId> vertices;
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    vertices.insert(triangles[i].begin(), triangles[i].end());
+    for (const VertexId v : triangles[i]) {
+      Edge edge = triangles[i];
+      edge.erase(v);
+      on_edge[edge].push_back(i);
+    }
+  }
+  std::vector<std::size_t> sheet(triangles.size());
+  for (std::size_t i = 0; i < sheet.size(); ++i) sheet[i] = i;
+  std::map<VertexId, std::vector<VertexId>> along_boundary;
+  for (const auto& [edge, at] : on_edge) {
+    if (at.size() > 2) return "an edge of three triangles";
+    const VertexId u = *edge.begin();
+    const VertexId v = *edge.rbegin();
+    if (at.size() == 1) {
+      along_boundary[u].push_back(v);
+      along_boundary[v].push_back(u);
+    } else {
+      const std::size_t from = sheet[at[0]];
+      for (std::size_t& s : sheet) s = s == from ? sheet[at[1]] : s;
+    }
+  }
+  if (std::set<std::size_t>(sheet.begin(), sheet.end()).size() != 1) return "several sheets";
+  if (vertices.size() + triangles.size() != on_edge.size() + 1) return "Euler characteristic not 1";
+  if (along_boundary.empty()) return "no boundary";
+  for (const auto& [v, next] : along_boundary) {
+    if (next.size() != 2) return "a pinched boundary";
+  }
+  std::set<VertexId> walked;
+  std::vector<VertexId> todo{along_boundary.begin()->first};
+  while (!todo.empty()) {
+    const VertexId v = todo.back();
+    todo.pop_back();
+    if (!walked.insert(v).second) continue;
+    for (const VertexId w : along_boundary[v]) todo.push_back(w);
+  }
+  return walked.size() == along_boundary.size() ? "" : "several boundary cycles";
+}
+
+TEST(DiscOracle, TellsDiscsFromWhatIsNone) {
+  const auto t = [](int a, int b, int c) {
+    return Triangle{VertexId(a), VertexId(b), VertexId(c)};
+  };
+  EXPECT_EQ(not_a_disc({t(0, 1, 2), t(1, 2, 3)}), "");
+  EXPECT_NE(not_a_disc({}), "");
+  EXPECT_NE(not_a_disc({t(0, 1, 2), t(3, 4, 5)}), "");
+  EXPECT_NE(not_a_disc({t(0, 1, 2), t(2, 3, 4)}), "");
+  EXPECT_NE(not_a_disc({t(0, 1, 2), t(0, 1, 3), t(0, 2, 3), t(1, 2, 3)}), "");
+  EXPECT_NE(not_a_disc({t(0, 1, 3), t(1, 3, 4), t(1, 2, 4), t(2, 4, 5), t(0, 2, 5), t(0, 3, 5)}),
+            "")
+      << "an annulus";
+}
+
+struct Completed {
+  Complex seed;
+  Complex complex;
+  std::vector<Unconnectable> unconnectable;
+  IdVector<ClassId, std::uint8_t> active;
+};
+
+Completed complete(const SlabCase& c, bool lone_too) {
+  RuleCounts rules{};
+  Completed result;
+  result.active = c.active(lone_too);
+  result.seed = seed(*c.slab, *c.classes, result.active, rules);
+  Completion completion(*c.slab, *c.classes, result.active, result.seed, rules);
+  result.unconnectable = completion.run();
+  result.complex = completion.complex();
+  return result;
+}
+
+// Calls visit(slab case, its completion) for slabs of all kinds, with lone classes in and out.
+template <class Visit>
+void for_each_completion(std::uint64_t seed, const Visit& visit) {
+  for (const NamedSlab& s : generated_slabs(seed, 1)) {
+    for (const bool lone_too : {false, true}) {
+      SCOPED_TRACE(s.name + (lone_too ? ", lone classes too" : ""));
+      const Completed completed = complete(*s.built, lone_too);
+      if (!completed.unconnectable.empty()) continue;  // refined before anything is built
+      visit(*s.built, completed);
+    }
+  }
+}
+
+TEST(Completion, KeepsTheSeed) {
+  for_each_completion(200, [](const SlabCase&, const Completed& c) {
+    for (std::size_t k = 0; k < c.seed.kept.size(); ++k) {
+      const TetId t(k);
+      EXPECT_EQ(c.seed.kept[t] & ~c.complex.kept[t], 0);
+    }
+  });
+}
+
+TEST(Completion, KeptBitsAreEqualAmongCornersOfAClassAndCoverAttachedBits) {
+  for_each_completion(201, [](const SlabCase& s, const Completed& c) {
+    for (std::size_t k = 0; k < c.complex.kept.size(); ++k) {
+      const TetId t(k);
+      EXPECT_EQ(c.complex.attached[t] & ~c.complex.kept[t], 0);
+      std::map<ClassId, std::set<bool>> kept;
+      for (int i = 0; i < 4; ++i) {
+        const ClassId id = s.classes->of(s.slab->mesh().vertex(t, i));
+        kept[id].insert(c.complex.keeps(t, i));
+        if (c.active[id] == 0) {
+          EXPECT_FALSE(c.complex.keeps(t, i));
+        }
+      }
+      for (const auto& [id, bits] : kept) EXPECT_EQ(bits.size(), 1U);
+    }
+  });
+}
+
+TEST(Completion, AttachedTetsAtEveryVertexHaveADiscAsLink) {
+  std::size_t discs = 0;
+  for_each_completion(202, [&](const SlabCase& s, const Completed& c) {
+    for (std::size_t k = 0; k < s.slab->vertex_count(); ++k) {
+      const VertexId v(k);
+      if (c.active[s.classes->of(v)] == 0) continue;
+      std::vector<Triangle> link;
+      for (std::size_t i = 0; i < s.slab->mesh().tet_slots(); ++i) {
+        const TetVertices& corner = s.slab->mesh().vertices(TetId(i));
+        const auto at = std::find(corner.begin(), corner.end(), v);
+        if (at == corner.end()) continue;
+        if (!c.complex.is_attached(TetId(i), static_cast<int>(at - corner.begin()))) continue;
+        Triangle opposite(corner.begin(), corner.end());
+        opposite.erase(v);
+        link.push_back(opposite);
+      }
+      EXPECT_EQ(not_a_disc(link), "") << "at vertex " << k;
+      ++discs;
+    }
+  });
+  EXPECT_GT(discs, 1000U);
+}
+
+TEST(Completion, AttachedSetsOfBothEndsOfAnOwnEdgeAreEqualOrDisjoint) {
+  for_each_completion(203, [](const SlabCase& s, const Completed& c) {
+    struct Sets {
+      std::set<TetId> low, high;
+    };
+    std::map<std::pair<VertexId, VertexId>, Sets> at_edge;
+    for (std::size_t k = 0; k < c.complex.kept.size(); ++k) {
+      const TetId t(k);
+      for (const auto& [i, j] : kEdgeVertex) {
+        const VertexId u = s.slab->mesh().vertex(t, i);
+        const VertexId v = s.slab->mesh().vertex(t, j);
+        if (s.classes->of(u) != s.classes->of(v)) continue;
+        Sets& sets = at_edge[std::minmax(u, v)];
+        if (c.complex.is_attached(t, u < v ? i : j)) sets.low.insert(t);
+        if (c.complex.is_attached(t, u < v ? j : i)) sets.high.insert(t);
+      }
+    }
+    for (const auto& [edge, sets] : at_edge) {
+      if (sets.low == sets.high) continue;
+      for (const TetId t : sets.low) EXPECT_FALSE(sets.high.contains(t));
+    }
+  });
+}
+
+TEST(Completion, EveryActiveClassIsConnectedThroughAttachedCorners) {
+  std::size_t connected = 0;
+  for_each_completion(204, [&](const SlabCase& s, const Completed& c) {
+    // Corners as nodes: those of a tet for one class, and those of a vertex, hang together.
+    UnionFind sets(s.slab->vertex_count());
+    for (std::size_t k = 0; k < c.complex.kept.size(); ++k) {
+      const TetId t(k);
+      for (const auto& [i, j] : kEdgeVertex) {
+        const VertexId u = s.slab->mesh().vertex(t, i);
+        const VertexId v = s.slab->mesh().vertex(t, j);
+        if (s.classes->of(u) == s.classes->of(v) && c.complex.is_attached(t, i) &&
+            c.complex.is_attached(t, j)) {
+          sets.unite(u.index(), v.index());
+        }
+      }
+    }
+    std::map<ClassId, std::set<std::size_t>> bodies;
+    for (std::size_t v = 0; v < s.slab->vertex_count(); ++v) {
+      bodies[s.classes->of(VertexId(v))].insert(sets.find(v));
+    }
+    for (const auto& [id, parts] : bodies) {
+      if (c.active[id] == 0) continue;
+      EXPECT_EQ(parts.size(), 1U);
+      if (!s.classes->is_lone(id)) ++connected;
+    }
+  });
+  EXPECT_GT(connected, 20U);
+}
+
+TEST(SlabClasses, AreTheUnionsOfLinksNumberedByFirstRegion) {
+  const auto c =
+      slab_case(stack_of_boxes({{box(0, 0, 1, 1), box(2, 0, 3, 1), box(4, 0, 5, 1)},
+                                {box(0, 0, 1, 1), box(2, 0, 3, 1)}}),
+                0, {{SlabId(0), RegionId(2), RegionId(0)}, {SlabId(0), RegionId(2), RegionId(1)}});
+  const SlabClasses& classes = *c->classes;
+  ASSERT_EQ(classes.class_count(), 3U);
+  EXPECT_TRUE(classes.is_lone(ClassId(0)));
+  EXPECT_TRUE(classes.is_lone(ClassId(1)));
+  EXPECT_EQ(classes.regions(ClassId(2)),
+            (std::vector<SlabRegionId>{SlabRegionId(2), SlabRegionId(3), SlabRegionId(4)}));
+  EXPECT_TRUE(classes.is_upper(SlabRegionId(3)));
+  EXPECT_EQ(classes.in_section(SlabRegionId(4)), RegionId(1));
+  for (std::size_t v = 0; v < c->slab->vertex_count(); ++v) {
+    const Point3 p = c->slab->point(VertexId(v));
+    const std::size_t column = p.x < 1.5 ? 0 : p.x < 3.5 ? 1 : 2;
+    EXPECT_EQ(classes.region(VertexId(v)), SlabRegionId(p.z == 0 ? column : 3 + column));
+  }
+}
+
+}  // namespace
+}  // namespace tetloft::testing

@@ -1,0 +1,158 @@
+// Types of tets, type-1 tets of triangles, rings and stars, against definitions read off
+// the triangles.
+#include "reconstruct/slab.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <vector>
+
+#include "unit/reconstruct/cases.hpp"
+
+namespace tetloft::testing {
+namespace {
+
+// The kind of an in-plane edge, from the triangles on it alone.
+EdgeKind kind_by_triangles(const ConformingSection& section, VertexId u, VertexId v) {
+  std::size_t inside = 0;
+  std::size_t outside = 0;
+  for (std::size_t k = 0; k < section.triangulation.triangles.size(); ++k) {
+    const TriangleVertices& t = section.triangulation.triangles[TriangleId(k)];
+    if (std::count(t.begin(), t.end(), u) + std::count(t.begin(), t.end(), v) != 2) continue;
+    ++(section.internal[TriangleId(k)] != 0 ? inside : outside);
+  }
+  if (inside == 2) return EdgeKind::internal;
+  return inside == 0 ? EdgeKind::external : EdgeKind::contour;
+}
+
+TetKind kind_by_definition(const SlabCase& c, TetId t) {
+  std::vector<VertexId> low;
+  std::vector<VertexId> high;
+  for (const VertexId v : c.slab->mesh().vertices(t)) {
+    if (v.index() < c.lower.vertex_count()) {
+      low.push_back(v);
+    } else {
+      high.push_back(VertexId(v.index() - c.lower.vertex_count()));
+    }
+  }
+  if (low.size() != 2) {
+    const ConformingSection& section = low.size() == 3 ? c.lower : c.upper;
+    const auto& corner = low.size() == 3 ? low : high;
+    const TriangleId on = section.find_triangle(corner.at(0), corner.at(1), corner.at(2));
+    return section.internal[on] != 0 ? TetKind::t1_internal : TetKind::t1_external;
+  }
+  const std::multiset<EdgeKind> kinds{kind_by_triangles(c.lower, low.at(0), low.at(1)),
+                                      kind_by_triangles(c.upper, high.at(0), high.at(1))};
+  static const std::map<std::multiset<EdgeKind>, TetKind> kKinds{
+      {{EdgeKind::internal, EdgeKind::internal}, TetKind::ii},
+      {{EdgeKind::internal, EdgeKind::external}, TetKind::ie},
+      {{EdgeKind::internal, EdgeKind::contour}, TetKind::ic},
+      {{EdgeKind::external, EdgeKind::external}, TetKind::ee},
+      {{EdgeKind::external, EdgeKind::contour}, TetKind::ec},
+      {{EdgeKind::contour, EdgeKind::contour}, TetKind::cc}};
+  return kKinds.at(kinds);
+}
+
+TEST(Slab, TypesOfTetsFollowTheirInPlaneTrianglesAndEdges) {
+  std::set<TetKind> met;
+  for (const NamedSlab& s : generated_slabs(100, 1)) {
+    SCOPED_TRACE(s.name);
+    const Slab& slab = *s.built->slab;
+    for (std::size_t k = 0; k < slab.mesh().tet_slots(); ++k) {
+      ASSERT_EQ(slab.kind(TetId(k)), kind_by_definition(*s.built, TetId(k))) << k;
+      met.insert(slab.kind(TetId(k)));
+    }
+  }
+  EXPECT_EQ(met.size(), 8U) << "all types but prisms";
+}
+
+TEST(Slab, EveryInPlaneTriangleHasExactlyOneTypeOneTet) {
+  for (const NamedSlab& s : generated_slabs(101, 1)) {
+    SCOPED_TRACE(s.name);
+    const Slab& slab = *s.built->slab;
+    std::map<std::set<VertexId>, int> tets_on;
+    for (std::size_t k = 0; k < slab.mesh().tet_slots(); ++k) {
+      for (const bool upper : {false, true}) {
+        std::set<VertexId> corners;
+        for (const VertexId v : slab.mesh().vertices(TetId(k))) {
+          if (slab.is_upper(v) == upper) corners.insert(v);
+        }
+        if (corners.size() == 3) ++tets_on[corners];
+      }
+    }
+    const std::size_t triangles = s.built->lower.triangulation.triangles.size() +
+                                  s.built->upper.triangulation.triangles.size();
+    EXPECT_EQ(tets_on.size(), triangles);
+    for (const auto& [corners, count] : tets_on) EXPECT_EQ(count, 1);
+  }
+}
+
+TEST(Slab, StarsHoldTheTetsOfTheMeshById) {
+  for (const NamedSlab& s : generated_slabs(102, 1)) {
+    SCOPED_TRACE(s.name);
+    const Slab& slab = *s.built->slab;
+    std::size_t corners = 0;
+    for (std::size_t v = 0; v < slab.vertex_count(); ++v) {
+      std::vector<TetId> tets;
+      for (const Slab::StarEntry& entry : slab.star(VertexId(v))) {
+        EXPECT_EQ(slab.mesh().vertex(entry.tet, entry.corner), VertexId(v));
+        tets.push_back(entry.tet);
+      }
+      ASSERT_EQ(tets, slab.mesh().star(VertexId(v)));
+      corners += tets.size();
+    }
+    EXPECT_EQ(corners, 4 * slab.mesh().tet_slots());
+  }
+}
+
+// Equal up to direction; cycles have the same start.
+bool same_ring(std::vector<TetId> ring, const std::vector<TetId>& expected, bool cycle) {
+  if (ring == expected) return true;
+  std::reverse(ring.begin() + (cycle ? 1 : 0), ring.end());
+  return ring == expected;
+}
+
+TEST(Slab, RingsAgreeWithThoseOfTheMesh) {
+  std::size_t cycles = 0;
+  std::size_t paths = 0;
+  for (const NamedSlab& s : generated_slabs(103, 1)) {
+    SCOPED_TRACE(s.name);
+    const Slab& slab = *s.built->slab;
+    std::vector<TetId> ring;
+    for (std::size_t k = 0; k < slab.mesh().tet_slots(); ++k) {
+      const TetId t(k);
+      for (const auto& [i, j] : kEdgeVertex) {
+        const VertexId p = slab.mesh().vertex(t, i);
+        const VertexId q = slab.mesh().vertex(t, j);
+        const bool cycle = slab.ring(t, p, q, ring);
+        ++(cycle ? cycles : paths);
+        ASSERT_TRUE(same_ring(ring, slab.mesh().ring(p, q, t), cycle));
+        ASSERT_EQ(cycle, slab.mesh().classify_link(p, q) == LinkKind::sphere);
+      }
+    }
+  }
+  EXPECT_GT(cycles, 0U);
+  EXPECT_GT(paths, 0U);
+}
+
+TEST(Slab, FindsATetAtEveryInPlaneEdge) {
+  for (const NamedSlab& s : generated_slabs(104, 1)) {
+    SCOPED_TRACE(s.name);
+    const Slab& slab = *s.built->slab;
+    for (const bool upper : {false, true}) {
+      const ConformingSection& section = upper ? s.built->upper : s.built->lower;
+      const std::size_t offset = upper ? s.built->lower.vertex_count() : 0;
+      for (std::size_t e = 0; e < section.edges.size(); ++e) {
+        const TetId t = slab.tet_at_edge(upper, EdgeId(e));
+        const auto& edge = section.edges[EdgeId(e)];
+        EXPECT_GE(slab.mesh().index_in(t, VertexId(edge.a.index() + offset)), 0);
+        EXPECT_GE(slab.mesh().index_in(t, VertexId(edge.b.index() + offset)), 0);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace tetloft::testing
