@@ -30,7 +30,7 @@ class StepClock {
 Error no_room(SlabId id, const Point3& at,
               const char* what =
                   "doubles leave no room for a valid model here: features are too "
-                  "close for the coordinates' precision") {
+                  "close for the coordinates' precision (snapping them to a lattice may help)") {
   Place place;
   place.slab = id.index();
   place.point = at;
