@@ -111,6 +111,12 @@ TEST(Provenance, HasOneEntryForEachTetAndPoint) {
   }
 }
 
+TEST(Progress, NeverExceedsItsTotal) {
+  ReconstructOptions options = with_labels("0 0 1\n0 1 3\n1 0 1\n1 1 2");
+  options.progress = [](std::size_t done, std::size_t all) { EXPECT_LE(done, all); };
+  ASSERT_TRUE(reconstruct(sample("cases/shielded.cnt"), options).ok());
+}
+
 TEST(Progress, CountsUpToItsTotal) {
   for (const unsigned threads : {1U, 3U}) {
     std::vector<std::size_t> done;
