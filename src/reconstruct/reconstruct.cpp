@@ -159,7 +159,7 @@ class Reconstructor {
                                                      correspondence_.links[SlabId(k)]);
           if (!solid) return solid.error();
           parts_[k] = {SlabId(k), below, above, std::move(solid.value())};
-          step_done();
+          if (refinements_ == 0) step_done();  // each slab counts once
           return std::nullopt;
         });
   }
