@@ -65,8 +65,8 @@ bool is_excused(const Error& error, Excuse excuse) {
   if (error.code != ErrorCode::unrepresentable || !names_a_place(error.where)) return false;
   switch (excuse) {
     case Excuse::none: return false;
-    case Excuse::precision: return true;
-    case Excuse::labels: return !error.where.point;
+    case Excuse::precision:
+    case Excuse::labels: return true;
   }
   return false;
 }

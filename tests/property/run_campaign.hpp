@@ -54,7 +54,8 @@ struct Attempt {
 enum class Excuse : std::uint8_t {
   none,
   precision,  ///< features a few ulps wide
-  labels,     ///< regions of one label with no Delaunay edge between them; has no point
+  labels,     ///< regions of one label that nothing joins, or that only slivers of a few ulps
+              ///< between nearly parallel edges join (a known limit)
 };
 [[nodiscard]] Excuse excuse_of(StackKind kind);
 
