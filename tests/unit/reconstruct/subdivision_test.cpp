@@ -145,7 +145,7 @@ TEST(Subdivision, MeanOfNamesTheParentsCornersOfANode) {
       for (std::size_t i = 0; i < 4; ++i) {
         std::set<VertexId> named;
         for (int corner = 0; corner < 4; ++corner) {
-          if (((child.mean_of[i] >> corner) & 1U) != 0) {
+          if (has_corner(child.mean_of[i], corner)) {
             named.insert(c.slab->mesh().vertex(child.parent, corner));
           }
         }
