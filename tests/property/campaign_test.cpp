@@ -41,6 +41,8 @@ TEST_F(Campaign, EveryModelKeepsTheGuarantees) {
 }
 
 TEST_F(Campaign, EveryRuleFiresAtLeastTenTimes) {
+  // The shorter campaign under sanitizers looks for faults, not for coverage.
+  if (TETLOFT_CAMPAIGN_COUNT < 20) GTEST_SKIP();
   for (const Rule rule : rare_rules(*result_, 10)) {
     ADD_FAILURE() << name_of(rule) << " fired " << result_->rules[static_cast<std::size_t>(rule)]
                   << " times";
