@@ -101,25 +101,6 @@ constexpr int kOrient3dBits = 20;  // 6 · 2^60
 constexpr int kIncircleBits = 14;  // 20 · 2^56
 constexpr int kInsphereBits = 11;  // 72 · 2^55
 
-/// (q − p) × (s − r).
-Answer exact_cross(const Point3& p, const Point3& q, const Point3& r, const Point3& s) {
-  return exact_sign<kOrient2dBits>(
-      std::array{q.x, q.y, s.x, s.y}, std::array{p.x, p.y, r.x, r.y}, kOrient2dRange,
-      [](const auto& d) { return orient2d_determinant(d[0], d[1], d[2], d[3]); });
-}
-
-/// See two_plane_insphere_determinant.
-Answer exact_two_three(const Point3& p, const Point3& q, const Point3& r, const Point3& s,
-                       const Point3& t) {
-  return exact_sign<kIncircleBits>(
-      std::array{q.x, q.y, s.x, s.y, t.x, t.y, r.x, r.y, s.x, s.y, t.x, t.y},
-      std::array{p.x, p.y, r.x, r.y, r.x, r.y, p.x, p.y, p.x, p.y, p.x, p.y}, kIncircleRange,
-      [](const auto& d) {
-        return two_plane_insphere_determinant(d[0], d[1], d[2], d[3], d[4], d[5], d[6], d[7], d[8],
-                                              d[9], d[10], d[11]);
-      });
-}
-
 Point2 flat(const Point3& p) { return {p.x, p.y}; }
 
 Answer incircle_of(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
@@ -195,6 +176,23 @@ Answer exact_orient2d(const Point2& a, const Point2& b, const Point2& c) {
       [](const auto& d) { return orient2d_determinant(d[0], d[1], d[2], d[3]); });
 }
 
+Answer exact_cross(const Point2& p, const Point2& q, const Point2& r, const Point2& s) {
+  return exact_sign<kOrient2dBits>(
+      std::array{q.x, q.y, s.x, s.y}, std::array{p.x, p.y, r.x, r.y}, kOrient2dRange,
+      [](const auto& d) { return orient2d_determinant(d[0], d[1], d[2], d[3]); });
+}
+
+Answer exact_two_plane_insphere(const Point2& p, const Point2& q, const Point2& r, const Point2& s,
+                                const Point2& t) {
+  return exact_sign<kIncircleBits>(
+      std::array{q.x, q.y, s.x, s.y, t.x, t.y, r.x, r.y, s.x, s.y, t.x, t.y},
+      std::array{p.x, p.y, r.x, r.y, r.x, r.y, p.x, p.y, p.x, p.y, p.x, p.y}, kIncircleRange,
+      [](const auto& d) {
+        return two_plane_insphere_determinant(d[0], d[1], d[2], d[3], d[4], d[5], d[6], d[7], d[8],
+                                              d[9], d[10], d[11]);
+      });
+}
+
 Answer exact_orient3d(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
   if (const auto p = split_by_plane(std::array{&a, &b, &c, &d})) {
     switch (p->first) {
@@ -202,7 +200,9 @@ Answer exact_orient3d(const Point3& a, const Point3& b, const Point3& c, const P
       // Moving the apex p0 to the end is odd, and it lies gap() below its base.
       case 1: return times(p->gap(), orient2d_of((*p)[1], (*p)[2], (*p)[3]));
       // det(q, r, s) relative to p with heights 0, h, h is −h q × (s − r).
-      default: return times(-p->gap(), exact_cross((*p)[0], (*p)[1], (*p)[2], (*p)[3]));
+      default:
+        return times(-p->gap(),
+                     exact_cross(flat((*p)[0]), flat((*p)[1]), flat((*p)[2]), flat((*p)[3])));
     }
   }
   return exact_sign<kOrient3dBits>(
@@ -228,7 +228,9 @@ Answer exact_insphere(const Point3& a, const Point3& b, const Point3& c, const P
       case 0: return {Sign::zero, &Stages::lattice};
       // Moving p0 to the fourth place is odd, and it lies gap() below the circle.
       case 1: return times(p->gap(), incircle_of((*p)[1], (*p)[2], (*p)[3], (*p)[4]));
-      default: return times(p->gap(), exact_two_three((*p)[0], (*p)[1], (*p)[2], (*p)[3], (*p)[4]));
+      default:
+        return times(p->gap(), exact_two_plane_insphere(flat((*p)[0]), flat((*p)[1]), flat((*p)[2]),
+                                                        flat((*p)[3]), flat((*p)[4])));
     }
   }
   return exact_sign<kInsphereBits>(

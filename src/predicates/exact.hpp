@@ -21,4 +21,13 @@ struct Answer {
 [[nodiscard]] Answer exact_insphere(const Point3& a, const Point3& b, const Point3& c,
                                     const Point3& d, const Point3& e);
 
+/// The sign of (q − p) × (s − r).
+[[nodiscard]] Answer exact_cross(const Point2& p, const Point2& q, const Point2& r,
+                                 const Point2& s);
+/// For r, s, t counter-clockwise in one plane of constant z and p, q in another: positive iff
+/// the sphere through r, s, t and p does not hold q, that is, if the circumcentre of r, s, t is
+/// nearer to p. See two_plane_insphere_determinant.
+[[nodiscard]] Answer exact_two_plane_insphere(const Point2& p, const Point2& q, const Point2& r,
+                                              const Point2& s, const Point2& t);
+
 }  // namespace tetloft::predicates

@@ -92,6 +92,28 @@ inline int incircle_filter(const Point2& a, const Point2& b, const Point2& c, co
                       kIncircleError * mx * my * (mx * mx + my * my) + kTiny);
 }
 
+/// k = 11 (5 for a difference of lifts, 3 for a minor, a product, two sums). In the largest
+/// differences: qlift · (ux vy − uy vx) is at most 2 mx my (mx² + my²), and each of the two
+/// other products 4 mx my (mx² + my²), as ulift and vlift have factors that are sums of two.
+inline constexpr double kTwoPlaneInsphereError = (11 * 10 + 1) * kRounding;
+
+/// See exact_two_plane_insphere.
+inline int two_plane_insphere_filter(const Point2& p, const Point2& q, const Point2& r,
+                                     const Point2& s, const Point2& t) {
+  const double qx = q.x - p.x, qy = q.y - p.y;
+  const double ux = s.x - r.x, uy = s.y - r.y;
+  const double vx = t.x - r.x, vy = t.y - r.y;
+  const double rx = r.x - p.x, ry = r.y - p.y;
+  const double sx = s.x - p.x, sy = s.y - p.y;
+  const double tx = t.x - p.x, ty = t.y - p.y;
+  const double mx = std::max(largest(qx, ux, vx), largest(rx, sx, tx));
+  const double my = std::max(largest(qy, uy, vy), largest(ry, sy, ty));
+  if (!(std::max(mx, my) <= kLargest)) return 0;
+  return certain_sign(
+      two_plane_insphere_determinant(qx, qy, ux, uy, vx, vy, rx, ry, sx, sy, tx, ty),
+      kTwoPlaneInsphereError * mx * my * (mx * mx + my * my) + kTiny);
+}
+
 inline int insphere_filter(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
                            const Point3& e) {
   const double ax = a.x - e.x, ay = a.y - e.y, az = a.z - e.z;

@@ -1,0 +1,59 @@
+// See nearer.hpp.
+#include "delaunay3/nearer.hpp"
+
+#include <tetloft/predicates.hpp>
+
+#include "core/check.hpp"
+#include "predicates/counting.hpp"
+#include "predicates/exact.hpp"
+#include "predicates/filter.hpp"
+
+namespace tetloft::delaunay3_detail {
+
+namespace {
+
+using predicates::Stages;
+
+}  // namespace
+
+int turn_between(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
+  // The derivation of orient2d_filter holds: all four factors are differences.
+  const double left = (b.x - a.x) * (d.y - c.y);
+  const double right = (b.y - a.y) * (d.x - c.x);
+  const double bound =
+      predicates::kOrient2dError * (std::abs(left) + std::abs(right)) + predicates::kOrient2dTiny;
+  if (const int s = predicates::certain_sign(left - right, bound); s != 0) return s;
+  return static_cast<int>(predicates::exact_cross(a, b, c, d).sign);
+}
+
+bool Nearer::decide(TriangleId t, VertexId p, VertexId q) const {
+  const auto corner = [&](std::uint32_t i) {
+    return centres_->apex(PlaneDiagram::half_edge(t, i % 3));
+  };
+  const auto at = [&](std::uint32_t i) -> const Point2& { return centres_->point(corner(i)); };
+  const Point2& a = sites_->point(p);
+  const Point2& b = sites_->point(q);
+  if (const int s = predicates::two_plane_insphere_filter(a, b, at(0), at(1), at(2)); s != 0) {
+    predicates::count(&PredicateCounters::insphere, &Stages::filter);
+    return s > 0;
+  }
+  const predicates::Answer exact = predicates::exact_two_plane_insphere(a, b, at(0), at(1), at(2));
+  if (exact.sign != Sign::zero) {
+    predicates::count(&PredicateCounters::insphere, exact.stage);
+    return exact.sign == Sign::positive;
+  }
+  // Cospherical. The latest of the five in canonical order (by plane, then as ids) is raised
+  // by infinitely more than the others. A raised site is farther from everything.
+  predicates::count(&PredicateCounters::insphere, &Stages::symbolic);
+  if (sites_above_) return p < q;
+  // A raised corner attracts the circumcentre along the bisector of the edge opposite, to its
+  // left. Where that edge is parallel to p q this leads to neither, and the next corner decides.
+  // Triangles start at their lowest vertex.
+  const std::uint32_t latest = corner(1) < corner(2) ? 2 : 1;
+  for (const std::uint32_t i : {latest, 3 - latest}) {
+    if (const int turn = turn_between(at(i + 1), at(i + 2), a, b); turn != 0) return turn < 0;
+  }
+  TETLOFT_CHECK(false);  // two edges of a triangle are not parallel
+}
+
+}  // namespace tetloft::delaunay3_detail

@@ -1,0 +1,89 @@
+// The Voronoi diagram of one section, read off its Delaunay triangulation: half-edges with
+// a ghost triangle behind every hull edge, and the circumcentre of every triangle with a
+// proven bound of its error.
+//
+// Half-edge h = 3 t + i is the edge of triangle t opposite its vertex i, counter-clockwise
+// around t. It is dual to the Voronoi edge that runs, seen in the direction of h, from right
+// to left: from the circumcentre of the triangle across to that of t. Triangles from
+// finite_count() on are ghosts with the ghost as vertex 0, hence their half-edge 0 is the hull
+// edge: their "circumcentre" is the end at infinity of the ray dual to it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <tetloft/delaunay.hpp>
+#include <tetloft/ids.hpp>
+#include <tetloft/point.hpp>
+
+namespace tetloft::delaunay3_detail {
+
+/// A half-edge of a planar triangulation.
+using HalfEdgeId = Id<struct PlaneHalfEdgeTag>;
+
+/// A circumcentre as computed. The true one lies within `radius` along each axis; infinite or
+/// NaN where no bound is proven.
+struct Circumcentre {
+  double x;
+  double y;
+  double radius;
+};
+
+class PlaneDiagram {
+ public:
+  static constexpr VertexId kGhostVertex{0xFFFFFFFEU};
+
+  /// Requires a triangle at least, vertices in canonical order, and fewer than 2^29 of them.
+  /// Keeps a reference to the points.
+  explicit PlaneDiagram(const Triangulation2& triangulation);
+
+  /// The largest magnitude of a coordinate.
+  [[nodiscard]] double reach() const;
+  /// Gives all circumcentres an infinite radius: for points so far out that computing with
+  /// centres could overflow.
+  void distrust_centres();
+
+  [[nodiscard]] std::size_t vertex_count() const { return points_->size(); }
+  [[nodiscard]] std::size_t finite_count() const { return centre_.size(); }
+  /// Ghost triangles included.
+  [[nodiscard]] std::size_t triangle_count() const { return apex_.size() / 3; }
+  [[nodiscard]] std::size_t half_edge_count() const { return apex_.size(); }
+  [[nodiscard]] bool is_ghost(TriangleId t) const { return t.index() >= centre_.size(); }
+  [[nodiscard]] const Point2& point(VertexId v) const { return (*points_)[v]; }
+  /// Of a finite triangle.
+  [[nodiscard]] const Circumcentre& centre(TriangleId t) const { return centre_[t]; }
+
+  [[nodiscard]] static TriangleId triangle(HalfEdgeId h) { return TriangleId(h.value() / 3); }
+  [[nodiscard]] static HalfEdgeId half_edge(TriangleId t, std::uint32_t i) {
+    return HalfEdgeId(3 * t.value() + i);
+  }
+  [[nodiscard]] static HalfEdgeId next(HalfEdgeId h) {
+    return HalfEdgeId(h.value() % 3 == 2 ? h.value() - 2 : h.value() + 1);
+  }
+  [[nodiscard]] static HalfEdgeId previous(HalfEdgeId h) {
+    return HalfEdgeId(h.value() % 3 == 0 ? h.value() + 2 : h.value() - 1);
+  }
+  [[nodiscard]] HalfEdgeId opposite(HalfEdgeId h) const { return opposite_[h]; }
+  [[nodiscard]] VertexId apex(HalfEdgeId h) const { return apex_[h]; }
+  [[nodiscard]] VertexId origin(HalfEdgeId h) const { return apex_[next(h)]; }
+  [[nodiscard]] VertexId destination(HalfEdgeId h) const { return apex_[previous(h)]; }
+  [[nodiscard]] TriangleId left(HalfEdgeId h) const { return triangle(h); }
+  [[nodiscard]] TriangleId right(HalfEdgeId h) const { return triangle(opposite_[h]); }
+  /// The next half-edge with the same origin, counter-clockwise and clockwise.
+  [[nodiscard]] HalfEdgeId turn_left(HalfEdgeId h) const { return opposite_[previous(h)]; }
+  [[nodiscard]] HalfEdgeId turn_right(HalfEdgeId h) const { return next(opposite_[h]); }
+
+ private:
+  void glue(HalfEdgeId a, HalfEdgeId b) {
+    opposite_[a] = b;
+    opposite_[b] = a;
+  }
+
+  const IdVector<VertexId, Point2>* points_;
+  IdVector<HalfEdgeId, VertexId> apex_;  // the vertex a half-edge is opposite to
+  IdVector<HalfEdgeId, HalfEdgeId> opposite_;
+  IdVector<TriangleId, Circumcentre> centre_;  // of finite triangles
+};
+
+}  // namespace tetloft::delaunay3_detail

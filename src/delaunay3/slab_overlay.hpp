@@ -1,0 +1,40 @@
+// The 3D Delaunay triangulation of two parallel planes, from the 2D triangulations of each:
+// the overlay of their Voronoi diagrams (Boissonnat, CVGIP 44, 1988; see src/
+// delaunay3/README.md, "Two planes").
+//
+// A point c of the plane together with a height is the centre of an empty sphere through a
+// site of each plane: the nearest below and the nearest above. Hence the tets are the vertices
+// of the overlay:
+// - type 1 below: a triangle of the lower plane with the upper site whose cell holds its
+//   circumcentre; type 1 above likewise;
+// - type 2: an edge of each plane whose Voronoi edges cross.
+// Tets are neighbours along the pieces into which the overlay cuts Voronoi edges.
+//
+// All sites carry infinitesimal weights (predicates.hpp): no vertex of one diagram lies on
+// the other and no Voronoi edges overlap, so the overlay has no special cases.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <tetloft/delaunay.hpp>
+#include <tetloft/ids.hpp>
+#include <tetloft/tet_mesh.hpp>
+
+namespace tetloft::delaunay3_detail {
+
+/// Tets of two planes; vertices are the lower plane's, then the upper's.
+struct SlabTets {
+  /// Positive if the upper plane is above. Type 1 below by triangle, type 1 above by triangle,
+  /// then type 2.
+  std::vector<TetVertices> tets;
+  /// opposite[4 t + i]: the half-face across, or invalid on the hull.
+  std::vector<HalfFaceId> opposite;
+};
+
+/// The unique perturbed triangulation. Linear in vertices and tets but for turning around
+/// vertices of high degree. Requires two triangulations with triangles, vertices in canonical
+/// order, together fewer than 2^29 vertices. Empty where it would take 2^30 tets.
+[[nodiscard]] SlabTets slab_overlay(const Triangulation2& lower, const Triangulation2& upper);
+
+}  // namespace tetloft::delaunay3_detail
