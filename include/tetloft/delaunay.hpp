@@ -16,6 +16,18 @@
 
 namespace tetloft {
 
+/// How a 3D triangulation is computed; the result is the same.
+enum class DelaunayEngine : std::uint8_t {
+  automatic,    ///< slab where all points lie on two planes of constant z, else incremental
+  incremental,  ///< insertion of point after point, for any points
+  slab,         ///< overlay of two plane Voronoi diagrams, for points on two planes only
+};
+[[nodiscard]] const char* name_of(DelaunayEngine engine);
+
+struct Delaunay3Options {
+  DelaunayEngine engine = DelaunayEngine::automatic;
+};
+
 /// The 3D Delaunay triangulation of a point set.
 struct Delaunay3 {
   /// Vertices are the input points by index. Tets are positive, numbered canonically: each
@@ -30,12 +42,16 @@ struct Delaunay3 {
   /// duplicate is in no tet.
   IdVector<VertexId, VertexId> representative;
   std::size_t duplicates = 0;
+  /// The engine that ran.
+  DelaunayEngine engine = DelaunayEngine::incremental;
 };
 
 /// Incremental insertion (Bowyer 1981; Watson 1981) in spatially sorted order with a
-/// ghost vertex. Refused (invalid_input) where a coordinate is not finite, naming the
-/// vertex.
-[[nodiscard]] Result<Delaunay3> delaunay3(std::span<const Point3> points);
+/// ghost vertex, or slab_delaunay3(). Refused (invalid_input) where a coordinate is not finite,
+/// naming the vertex, and where the slab engine is asked for but the points do not lie on two
+/// planes of constant z, three at least on each and not in a row.
+[[nodiscard]] Result<Delaunay3> delaunay3(std::span<const Point3> points,
+                                          const Delaunay3Options& options = {});
 
 /// A triangulation of points in the plane with its Voronoi dual.
 struct Triangulation2 {
@@ -51,6 +67,16 @@ struct Triangulation2 {
 /// The 2D Delaunay triangulation. Vertices are the input points by index; of duplicates
 /// only the lowest index is used. Refused where a coordinate is not finite.
 [[nodiscard]] Result<Triangulation2> delaunay2(std::span<const Point2> points);
+
+/// The 3D Delaunay triangulation of two planes of constant z, given the triangulation of each:
+/// the overlay of their Voronoi diagrams (Boissonnat 1988). It does not depend on the distance
+/// of the planes. Tets and their numbering are those of delaunay3 for the points of `lower`,
+/// then of `upper`, in some plane above. Linear in vertices and tets.
+/// Requires of both: Delaunay triangulations as by delaunay2, with triangles, their points
+/// distinct and in canonical order; together fewer than 2^29. Refused (invalid_input) where
+/// that does not hold, as far as it shows from sizes and order, and at 2^30 tets or more.
+[[nodiscard]] Result<TetMesh> slab_delaunay3(const Triangulation2& lower,
+                                             const Triangulation2& upper);
 
 /// A segment to be respected, by the indices of its ends.
 using Segment = std::array<VertexId, 2>;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <tetloft/correspondence.hpp>
+#include <tetloft/delaunay.hpp>
 #include <tetloft/model.hpp>
 #include <tetloft/result.hpp>
 #include <tetloft/sections.hpp>
@@ -25,6 +26,8 @@ enum class Ends : std::uint8_t {
 struct ReconstructOptions {
   CorrespondenceOptions correspondence;
   Ends ends = Ends::flat;
+  /// The engine that triangulates the slabs; automatic means slab. The result is the same.
+  DelaunayEngine delaunay = DelaunayEngine::automatic;
   /// Thickness of the solid made from a single section, centred on its plane. Without it a
   /// tenth of the larger side of the bounding box is taken, and a warning given.
   std::optional<double> thickness;

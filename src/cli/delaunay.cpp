@@ -2,6 +2,7 @@
 #include <tetloft/tetloft.hpp>
 
 #include "cli/commands.hpp"
+#include "cli/engine_option.hpp"
 #include "cli/outputs.hpp"
 
 namespace tetloft::cli {
@@ -13,6 +14,9 @@ Usage usage() {
           "The Delaunay triangulation of points in space.",
           {"POINTS"},
           {{"--output", "OUT.vtu", "write the tets, a VTK XML file", "-o"},
+           {"--engine", "NAME",
+            "auto (default): slab where all points lie on two planes of constant z, else "
+            "incremental; or one of these. The tets are the same"},
            {"--threads", "N", "0 to 1024; taken for later: the engine runs on one thread"},
            kJsonOption,
            kQuietOption,
@@ -43,6 +47,8 @@ Result<int> run(const Arguments& arguments, Console& console) {
   if (const auto threads = arguments.integer("--threads", 0, 1024); !threads) {
     return threads.error();
   }
+  const auto engine = engine_option(arguments, "--engine");
+  if (!engine) return engine.error();
   const auto output = arguments.text("--output");
   if (output) {
     Result<void> checked = check_output("--output (-o)", *output, {".vtu"}, {arguments.operand(0)});
@@ -51,7 +57,7 @@ Result<int> run(const Arguments& arguments, Console& console) {
   const auto points = read_points(arguments.operand(0));
   if (!points) return points.error();
   const Stopwatch triangulating;
-  const Result<Delaunay3> delaunay = delaunay3(*points);
+  const Result<Delaunay3> delaunay = delaunay3(*points, {.engine = *engine});
   const double seconds = triangulating.seconds();
   if (!delaunay) {
     Error error = delaunay.error();
@@ -71,6 +77,7 @@ Result<int> run(const Arguments& arguments, Console& console) {
     json.member("seconds", seconds);
     json.member("duplicates", delaunay->duplicates);
     json.member("dimension", delaunay->dimension);
+    json.member("engine", name_of(delaunay->engine));
     write_warnings(json, console.warnings());
     json.end_object();
     console.print(json.text());

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "cli/commands.hpp"
+#include "cli/engine_option.hpp"
 #include "cli/outputs.hpp"
 #include "cli/progress.hpp"
 #include "cli/stack_input.hpp"
@@ -28,6 +29,9 @@ Usage usage() {
                "the ends of the stack: flat (default) at the outer sections, or half a gap "
                "beyond them"},
         Option{"--thickness", "T", "of the solid made of a single section, above 0"},
+        Option{"--delaunay", "ENGINE",
+               "slab (default) or incremental: what triangulates the slabs; the result is the "
+               "same"},
         Option{"--threads", "N", "0 (default: all processors) to 1024; the result is the same"},
         Option{"--verify", "", "check the result; write nothing and exit with 70 if it fails"},
         Option{"--ascii", "", "write numbers as text that reads back exactly"}, kJsonOption,
@@ -83,6 +87,9 @@ Result<Request> request_of(const Arguments& arguments, Console& console) {
                        " is not above 0");
   }
   request.options.thickness = *thickness;
+  const auto engine = engine_option(arguments, "--delaunay");
+  if (!engine) return engine.error();
+  request.options.delaunay = *engine;
   const auto threads = arguments.integer("--threads", 0, 1024);
   if (!threads) return threads.error();
   request.options.threads = static_cast<unsigned>(threads->value_or(0));

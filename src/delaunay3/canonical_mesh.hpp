@@ -1,4 +1,4 @@
-// The finite tets of the engine as a mesh in canonical numbering: the order of insertion,
+// The finite tets of an engine as a mesh in canonical numbering: the order of insertion,
 // recycled slots and ghosts leave no trace.
 #pragma once
 
@@ -9,9 +9,14 @@
 #include <tetloft/ids.hpp>
 #include <tetloft/tet_mesh.hpp>
 
-#include "delaunay3/incremental.hpp"
-
 namespace tetloft::delaunay3_detail {
+
+/// Tets as an engine leaves them. Slots are skipped whose vertex 0 is no vertex: ghosts and
+/// dead ones. opposite[4 t + i] is a half-face, perhaps of a ghost, or invalid on the hull.
+struct TetArrays {
+  std::span<const TetVertices> tets;
+  std::span<const HalfFaceId> opposite;
+};
 
 /// How the engine's vertices are named outside.
 struct VertexNames {
@@ -25,6 +30,6 @@ struct VertexNames {
 
 /// The finite tets, numbered as struct Delaunay3 says. Linear in tets but for sorting the
 /// tets that share their lowest vertex.
-[[nodiscard]] TetMesh canonical_mesh(const Delaunay3Builder& built, const VertexNames& names);
+[[nodiscard]] TetMesh canonical_mesh(const TetArrays& built, const VertexNames& names);
 
 }  // namespace tetloft::delaunay3_detail

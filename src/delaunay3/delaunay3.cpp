@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "delaunay3/affine_basis.hpp"
 #include "delaunay3/canonical_mesh.hpp"
 #include "delaunay3/incremental.hpp"
+#include "delaunay3/slab_overlay.hpp"
 #include "delaunay3/spatial_order.hpp"
 
 namespace tetloft {
@@ -89,38 +91,151 @@ std::vector<T> picked(const std::vector<T>& items, std::span<const std::uint32_t
   return result;
 }
 
-Result<Delaunay3> triangulate(std::span<const Point3> points) {
-  if (Result<void> checked = fp_self_check(); !checked) return checked.error();
-  if (Result<void> checked = check_points(points); !checked) return checked.error();
+// Of points on two planes of constant z in canonical order: how many lie on the lower one; 0
+// for all other points.
+std::size_t count_below(std::span<const Point3> points) {
+  if (points.empty() || points.front().z == points.back().z) return 0;
+  const auto above = std::partition_point(points.begin(), points.end(),
+                                          [&](const Point3& p) { return p.z == points.front().z; });
+  return above->z == points.back().z ? static_cast<std::size_t>(above - points.begin()) : 0;
+}
 
-  Delaunay3 out;
-  RankedPoints ranked = rank_points(points, out);
+Result<Triangulation2> triangulate_plane(std::span<const Point3> points) {
+  std::vector<Point2> flat;
+  flat.reserve(points.size());
+  for (const Point3& p : points) flat.push_back({p.x, p.y});
+  return delaunay2(flat);
+}
+
+// Names of vertices that are in canonical order already.
+std::vector<std::uint32_t> identity(std::size_t n) {
+  std::vector<std::uint32_t> names(n);
+  std::iota(names.begin(), names.end(), 0U);
+  return names;
+}
+
+Error too_many_tets() {
+  return {ErrorCode::invalid_input, "the triangulation takes 2^30 tets or more", {}};
+}
+
+// By the overlay of the two planes' Voronoi diagrams. Nothing where the points are not on two
+// planes, or one of them has no triangles.
+Result<bool> overlay_planes(const RankedPoints& ranked, Delaunay3& out) {
+  const std::span<const Point3> points(ranked.point);
+  const std::size_t below = count_below(points);
+  if (below < 3 || points.size() - below < 3) return false;
+  const Result<Triangulation2> lower = triangulate_plane(points.first(below));
+  if (!lower) return lower.error();
+  const Result<Triangulation2> upper = triangulate_plane(points.subspan(below));
+  if (!upper) return upper.error();
+  if (lower->triangles.empty() || upper->triangles.empty()) return false;
+  const delaunay3_detail::SlabTets slab = delaunay3_detail::slab_overlay(*lower, *upper);
+  if (slab.tets.empty()) return too_many_tets();
+  const std::vector<std::uint32_t> rank_of = identity(points.size());
+  out.mesh = delaunay3_detail::canonical_mesh(
+      {slab.tets, slab.opposite},
+      {.rank_of = rank_of, .input_of = ranked.input_of, .input_count = out.representative.size()});
+  out.dimension = 3;
+  out.engine = DelaunayEngine::slab;
+  return true;
+}
+
+Result<bool> insert_points(RankedPoints& ranked, Delaunay3& out) {
+  out.engine = DelaunayEngine::incremental;
   // order[v]: rank of the vertex inserted as v-th.
   std::vector<std::uint32_t> order = delaunay3_detail::insertion_order(ranked.point);
   std::vector<Point3> inserted = picked(ranked.point, order);
   const delaunay3_detail::AffineBasis basis = delaunay3_detail::affine_basis(inserted);
   out.dimension = basis.dimension;
   if (basis.dimension < 3) {
-    out.mesh = TetMesh::from_adjacency(points.size(), {}, {});
-    return out;
+    out.mesh = TetMesh::from_adjacency(out.representative.size(), {}, {});
+    return true;
   }
   move_to_front(order, basis.place);
   inserted = picked(ranked.point, order);
   ranked.point = {};
 
   delaunay3_detail::Delaunay3Builder builder{IdVector<VertexId, Point3>(std::move(inserted))};
-  if (!builder.insert_all()) {
-    return Error{ErrorCode::invalid_input, "the triangulation takes 2^30 tets or more", {}};
-  }
+  if (!builder.insert_all()) return too_many_tets();
   out.mesh = delaunay3_detail::canonical_mesh(
-      builder, {.rank_of = order, .input_of = ranked.input_of, .input_count = points.size()});
+      builder.arrays(),
+      {.rank_of = order, .input_of = ranked.input_of, .input_count = out.representative.size()});
+  return true;
+}
+
+Result<Delaunay3> triangulate(std::span<const Point3> points, DelaunayEngine engine) {
+  if (Result<void> checked = fp_self_check(); !checked) return checked.error();
+  if (Result<void> checked = check_points(points); !checked) return checked.error();
+  Delaunay3 out;
+  RankedPoints ranked = rank_points(points, out);
+  Result<bool> done = false;
+  if (engine != DelaunayEngine::incremental) done = overlay_planes(ranked, out);
+  if (done && !*done) {
+    if (engine == DelaunayEngine::slab) {
+      return Error{ErrorCode::invalid_input,
+                   "the slab engine takes points on two planes of constant z, three at least on "
+                   "each and not in a row",
+                   {}};
+    }
+    done = insert_points(ranked, out);
+  }
+  if (!done) return done.error();
   return out;
+}
+
+Result<void> check_planes(const Triangulation2& lower, const Triangulation2& upper) {
+  constexpr std::size_t kMostVertices = std::size_t{1} << 29;
+  if (lower.points.size() + upper.points.size() >= kMostVertices) {
+    return Error{ErrorCode::invalid_input, "2^29 vertices or more", {}};
+  }
+  for (const Triangulation2* plane : {&lower, &upper}) {
+    if (plane->triangles.empty()) {
+      return Error{ErrorCode::invalid_input, "a plane without triangles", {}};
+    }
+    if (plane->neighbours.size() != plane->triangles.size()) {
+      return Error{ErrorCode::invalid_input, "a plane without all neighbours of triangles", {}};
+    }
+    for (std::size_t i = 1; i < plane->points.size(); ++i) {
+      const VertexId v(i);
+      if (canonical_less(plane->points[VertexId(i - 1)], plane->points[v])) continue;
+      Error error{ErrorCode::invalid_input, "points are not in canonical order", {}};
+      error.where.vertex = i;
+      return error;
+    }
+  }
+  return {};
+}
+
+Result<TetMesh> triangulate_slab(const Triangulation2& lower, const Triangulation2& upper) {
+  if (Result<void> checked = fp_self_check(); !checked) return checked.error();
+  if (Result<void> checked = check_planes(lower, upper); !checked) return checked.error();
+  const delaunay3_detail::SlabTets slab = delaunay3_detail::slab_overlay(lower, upper);
+  if (slab.tets.empty()) return too_many_tets();
+  const std::size_t n = lower.points.size() + upper.points.size();
+  const std::vector<std::uint32_t> rank_of = identity(n);
+  std::vector<VertexId> input_of(n);
+  for (std::size_t i = 0; i < n; ++i) input_of[i] = VertexId(i);
+  return delaunay3_detail::canonical_mesh(
+      {slab.tets, slab.opposite}, {.rank_of = rank_of, .input_of = input_of, .input_count = n});
 }
 
 }  // namespace
 
-Result<Delaunay3> delaunay3(std::span<const Point3> points) {
-  return guard_internal([&] { return triangulate(points); });
+const char* name_of(DelaunayEngine engine) {
+  switch (engine) {
+    case DelaunayEngine::automatic: return "auto";
+    case DelaunayEngine::incremental: return "incremental";
+    case DelaunayEngine::slab: return "slab";
+  }
+  return "unknown";
+}
+
+Result<Delaunay3> delaunay3(std::span<const Point3> points, const Delaunay3Options& options) {
+  return guard_internal([&] { return triangulate(points, options.engine); });
+}
+
+Result<TetMesh> slab_delaunay3(const Triangulation2& lower, const Triangulation2& upper) {
+  return guard_internal([&] { return triangulate_slab(lower, upper); });
 }
 
 }  // namespace tetloft

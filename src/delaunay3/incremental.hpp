@@ -17,6 +17,8 @@
 #include <tetloft/point.hpp>
 #include <tetloft/tet_mesh.hpp>
 
+#include "delaunay3/canonical_mesh.hpp"
+
 namespace tetloft::delaunay3_detail {
 
 /// The vertex at infinity. In a ghost tet it is vertex 0, always.
@@ -32,15 +34,9 @@ class Delaunay3Builder {
   /// vertices from there on, where it would take 2^30 tet slots or more.
   [[nodiscard]] bool insert_all();
 
-  /// Slots, live or not, finite or ghost.
-  [[nodiscard]] std::size_t tet_slots() const { return tets_.size(); }
-  /// Live and not a ghost tet. Valid after insert_all().
-  [[nodiscard]] bool is_finite(TetId t) const {
-    return tets_[t][0].valid() && tets_[t][0] != kGhost;
-  }
-  [[nodiscard]] const TetVertices& vertices(TetId t) const { return tets_[t]; }
-  /// The half-face across h; valid in every live tet.
-  [[nodiscard]] HalfFaceId opposite(HalfFaceId h) const { return opposite_[h]; }
+  /// All slots: of ghost tets vertex 0 is kGhost, of dead ones it is invalid. Valid after
+  /// insert_all().
+  [[nodiscard]] TetArrays arrays() const { return {tets_.raw(), opposite_.raw()}; }
 
  private:
   // A facet of the horizon, the boundary of the conflict zone: its half-face in the tet

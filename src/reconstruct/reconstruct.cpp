@@ -143,7 +143,7 @@ class Reconstructor {
     if (sections_[below].vertex_count() == 0 || sections_[above].vertex_count() == 0) {
       return std::nullopt;
     }
-    Result<TetMesh> d = slab_delaunay(sections_[below], sections_[above]);
+    Result<TetMesh> d = slab_delaunay(sections_[below], sections_[above], options_.delaunay);
     if (!d) return d.error();
     links = reverse_links(slab, Slab(sections_[below], sections_[above], std::move(d.value())));
     return std::nullopt;
@@ -155,8 +155,9 @@ class Reconstructor {
         slab_count(), options_.threads, [&](std::size_t k) -> std::optional<Error> {
           const SectionId below(k);
           const SectionId above(k + 1);
-          Result<SlabSolid> solid = build_slab_solid(SlabId(k), sections_[below], sections_[above],
-                                                     correspondence_.links[SlabId(k)]);
+          Result<SlabSolid> solid =
+              build_slab_solid(SlabId(k), sections_[below], sections_[above],
+                               correspondence_.links[SlabId(k)], options_.delaunay);
           if (!solid) return solid.error();
           parts_[k] = {SlabId(k), below, above, std::move(solid.value())};
           if (refinements_ == 0) step_done();  // each slab counts once

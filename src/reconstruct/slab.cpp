@@ -2,20 +2,22 @@
 
 #include <algorithm>
 
-#include <tetloft/delaunay.hpp>
-
 #include "core/check.hpp"
 
 namespace tetloft {
 
-Result<TetMesh> slab_delaunay(const ConformingSection& lower, const ConformingSection& upper) {
+Result<TetMesh> slab_delaunay(const ConformingSection& lower, const ConformingSection& upper,
+                              DelaunayEngine engine) {
+  if (engine != DelaunayEngine::incremental) {
+    return slab_delaunay3(lower.triangulation, upper.triangulation);
+  }
   std::vector<Point3> points;
   points.reserve(lower.vertex_count() + upper.vertex_count());
   for (std::size_t i = 0; i < lower.vertex_count(); ++i)
     points.push_back(lower.point3(VertexId(i)));
   for (std::size_t i = 0; i < upper.vertex_count(); ++i)
     points.push_back(upper.point3(VertexId(i)));
-  Result<Delaunay3> d = delaunay3(points);
+  Result<Delaunay3> d = delaunay3(points, {.engine = engine});
   if (!d) return d.error();
   TETLOFT_CHECK(d->dimension == 3 && d->duplicates == 0);
   return std::move(d->mesh);

@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include <tetloft/delaunay.hpp>
 #include <tetloft/model.hpp>
 #include <tetloft/result.hpp>
 #include <tetloft/sections.hpp>
@@ -18,10 +19,9 @@
 
 namespace tetloft {
 
-/// D of a slab: canonical tets over the points of both planes, lower first. Any engine
-/// that yields the unique perturbed triangulation can stand behind it.
+/// D of a slab: canonical tets over the points of both planes, lower first.
 [[nodiscard]] Result<TetMesh> slab_delaunay(const ConformingSection& lower,
-                                            const ConformingSection& upper);
+                                            const ConformingSection& upper, DelaunayEngine engine);
 
 /// Is corner i in a mask over a tet's corners?
 [[nodiscard]] constexpr bool has_corner(unsigned mask, int i) { return ((mask >> i) & 1U) != 0; }

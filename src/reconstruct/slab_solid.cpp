@@ -56,10 +56,11 @@ void extrude_all(const ConformingSection& section, double z, SlabSolid& solid) {
 }
 
 Result<SlabSolid> build_between(SlabId id, const ConformingSection& lower,
-                                const ConformingSection& upper, const std::vector<Link>& links) {
+                                const ConformingSection& upper, const std::vector<Link>& links,
+                                DelaunayEngine engine) {
   SlabSolid solid;
   StepClock clock(solid.seconds);
-  Result<TetMesh> d = slab_delaunay(lower, upper);
+  Result<TetMesh> d = slab_delaunay(lower, upper, engine);
   if (!d) return d.error();
   const Slab slab(lower, upper, std::move(d.value()));
   clock.end(Step::delaunay);
@@ -127,14 +128,15 @@ SlabSolid build_end(const ConformingSection& section, double z) {
 }
 
 Result<SlabSolid> build_slab_solid(SlabId id, const ConformingSection& lower,
-                                   const ConformingSection& upper, const std::vector<Link>& links) {
+                                   const ConformingSection& upper, const std::vector<Link>& links,
+                                   DelaunayEngine engine) {
   const bool has_lower = lower.vertex_count() > 0;
   const bool has_upper = upper.vertex_count() > 0;
   const double middle = lower.z + 0.5 * (upper.z - lower.z);
   if (!(lower.z < middle && middle < upper.z)) {
     return no_room(id, {0, 0, lower.z}, "no double lies between the two section planes");
   }
-  if (has_lower && has_upper) return build_between(id, lower, upper, links);
+  if (has_lower && has_upper) return build_between(id, lower, upper, links, engine);
   if (has_lower) return build_end(lower, middle);
   if (has_upper) return build_end(upper, middle);
   return SlabSolid{};
