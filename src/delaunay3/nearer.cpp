@@ -26,18 +26,30 @@ int turn_between(const Point2& a, const Point2& b, const Point2& c, const Point2
   return static_cast<int>(predicates::exact_cross(a, b, c, d).sign);
 }
 
-bool Nearer::decide(TriangleId t, VertexId p, VertexId q) const {
+// The ray dual to a hull edge leaves to the left of the ghost's half-edge 0. Parallel to the
+// bisector it stays on the side where it starts.
+bool Bisector::decide_ghost(TriangleId t) const {
+  const PlaneDiagram& centres = *planes_->centres;
+  const HalfEdgeId hull = PlaneDiagram::half_edge(t, 0);
+  const int turn = turn_between(b_, a_, centres.point(centres.origin(hull)),
+                                centres.point(centres.destination(hull)));
+  return turn != 0 ? turn < 0 : nearer_to_first(centres.right(hull));
+}
+
+bool Bisector::decide(TriangleId t) const {
+  if (planes_->centres->is_ghost(t)) return decide_ghost(t);
   const auto corner = [&](std::uint32_t i) {
-    return centres_->apex(PlaneDiagram::half_edge(t, i % 3));
+    return planes_->centres->apex(PlaneDiagram::half_edge(t, i % 3));
   };
-  const auto at = [&](std::uint32_t i) -> const Point2& { return centres_->point(corner(i)); };
-  const Point2& a = sites_->point(p);
-  const Point2& b = sites_->point(q);
-  if (const int s = predicates::two_plane_insphere_filter(a, b, at(0), at(1), at(2)); s != 0) {
+  const auto at = [&](std::uint32_t i) -> const Point2& {
+    return planes_->centres->point(corner(i));
+  };
+  if (const int s = predicates::two_plane_insphere_filter(a_, b_, at(0), at(1), at(2)); s != 0) {
     predicates::count(&PredicateCounters::insphere, &Stages::filter);
     return s > 0;
   }
-  const predicates::Answer exact = predicates::exact_two_plane_insphere(a, b, at(0), at(1), at(2));
+  const predicates::Answer exact =
+      predicates::exact_two_plane_insphere(a_, b_, at(0), at(1), at(2));
   if (exact.sign != Sign::zero) {
     predicates::count(&PredicateCounters::insphere, exact.stage);
     return exact.sign == Sign::positive;
@@ -45,13 +57,13 @@ bool Nearer::decide(TriangleId t, VertexId p, VertexId q) const {
   // Cospherical. The latest of the five in canonical order (by plane, then as ids) is raised
   // by infinitely more than the others. A raised site is farther from everything.
   predicates::count(&PredicateCounters::insphere, &Stages::symbolic);
-  if (sites_above_) return p < q;
+  if (planes_->sites_above) return p_ < q_;
   // A raised corner attracts the circumcentre along the bisector of the edge opposite, to its
   // left. Where that edge is parallel to p q this leads to neither, and the next corner decides.
   // Triangles start at their lowest vertex.
   const std::uint32_t latest = corner(1) < corner(2) ? 2 : 1;
   for (const std::uint32_t i : {latest, 3 - latest}) {
-    if (const int turn = turn_between(at(i + 1), at(i + 2), a, b); turn != 0) return turn < 0;
+    if (const int turn = turn_between(at(i + 1), at(i + 2), a_, b_); turn != 0) return turn < 0;
   }
   TETLOFT_CHECK(false);  // two edges of a triangle are not parallel
 }

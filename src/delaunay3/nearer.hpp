@@ -18,36 +18,44 @@ namespace tetloft::delaunay3_detail {
 /// Filters answer for coordinates up to here; PlaneDiagram::distrust_centres() beyond.
 inline constexpr double kFarthestFiltered = 0x1p+400;
 
-class Nearer {
- public:
-  /// `centres` and `sites`: the diagrams of two planes, `sites_above` telling which is the
-  /// upper one.
-  Nearer(const PlaneDiagram& centres, const PlaneDiagram& sites, bool sites_above)
-      : centres_(&centres), sites_(&sites), sites_above_(sites_above) {}
+/// The diagrams of two planes: `centres` are those of one, `sites` the vertices of the other.
+struct CentresAndSites {
+  const PlaneDiagram* centres;
+  const PlaneDiagram* sites;
+  bool sites_above;
+};
 
-  /// Is the circumcentre of the finite triangle t nearer to p than to q, perturbed?
-  /// (1) Swapping p and q negates the answer, for p ≠ q. (2) For p, q the vertices of an edge
-  /// of `sites`: the side of its Voronoi edge's line.
-  [[nodiscard]] bool operator()(TriangleId t, VertexId p, VertexId q) const {
+/// The line of points equally near to two sites p ≠ q.
+class Bisector {
+ public:
+  Bisector(const CentresAndSites& planes, VertexId p, VertexId q)
+      : planes_(&planes),
+        p_(p),
+        q_(q),
+        a_(planes.sites->point(p)),
+        b_(planes.sites->point(q)),
+        ex_(a_.x - b_.x),
+        ey_(a_.y - b_.y) {}
+
+  /// Is the circumcentre of triangle t nearer to p than to q, perturbed? Of a ghost: does its
+  /// ray end there? Swapping p and q negates the answer.
+  [[nodiscard]] bool nearer_to_first(TriangleId t) const {
     // |c − q|² − |c − p|² = (p − q) · ((c − p) + (c − q)). Rounding: at most 2 u in each sum
     // of two differences, relative to their magnitudes, and u for the other difference, the
     // product and the last sum: 5 u, raised by one for higher orders. The circumcentre's own
     // error counts twice. Underflow: see orient2d_filter. Overflow: with coordinates up to
     // kFarthestFiltered no product exceeds 2^805, as centres with a bound are within 2^400 of
     // their triangle.
-    const Circumcentre& c = centres_->centre(t);
-    const Point2& a = sites_->point(p);
-    const Point2& b = sites_->point(q);
-    const double ex = a.x - b.x, ey = a.y - b.y;
-    const double ax = c.x - a.x, bx = c.x - b.x;
-    const double ay = c.y - a.y, by = c.y - b.y;
-    const double value = ex * (ax + bx) + ey * (ay + by);
-    const double bound =
-        std::abs(ex) * (kCentre * c.radius + kError * (std::abs(ax) + std::abs(bx))) +
-        std::abs(ey) * (kCentre * c.radius + kError * (std::abs(ay) + std::abs(by))) + kTiny;
-    if (value > bound) return true;
-    if (value < -bound) return false;
-    return decide(t, p, q);
+    const Circumcentre& c = planes_->centres->centre(t);
+    const double ax = c.x - a_.x, bx = c.x - b_.x;
+    const double ay = c.y - a_.y, by = c.y - b_.y;
+    const double value = ex_ * (ax + bx) + ey_ * (ay + by);
+    const double bound = kError * (std::abs(ex_) * (std::abs(ax) + std::abs(bx)) +
+                                   std::abs(ey_) * (std::abs(ay) + std::abs(by))) +
+                         (kCentre * (std::abs(ex_) + std::abs(ey_)) * c.radius + kTiny);
+    if (std::abs(value) > bound) [[likely]]
+      return value > 0;
+    return decide(t);
   }
 
  private:
@@ -55,11 +63,16 @@ class Nearer {
   static constexpr double kCentre = 2 + 0x1p-40;
   static constexpr double kTiny = 0x1p-900;
 
-  [[nodiscard]] bool decide(TriangleId t, VertexId p, VertexId q) const;
+  [[nodiscard]] bool decide(TriangleId t) const;
+  [[nodiscard]] bool decide_ghost(TriangleId t) const;
 
-  const PlaneDiagram* centres_;
-  const PlaneDiagram* sites_;
-  bool sites_above_;
+  const CentresAndSites* planes_;
+  VertexId p_;
+  VertexId q_;
+  Point2 a_;
+  Point2 b_;
+  double ex_;
+  double ey_;
 };
 
 /// The sign of (b − a) × (d − c): positive iff turning from a → b to c → d is a left turn.

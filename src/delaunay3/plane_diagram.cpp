@@ -32,8 +32,10 @@ constexpr double kTiny = 0x1p-399;
 // Users of centres compute squares of their distances.
 constexpr double kFarthestCentre = 0x1p+400;
 
+// A radius that no filter answers with.
+constexpr double kUnknown = HUGE_VAL;
+
 Circumcentre circumcentre_with_bound(const Point2& a, const Point2& b, const Point2& c) {
-  constexpr double kUnknown = HUGE_VAL;
   const double px = b.x - a.x, py = b.y - a.y;
   const double qx = c.x - a.x, qy = c.y - a.y;
   const double left = px * qy, right = py * qx;
@@ -61,54 +63,86 @@ Circumcentre circumcentre_with_bound(const Point2& a, const Point2& b, const Poi
   return {centre_x, centre_y, kHigherOrder * radius};
 }
 
+// An order of the triangles in which neighbours in the plane are mostly near in memory: by
+// cells of a grid, column by column, up and down in turns. Canonical order is by x alone,
+// hence vertices are cut into columns by number. Small sets fit the cache as they are.
+IdVector<TriangleId, TriangleId> near_in_memory(const Triangulation2& plane) {
+  constexpr std::size_t kSmall = 4096;
+  constexpr double kVerticesInCell = 16;
+  const std::size_t n = plane.points.size();
+  IdVector<TriangleId, TriangleId> order(plane.triangles.size());
+  for (std::size_t k = 0; k < order.size(); ++k) order[TriangleId(k)] = TriangleId(k);
+  double low = HUGE_VAL;
+  double high = -HUGE_VAL;
+  for (const Point2& p : plane.points) {
+    low = std::min(low, p.y);
+    high = std::max(high, p.y);
+  }
+  const double extent = high - low;
+  if (n < kSmall || !(extent > 0 && extent < HUGE_VAL)) return order;
+
+  const auto side = static_cast<std::size_t>(std::sqrt(static_cast<double>(n) / kVerticesInCell));
+  const auto cell_of = [&](TriangleId t) {
+    const VertexId v = plane.triangles[t][0];
+    const std::size_t column = v.index() * side / n;
+    const double height = (plane.points[v].y - low) / extent;
+    const auto row =
+        std::min(side - 1, static_cast<std::size_t>(height * static_cast<double>(side)));
+    return column * side + (column % 2 == 0 ? row : side - 1 - row);
+  };
+  std::vector<std::uint32_t> cell(order.size());
+  std::vector<std::uint32_t> first(side * side + 1);
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    cell[k] = static_cast<std::uint32_t>(cell_of(TriangleId(k)));
+    ++first[cell[k] + 1];
+  }
+  for (std::size_t c = 0; c < side * side; ++c) first[c + 1] += first[c];
+  for (std::size_t k = 0; k < order.size(); ++k)
+    order[TriangleId(first[cell[k]]++)] = TriangleId(k);
+  return order;
+}
+
 }  // namespace
 
-PlaneDiagram::PlaneDiagram(const Triangulation2& triangulation) : points_(&triangulation.points) {
+PlaneDiagram::PlaneDiagram(const Triangulation2& triangulation)
+    : points_(&triangulation.points), finite_count_(triangulation.triangles.size()) {
   const auto& triangles = triangulation.triangles;
   TETLOFT_CHECK(!triangles.empty());
-  centre_.reserve(triangles.size());
-  for (const TriangleVertices& t : triangles) {
-    centre_.push_back(circumcentre_with_bound(point(t[0]), point(t[1]), point(t[2])));
-  }
+  const IdVector<TriangleId, TriangleId> input_of = near_in_memory(triangulation);
+  IdVector<TriangleId, TriangleId> place_of(triangles.size());
+  for (std::size_t k = 0; k < triangles.size(); ++k)
+    place_of[input_of[TriangleId(k)]] = TriangleId(k);
 
-  std::size_t hull = 0;
-  for (const auto& across : triangulation.neighbours) {
-    for (const TriangleId u : across) hull += u.valid() ? 0U : 1U;
+  triangles_.reserve(triangles.size() + triangles.size() / 16 + 16);
+  for (const TriangleId t : input_of) {
+    const TriangleVertices& v = triangles[t];
+    triangles_.push_back({v, {}, circumcentre_with_bound(point(v[0]), point(v[1]), point(v[2]))});
   }
-  apex_.reserve(3 * (triangles.size() + hull));
-  opposite_.reserve(3 * (triangles.size() + hull));
   for (std::size_t k = 0; k < triangles.size(); ++k) {
-    const TriangleId t(k);
+    const TriangleId t = input_of[TriangleId(k)];
     for (std::uint32_t i = 0; i < 3; ++i) {
-      apex_.push_back(triangles[t][i]);
       const TriangleId u = triangulation.neighbours[t][i];
-      if (!u.valid()) {
-        opposite_.push_back(HalfEdgeId());
-        continue;
-      }
+      if (!u.valid()) continue;
       const auto& back = triangulation.neighbours[u];
-      const std::uint32_t j = back[0] == t ? 0U : (back[1] == t ? 1U : 2U);
-      opposite_.push_back(half_edge(u, j));
+      set_opposite(half_edge(TriangleId(k), i),
+                   half_edge(place_of[u], back[0] == t ? 0U : (back[1] == t ? 1U : 2U)));
     }
   }
 
   // Each vertex of the hull has one hull edge that leaves it: the convex hull is one cycle.
   IdVector<VertexId, HalfEdgeId> to_ghost(points_->size());
-  for (std::size_t k = 0; k < 3 * triangles.size(); ++k) {
-    const HalfEdgeId h(k);
-    if (opposite_[h].valid()) continue;
-    const TriangleId ghost(apex_.size() / 3);
-    const VertexId from = origin(h);
-    const VertexId to = destination(h);
-    for (const VertexId v : {kGhostVertex, to, from}) {
-      apex_.push_back(v);
-      opposite_.push_back(HalfEdgeId());
+  for (std::size_t k = 0; k < triangles.size(); ++k) {
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const HalfEdgeId h = half_edge(TriangleId(k), i);
+      if (opposite(h).valid()) continue;
+      const TriangleId ghost =
+          triangles_.push_back({{kGhostVertex, destination(h), origin(h)}, {}, {0, 0, kUnknown}});
+      glue(h, half_edge(ghost, 0));
+      to_ghost[origin(h)] = half_edge(ghost, 1);  // origin → ghost
     }
-    glue(h, half_edge(ghost, 0));
-    to_ghost[from] = half_edge(ghost, 1);  // from → ghost
   }
   for (std::size_t k = triangles.size(); k < triangle_count(); ++k) {
-    const HalfEdgeId back = half_edge(TriangleId(k), 2);  // ghost → to
+    const HalfEdgeId back = half_edge(TriangleId(k), 2);  // ghost → destination
     glue(back, to_ghost[destination(back)]);
   }
 }
@@ -122,7 +156,7 @@ double PlaneDiagram::reach() const {
 }
 
 void PlaneDiagram::distrust_centres() {
-  for (Circumcentre& c : centre_) c.radius = HUGE_VAL;
+  for (Triangle& t : triangles_) t.centre.radius = kUnknown;
 }
 
 }  // namespace tetloft::delaunay3_detail

@@ -2,13 +2,14 @@
 // a ghost triangle behind every hull edge, and the circumcentre of every triangle with a
 // proven bound of its error.
 //
-// Half-edge h = 3 t + i is the edge of triangle t opposite its vertex i, counter-clockwise
+// Half-edge h = 4 t + i, i < 3, is the edge of triangle t opposite its vertex i, counter-clockwise
 // around t. It is dual to the Voronoi edge that runs, seen in the direction of h, from right
 // to left: from the circumcentre of the triangle across to that of t. Triangles from
 // finite_count() on are ghosts with the ghost as vertex 0, hence their half-edge 0 is the hull
 // edge: their "circumcentre" is the end at infinity of the ray dual to it.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -34,8 +35,8 @@ class PlaneDiagram {
  public:
   static constexpr VertexId kGhostVertex{0xFFFFFFFEU};
 
-  /// Requires a triangle at least, vertices in canonical order, and fewer than 2^29 of them.
-  /// Keeps a reference to the points.
+  /// Triangles get numbers of their own. Requires a triangle at least, vertices in canonical order,
+  /// and fewer than 2^29 of them. Keeps a reference to the points.
   explicit PlaneDiagram(const Triangulation2& triangulation);
 
   /// The largest magnitude of a coordinate.
@@ -45,45 +46,56 @@ class PlaneDiagram {
   void distrust_centres();
 
   [[nodiscard]] std::size_t vertex_count() const { return points_->size(); }
-  [[nodiscard]] std::size_t finite_count() const { return centre_.size(); }
+  [[nodiscard]] std::size_t finite_count() const { return finite_count_; }
   /// Ghost triangles included.
-  [[nodiscard]] std::size_t triangle_count() const { return apex_.size() / 3; }
-  [[nodiscard]] std::size_t half_edge_count() const { return apex_.size(); }
-  [[nodiscard]] bool is_ghost(TriangleId t) const { return t.index() >= centre_.size(); }
+  [[nodiscard]] std::size_t triangle_count() const { return triangles_.size(); }
+  /// Half-edges and the unused ids between them.
+  [[nodiscard]] std::size_t half_edge_slots() const { return 4 * triangles_.size(); }
+  [[nodiscard]] bool is_ghost(TriangleId t) const { return t.index() >= finite_count_; }
   [[nodiscard]] const Point2& point(VertexId v) const { return (*points_)[v]; }
-  /// Of a finite triangle.
-  [[nodiscard]] const Circumcentre& centre(TriangleId t) const { return centre_[t]; }
+  /// Of a ghost: nothing, with an infinite radius.
+  [[nodiscard]] const Circumcentre& centre(TriangleId t) const { return triangles_[t].centre; }
 
-  [[nodiscard]] static TriangleId triangle(HalfEdgeId h) { return TriangleId(h.value() / 3); }
+  [[nodiscard]] static TriangleId triangle(HalfEdgeId h) { return TriangleId(h.value() / 4); }
   [[nodiscard]] static HalfEdgeId half_edge(TriangleId t, std::uint32_t i) {
-    return HalfEdgeId(3 * t.value() + i);
+    return HalfEdgeId(4 * t.value() + i);
   }
   [[nodiscard]] static HalfEdgeId next(HalfEdgeId h) {
-    return HalfEdgeId(h.value() % 3 == 2 ? h.value() - 2 : h.value() + 1);
+    return HalfEdgeId((h.value() & 3U) == 2 ? h.value() - 2 : h.value() + 1);
   }
   [[nodiscard]] static HalfEdgeId previous(HalfEdgeId h) {
-    return HalfEdgeId(h.value() % 3 == 0 ? h.value() + 2 : h.value() - 1);
+    return HalfEdgeId((h.value() & 3U) == 0 ? h.value() + 2 : h.value() - 1);
   }
-  [[nodiscard]] HalfEdgeId opposite(HalfEdgeId h) const { return opposite_[h]; }
-  [[nodiscard]] VertexId apex(HalfEdgeId h) const { return apex_[h]; }
-  [[nodiscard]] VertexId origin(HalfEdgeId h) const { return apex_[next(h)]; }
-  [[nodiscard]] VertexId destination(HalfEdgeId h) const { return apex_[previous(h)]; }
+  [[nodiscard]] HalfEdgeId opposite(HalfEdgeId h) const { return at(h).opposite[h.value() & 3U]; }
+  [[nodiscard]] VertexId apex(HalfEdgeId h) const { return at(h).apex[h.value() & 3U]; }
+  [[nodiscard]] VertexId origin(HalfEdgeId h) const { return apex(next(h)); }
+  [[nodiscard]] VertexId destination(HalfEdgeId h) const { return apex(previous(h)); }
   [[nodiscard]] TriangleId left(HalfEdgeId h) const { return triangle(h); }
-  [[nodiscard]] TriangleId right(HalfEdgeId h) const { return triangle(opposite_[h]); }
+  [[nodiscard]] TriangleId right(HalfEdgeId h) const { return triangle(opposite(h)); }
   /// The next half-edge with the same origin, counter-clockwise and clockwise.
-  [[nodiscard]] HalfEdgeId turn_left(HalfEdgeId h) const { return opposite_[previous(h)]; }
-  [[nodiscard]] HalfEdgeId turn_right(HalfEdgeId h) const { return next(opposite_[h]); }
+  [[nodiscard]] HalfEdgeId turn_left(HalfEdgeId h) const { return opposite(previous(h)); }
+  [[nodiscard]] HalfEdgeId turn_right(HalfEdgeId h) const { return next(opposite(h)); }
 
  private:
+  // Fills a cache line: walks touch one for each triangle.
+  struct alignas(64) Triangle {
+    std::array<VertexId, 3> apex;        // the vertex that half-edge i is opposite to
+    std::array<HalfEdgeId, 3> opposite;  // the other side of half-edge i
+    Circumcentre centre;
+  };
+
+  [[nodiscard]] const Triangle& at(HalfEdgeId h) const { return triangles_[triangle(h)]; }
+  void set_opposite(HalfEdgeId h, HalfEdgeId other) {
+    triangles_[triangle(h)].opposite[h.value() & 3U] = other;
+  }
   void glue(HalfEdgeId a, HalfEdgeId b) {
-    opposite_[a] = b;
-    opposite_[b] = a;
+    set_opposite(a, b);
+    set_opposite(b, a);
   }
 
   const IdVector<VertexId, Point2>* points_;
-  IdVector<HalfEdgeId, VertexId> apex_;  // the vertex a half-edge is opposite to
-  IdVector<HalfEdgeId, HalfEdgeId> opposite_;
-  IdVector<TriangleId, Circumcentre> centre_;  // of finite triangles
+  std::size_t finite_count_;
+  IdVector<TriangleId, Triangle> triangles_;
 };
 
 }  // namespace tetloft::delaunay3_detail

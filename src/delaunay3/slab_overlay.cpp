@@ -29,8 +29,8 @@ class SlabOverlay {
   SlabOverlay(const Triangulation2& lower, const Triangulation2& upper)
       : lower_(lower),
         upper_(upper),
-        lower_centre_nearer_(lower_, upper_, true),
-        upper_centre_nearer_(upper_, lower_, false) {
+        lower_centres_{&lower_, &upper_, true},
+        upper_centres_{&upper_, &lower_, false} {
     if (std::max(lower_.reach(), upper_.reach()) > kFarthestFiltered) {
       lower_.distrust_centres();
       upper_.distrust_centres();
@@ -41,6 +41,7 @@ class SlabOverlay {
     start_type1();
     trace_upper_edges();
     if (tets_.size() >= kMaxTets) return {};
+    opposite_.resize(4 * tets_.size());
     chain_lower_edges();
     settle_lower_triangles();
     return {std::move(tets_), std::move(opposite_)};
@@ -70,10 +71,10 @@ class SlabOverlay {
   }
   // The face of a type-1 tet over half-edge h of its triangle.
   [[nodiscard]] HalfFaceId face_below(HalfEdgeId h) const {
-    return half_face(tet_below(PlaneDiagram::triangle(h)), h.value() % 3);
+    return half_face(tet_below(PlaneDiagram::triangle(h)), h.value() & 3U);
   }
   [[nodiscard]] HalfFaceId face_above(HalfEdgeId h) const {
-    return half_face(tet_above(PlaneDiagram::triangle(h)), h.value() % 3 + 1);
+    return half_face(tet_above(PlaneDiagram::triangle(h)), (h.value() & 3U) + 1);
   }
   // One of the two half-edges stands for the edge.
   [[nodiscard]] HalfEdgeId representative(HalfEdgeId h) const {
@@ -83,10 +84,10 @@ class SlabOverlay {
   void start_type1();
   void trace_upper_edges();
   void trace(HalfEdgeId upper);
-  void locate_first();
-  [[nodiscard]] bool centre_is_left(TriangleId t, HalfEdgeId upper) const;
-  [[nodiscard]] HalfEdgeId exit_from(HalfEdgeId lower, HalfEdgeId upper) const;
-  [[nodiscard]] HalfEdgeId first_exit(HalfEdgeId lower, HalfEdgeId upper) const;
+  [[nodiscard]] HalfEdgeId cell_from(HalfEdgeId start, TriangleId t) const;
+  void enter(TriangleId t, HalfEdgeId cell);
+  [[nodiscard]] HalfEdgeId exit_from(HalfEdgeId lower, const Bisector& line) const;
+  [[nodiscard]] HalfEdgeId first_exit(HalfEdgeId lower, const Bisector& line) const;
   void chain_lower_edges();
   void chain(HalfEdgeId edge);
   void settle_lower_triangles();
@@ -94,18 +95,18 @@ class SlabOverlay {
 
   PlaneDiagram lower_;
   PlaneDiagram upper_;
-  Nearer lower_centre_nearer_;
-  Nearer upper_centre_nearer_;
+  CentresAndSites lower_centres_;
+  CentresAndSites upper_centres_;
 
   std::vector<TetVertices> tets_;
-  std::vector<HalfFaceId> opposite_;
-  std::vector<Crossing> crossings_;  // by type-2 tet
+  std::vector<HalfFaceId> opposite_;  // longer than needed while tets are added
+  std::vector<Crossing> crossings_;   // by type-2 tet
   // On the representative of a lower edge: its list of type-2 tets.
   IdVector<HalfEdgeId, TetId> first_on_edge_;
 
   // By finite upper triangle: a half-edge from the lower vertex nearest to its circumcentre.
   IdVector<TriangleId, HalfEdgeId> cell_of_;
-  std::vector<TriangleId> stack_;
+  std::vector<TriangleId> settled_;  // lower triangles whose neighbours are still to be seen
 
   // Scratch of chain(), by upper vertex: the tet on lower edge `edge` to whose left it is.
   struct Cell {
@@ -121,10 +122,9 @@ void SlabOverlay::start_type1() {
   const std::size_t vertices = lower_.vertex_count() + upper_.vertex_count();
   constexpr std::size_t kExpectedTetsPerVertex = 7;  // 6.9 on 110 real stacks
   tets_.reserve(kExpectedTetsPerVertex * vertices);
-  opposite_.reserve(4 * kExpectedTetsPerVertex * vertices);
   crossings_.reserve(kExpectedTetsPerVertex * vertices - first_type2());
   tets_.resize(first_type2());
-  opposite_.resize(4 * first_type2());
+  opposite_.resize(4 * kExpectedTetsPerVertex * vertices);
   for (std::size_t k = 0; k < lower_.finite_count(); ++k) {
     const TriangleId t(k);
     for (std::uint32_t i = 0; i < 3; ++i) {
@@ -137,18 +137,19 @@ void SlabOverlay::start_type1() {
       tets_[tet_above(t).index()][i + 1] = upper_vertex(upper_.apex(PlaneDiagram::half_edge(t, i)));
     }
   }
-  first_on_edge_.resize(lower_.half_edge_count());
+  first_on_edge_.resize(lower_.half_edge_slots());
   cell_of_.resize(upper_.finite_count());
 }
 
 // Every upper Voronoi edge once, from a circumcentre whose cell is known; its other end is then
-// known as well.
+// known as well. In order of triangles, which are near each other: where no trace came by, the
+// cell is a few steps from the last one.
 void SlabOverlay::trace_upper_edges() {
-  locate_first();
-  stack_.push_back(TriangleId(0));
-  while (!stack_.empty()) {
-    const TriangleId t = stack_.back();
-    stack_.pop_back();
+  HalfEdgeId near = PlaneDiagram::half_edge(TriangleId(0), 0);
+  for (std::size_t k = 0; k < upper_.finite_count(); ++k) {
+    const TriangleId t(k);
+    if (!cell_of_[t].valid()) enter(t, cell_from(near, t));
+    near = cell_of_[t];
     for (std::uint32_t i = 0; i < 3; ++i) {
       const HalfEdgeId h = PlaneDiagram::half_edge(t, i);
       if (!opposite_[face_above(h).index()].valid()) trace(h);
@@ -156,56 +157,45 @@ void SlabOverlay::trace_upper_edges() {
   }
 }
 
-// Goes from cell to cell, always nearer to the circumcentre of the first upper triangle.
-void SlabOverlay::locate_first() {
-  const TriangleId t(0);
-  HalfEdgeId h = PlaneDiagram::half_edge(TriangleId(0), 0);
+// Goes from cell to cell, always nearer to the circumcentre of upper triangle t, until no
+// neighbour is nearer. Power diagrams have no other local minima.
+HalfEdgeId SlabOverlay::cell_from(HalfEdgeId start, TriangleId t) const {
+  HalfEdgeId h = start;
   for (HalfEdgeId at = h;;) {
     const VertexId to = lower_.destination(at);
-    if (to != PlaneDiagram::kGhostVertex && upper_centre_nearer_(t, to, lower_.origin(at))) {
+    if (to != PlaneDiagram::kGhostVertex &&
+        Bisector(upper_centres_, to, lower_.origin(at)).nearer_to_first(t)) {
       h = at = lower_.opposite(at);
       continue;
     }
     at = lower_.turn_left(at);
-    if (at == h) break;
+    if (at == h) return h;
   }
-  cell_of_[t] = h;
-  tets_[tet_above(t).index()][0] = lower_.origin(h);
 }
 
-// Is the circumcentre of lower triangle t to the left of the Voronoi edge dual to `upper`, seen
-// from the circumcentre of the triangle of `upper`?
-bool SlabOverlay::centre_is_left(TriangleId t, HalfEdgeId upper) const {
-  const VertexId left = upper_.destination(upper);
-  const VertexId right = upper_.origin(upper);
-  if (!lower_.is_ghost(t)) return lower_centre_nearer_(t, left, right);
-  // The end at infinity of a ray, which leaves to the left of its hull edge. Parallel to the line
-  // the ray stays on the side where it starts.
-  const HalfEdgeId hull = PlaneDiagram::half_edge(t, 0);
-  const int turn =
-      turn_between(upper_.point(right), upper_.point(left), lower_.point(lower_.origin(hull)),
-                   lower_.point(lower_.destination(hull)));
-  if (turn != 0) return turn < 0;
-  return lower_centre_nearer_(lower_.right(hull), left, right);
+void SlabOverlay::enter(TriangleId t, HalfEdgeId cell) {
+  cell_of_[t] = cell;
+  tets_[tet_above(t).index()][0] = lower_.origin(cell);
 }
 
-// The edge by which the Voronoi edge dual to `upper` leaves the cell of the origin of `lower`,
-// having entered it across `lower`. Its cell's boundary, counter-clockwise, passes from the right
-// of a line to its left where the line leaves.
-HalfEdgeId SlabOverlay::exit_from(HalfEdgeId lower, HalfEdgeId upper) const {
+// The edge by which an upper Voronoi edge, on the line between the site to its left and that to
+// its right, leaves the cell of the origin of `lower`, having entered it across `lower`. The
+// cell's boundary, counter-clockwise, passes from the right of a line to its left where the line
+// leaves.
+HalfEdgeId SlabOverlay::exit_from(HalfEdgeId lower, const Bisector& line) const {
   HalfEdgeId h = lower;
   do {
     h = lower_.turn_left(h);
     TETLOFT_CHECK(h != lower);
-  } while (!centre_is_left(lower_.left(h), upper));
+  } while (!line.nearer_to_first(lower_.left(h)));
   return h;
 }
 
 // The same where the line starts inside the cell, or in front of it.
-HalfEdgeId SlabOverlay::first_exit(HalfEdgeId lower, HalfEdgeId upper) const {
+HalfEdgeId SlabOverlay::first_exit(HalfEdgeId lower, const Bisector& line) const {
   HalfEdgeId h = lower;
-  if (!centre_is_left(lower_.left(h), upper)) return exit_from(h, upper);
-  while (centre_is_left(lower_.right(h), upper)) {
+  if (!line.nearer_to_first(lower_.left(h))) return exit_from(h, line);
+  while (line.nearer_to_first(lower_.right(h))) {
     h = lower_.turn_right(h);
     TETLOFT_CHECK(h != lower);
   }
@@ -219,23 +209,24 @@ void SlabOverlay::trace(HalfEdgeId upper) {
   const VertexId right = upper_.origin(upper);
   const TriangleId target = upper_.right(upper);
   const bool is_ray = upper_.is_ghost(target);
+  const Bisector line(lower_centres_, left, right);
   HalfFaceId last = face_above(upper);
-  HalfEdgeId exit = first_exit(cell_of_[upper_.left(upper)], upper);
+  HalfEdgeId exit = first_exit(cell_of_[upper_.left(upper)], line);
   for (;;) {
     const VertexId behind = lower_.origin(exit);
     const VertexId ahead = lower_.destination(exit);
     const bool leaves = ahead != PlaneDiagram::kGhostVertex &&
-                        (is_ray || upper_centre_nearer_(target, ahead, behind));
+                        (is_ray || Bisector(upper_centres_, ahead, behind).nearer_to_first(target));
     if (!leaves) break;
     const TetId t(tets_.size());
     tets_.push_back({behind, ahead, upper_vertex(left), upper_vertex(right)});
-    opposite_.resize(opposite_.size() + 4);
+    if (opposite_.size() < 4 * tets_.size()) opposite_.resize(2 * opposite_.size());
     glue(last, half_face(t, kBehind));
     last = half_face(t, kAhead);
     TetId& first = first_on_edge_[representative(exit)];
     crossings_.push_back({exit, first});
     first = t;
-    exit = exit_from(lower_.opposite(exit), upper);
+    exit = exit_from(lower_.opposite(exit), line);
   }
   if (is_ray) return;
   glue(last, face_above(upper_.opposite(upper)));
@@ -243,15 +234,13 @@ void SlabOverlay::trace(HalfEdgeId upper) {
     TETLOFT_CHECK(lower_.origin(cell_of_[target]) == lower_.origin(exit));
     return;
   }
-  cell_of_[target] = exit;
-  tets_[tet_above(target).index()][0] = lower_.origin(exit);
-  stack_.push_back(target);
+  enter(target, exit);
 }
 
 // Glues the type-2 tets of every lower edge along it, and with the type-1 tets at its ends.
 void SlabOverlay::chain_lower_edges() {
   cells_.resize(upper_.vertex_count());
-  for (std::size_t k = 0; k < lower_.half_edge_count(); ++k) {
+  for (std::size_t k = 0; k < lower_.half_edge_slots(); ++k) {
     if (first_on_edge_[HalfEdgeId(k)].valid()) chain(HalfEdgeId(k));
   }
 }
@@ -299,15 +288,15 @@ void SlabOverlay::settle(HalfEdgeId side, HalfFaceId face, VertexId nearest_abov
   TETLOFT_CHECK(!apex.valid() || apex == v);
   if (apex.valid()) return;
   apex = v;
-  stack_.push_back(t);
+  settled_.push_back(t);
 }
 
 // Lower Voronoi edges without crossings join circumcentres of one cell. All are reached: type-1
 // tets below have no type-1 neighbours above, so each group has a crossing at its rim.
 void SlabOverlay::settle_lower_triangles() {
-  while (!stack_.empty()) {
-    const TriangleId t = stack_.back();
-    stack_.pop_back();
+  while (!settled_.empty()) {
+    const TriangleId t = settled_.back();
+    settled_.pop_back();
     const VertexId nearest_above(tets_[tet_below(t).index()][3].index() - lower_.vertex_count());
     for (std::uint32_t i = 0; i < 3; ++i) {
       const HalfEdgeId h = PlaneDiagram::half_edge(t, i);

@@ -25,8 +25,7 @@ namespace tetloft::delaunay3_detail {
 
 /// Tets of two planes; vertices are the lower plane's, then the upper's.
 struct SlabTets {
-  /// Positive if the upper plane is above. Type 1 below by triangle, type 1 above by triangle,
-  /// then type 2.
+  /// Positive if the upper plane is above. Type 1 below, type 1 above, then type 2.
   std::vector<TetVertices> tets;
   /// opposite[4 t + i]: the half-face across, or invalid on the hull.
   std::vector<HalfFaceId> opposite;
