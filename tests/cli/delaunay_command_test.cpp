@@ -49,6 +49,26 @@ TEST(DelaunayCommand, ReadsBinaryPointsAndWritesTets) {
   EXPECT_GT(volume(*model), 0);
 }
 
+TEST(DelaunayCommand, OffersItsEngines) {
+  TempFolder folder;
+  const std::string points = folder.file("p.txt");
+  test::put(points, "0 0 0\n2 0 0\n0 2 0\n0 0 1\n2 0 1\n1 2 1\n");
+  EXPECT_EQ(run_json({"delaunay", points}).at("engine").string, "slab");
+  EXPECT_EQ(run_json({"delaunay", points, "--engine", "auto"}).at("engine").string, "slab");
+  std::vector<std::string> written;
+  for (const char* engine : {"slab", "incremental"}) {
+    const std::string output = folder.file(std::string(engine) + ".vtu");
+    EXPECT_EQ(run_json({"delaunay", points, "--engine", engine, "-o", output}).at("engine").string,
+              engine);
+    written.push_back(test::get(output));
+  }
+  EXPECT_EQ(written[0], written[1]);
+  expect_failure({"delaunay", points, "--engine", "fast"}, 2, "usage", "--engine");
+  test::put(points, kOctahedron);
+  EXPECT_EQ(run_json({"delaunay", points}).at("engine").string, "incremental");
+  expect_failure({"delaunay", points, "--engine", "slab"}, 3, "invalid_input", "two planes");
+}
+
 TEST(DelaunayCommand, WarnsOfFlatPoints) {
   TempFolder folder;
   test::put(folder.file("p.txt"), "0 0 0\n1 0 0\n0 1 0\n1 1 0\n");

@@ -71,6 +71,16 @@ TEST_F(ReconstructCommand, MakesTheSameFileWithAnyNumberOfThreads) {
   EXPECT_EQ(test::get(out_), one);
 }
 
+TEST_F(ReconstructCommand, MakesTheSameFileWithEitherEngine) {
+  ASSERT_EQ(run({"reconstruct", in_, "-o", out_}).code, 0);
+  const std::string automatic = test::get(out_);
+  for (const char* engine : {"slab", "incremental"}) {
+    ASSERT_EQ(run({"reconstruct", in_, "-o", out_, "--delaunay", engine}).code, 0);
+    EXPECT_EQ(test::get(out_), automatic);
+  }
+  expect_failure({"reconstruct", in_, "-o", out_, "--delaunay", "quick"}, 2, "usage", "--delaunay");
+}
+
 TEST_F(ReconstructCommand, WritesTheSameModelAsText) {
   ASSERT_EQ(run({"reconstruct", in_, "-o", out_}).code, 0);
   ASSERT_EQ(run({"reconstruct", in_, "-o", folder_.file("t.vtu"), "--ascii"}).code, 0);
