@@ -1,0 +1,205 @@
+#include "cases.hpp"
+
+#include <cstdio>
+#include <filesystem>
+#include <stdexcept>
+#include <utility>
+
+#include <unistd.h>
+
+#include <tetloft/tetloft.hpp>
+
+#include "inputs.hpp"
+
+namespace tetloft::bench {
+
+namespace {
+
+using Field = Case::Field;
+
+// One or more sets of points, each triangulated by itself, times added.
+template <class Point>
+using Sets = std::shared_ptr<const std::vector<std::vector<Point>>>;
+
+template <class Point>
+Runner over_all(Sets<Point> sets, std::function<Run(std::span<const Point>)> run) {
+  return [sets = std::move(sets), run = std::move(run)] {
+    Run sum;
+    for (const std::vector<Point>& set : *sets) {
+      const Run one = run(set);
+      sum.seconds += one.seconds;
+      sum.simplices += one.simplices;
+    }
+    return sum;
+  };
+}
+
+template <class Point>
+std::size_t count(const Sets<Point>& sets) {
+  std::size_t n = 0;
+  for (const auto& set : *sets) n += set.size();
+  return n;
+}
+
+void add_peers(Field& field, const Sets<Point3>& sets, const std::vector<Peer>& peers) {
+  for (const Peer& peer : peers) {
+    if (!peer.run3 || field.points > peer.most_points) continue;
+    field.peers.push_back({peer.name, over_all<Point3>(sets, peer.run3)});
+  }
+}
+
+Case in_space(std::string name, std::string what,
+              std::function<std::vector<std::vector<Point3>>()> make, bool two_planes) {
+  return {std::move(name), std::move(what), [=](const std::vector<Peer>& peers) {
+            const auto sets = std::make_shared<const std::vector<std::vector<Point3>>>(make());
+            Field field;
+            field.points = count<Point3>(sets);
+            if (two_planes) field.own.push_back({"slab", over_all<Point3>(sets, slab3)});
+            field.own.push_back({"incremental", over_all<Point3>(sets, incremental3)});
+            field.own.push_back({"whole call", over_all<Point3>(sets, whole_call3)});
+            add_peers(field, sets, peers);
+            return field;
+          }};
+}
+
+Case in_plane(std::string name, std::string what, std::function<std::vector<Point2>()> make) {
+  return {std::move(name), std::move(what), [=](const std::vector<Peer>& peers) {
+            const auto sets = std::make_shared<const std::vector<std::vector<Point2>>>(1, make());
+            Field field;
+            field.points = count<Point2>(sets);
+            field.own.push_back({"incremental", over_all<Point2>(sets, incremental2)});
+            field.own.push_back({"whole call", over_all<Point2>(sets, whole_call2)});
+            for (const Peer& peer : peers) {
+              if (!peer.run2 || field.points > peer.most_points) continue;
+              field.peers.push_back({peer.name, over_all<Point2>(sets, peer.run2)});
+            }
+            return field;
+          }};
+}
+
+template <class T>
+T value_of(Result<T> result) {
+  if (!result) throw std::runtime_error(to_string(result.error()));
+  return std::move(result.value());
+}
+
+// Reads, reconstructs, writes.
+Run reconstruct_file(const std::string& path, unsigned threads) {
+  const std::string output =
+      (std::filesystem::temp_directory_path() / ("tetloft_bench_" + std::to_string(getpid())))
+          .string() +
+      ".vtu";
+  const Clock clock;
+  const auto input = value_of(read_cnt(path));
+  ReconstructOptions options;
+  options.threads = threads;
+  const Reconstruction solid = value_of(reconstruct(input.stack, options));
+  const Result<void> written = write_vtu(output, solid.model);
+  const double seconds = clock.seconds();
+  std::remove(output.c_str());
+  if (!written) throw std::runtime_error(to_string(written.error()));
+  return {seconds, solid.model.tets.size()};
+}
+
+Run reconstruct_stack(const SectionStack& stack, unsigned threads) {
+  const Clock clock;
+  ReconstructOptions options;
+  options.threads = threads;
+  const Reconstruction solid = value_of(reconstruct(stack, options));
+  return {clock.seconds(), solid.model.tets.size()};
+}
+
+// The vertices of every slab: what a reconstruction has to triangulate at least.
+std::vector<std::vector<Point3>> slabs_of(const SectionStack& stack) {
+  std::vector<std::vector<Point3>> sections;
+  for (const Section& section : stack.sections) {
+    std::vector<Point3>& points = sections.emplace_back();
+    for (const Contour& contour : section.contours) {
+      for (const Point2& p : contour.vertices) points.push_back({p.x, p.y, section.z});
+    }
+  }
+  std::vector<std::vector<Point3>> slabs;
+  for (std::size_t k = 0; k + 1 < sections.size(); ++k) {
+    slabs.push_back(sections[k]);
+    slabs.back().insert(slabs.back().end(), sections[k + 1].begin(), sections[k + 1].end());
+  }
+  return slabs;
+}
+
+// Peers only triangulate the slabs.
+Case whole(const std::string& path) {
+  return {"reconstruct " + std::filesystem::path(path).stem().string(),
+          "reading, reconstruction and writing; peers triangulate the slabs only",
+          [=](const std::vector<Peer>& peers) {
+            const SectionStack stack = value_of(read_cnt(path)).stack;
+            Field field;
+            field.points = stack.vertex_count();
+            field.own.push_back({"1 thread", [=] { return reconstruct_file(path, 1); }});
+            field.own.push_back({"2 threads", [=] { return reconstruct_file(path, 2); }});
+            add_peers(field,
+                      std::make_shared<const std::vector<std::vector<Point3>>>(slabs_of(stack)),
+                      peers);
+            return field;
+          }};
+}
+
+Case scaling(std::size_t vertices) {
+  return {"scaling " + std::to_string(vertices / 1000) + "k",
+          "reconstruction of a tube of sections of 200 vertices, in memory",
+          [=](const std::vector<Peer>&) {
+            const auto stack = std::make_shared<const SectionStack>(tube(vertices));
+            Field field;
+            field.points = stack->vertex_count();
+            field.own.push_back({"1 thread", [=] { return reconstruct_stack(*stack, 1); }});
+            field.own.push_back({"2 threads", [=] { return reconstruct_stack(*stack, 2); }});
+            return field;
+          }};
+}
+
+}  // namespace
+
+std::vector<Case> all_cases(const std::vector<std::string>& stacks) {
+  using Sets3 = std::vector<std::vector<Point3>>;
+  std::vector<Case> cases{
+      in_space(
+          "smoke", "a thousand uniform points", [] { return Sets3{uniform3(1000)}; }, false),
+      in_space(
+          "uniform 100k", "uniform in a cube", [] { return Sets3{uniform3(100'000)}; }, false),
+      in_space(
+          "uniform 1M", "uniform in a cube", [] { return Sets3{uniform3(1'000'000)}; }, false),
+      in_space(
+          "grid 60^3", "integer grid", [] { return Sets3{grid3(60)}; }, false),
+      in_space(
+          "sphere 200k", "on a sphere up to rounding", [] { return Sets3{sphere(200'000)}; },
+          false),
+      in_space(
+          "bumpy sphere 200k", "on a sphere with bumps",
+          [] { return Sets3{bumpy_sphere(200'000)}; }, false),
+      in_space(
+          "two planes 2x50k", "wiggly circles in two planes",
+          [] { return Sets3{two_planes(50'000)}; }, true),
+      in_space(
+          "two planes, pixels", "the same on a half-integer lattice",
+          [] { return Sets3{two_pixel_planes(50'000)}; }, true),
+      in_space(
+          "500 slabs of 2x200", "wiggly circles, times added",
+          [] {
+            Sets3 sets;
+            for (std::size_t k = 0; k < 500; ++k) sets.push_back(thin_slab(200, k));
+            return sets;
+          },
+          true),
+      in_plane("plane 50k", "uniform in a square", [] { return uniform2(50'000); }),
+      in_plane("plane 1M", "uniform in a square", [] { return uniform2(1'000'000); }),
+  };
+  for (const char* sample : {"bunny", "terrain", "tooth", "torus"}) {
+    cases.push_back(whole(std::string(TETLOFT_DATA_DIR) + '/' + sample + ".cnt"));
+  }
+  for (const std::string& path : stacks) cases.push_back(whole(path));
+  for (const std::size_t vertices : {10'000U, 100'000U, 1'000'000U}) {
+    cases.push_back(scaling(vertices));
+  }
+  return cases;
+}
+
+}  // namespace tetloft::bench

@@ -1,0 +1,87 @@
+// The library's engines without their last step. The only file that knows their internals.
+#include "engines.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include <tetloft/delaunay.hpp>
+
+#include "delaunay2/start.hpp"
+#include "delaunay3/affine_basis.hpp"
+#include "delaunay3/incremental.hpp"
+#include "delaunay3/slab_overlay.hpp"
+#include "delaunay3/spatial_order.hpp"
+#include "measure.hpp"
+
+namespace tetloft::bench {
+
+namespace {
+
+std::vector<Point3> sorted(std::span<const Point3> points) {
+  std::vector<Point3> result(points.begin(), points.end());
+  std::sort(result.begin(), result.end(),
+            [](const Point3& a, const Point3& b) { return canonical_less(a, b); });
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
+}  // namespace
+
+Run incremental3(std::span<const Point3> points) {
+  const Clock clock;
+  const std::vector<Point3> ranked = sorted(points);
+  std::vector<std::uint32_t> order = delaunay3_detail::insertion_order(ranked);
+  std::vector<Point3> inserted;
+  inserted.reserve(order.size());
+  for (const std::uint32_t place : order) inserted.push_back(ranked[place]);
+  const auto basis = delaunay3_detail::affine_basis(inserted);
+  for (std::size_t k = 0; k < basis.place.size(); ++k) {
+    const auto begin = inserted.begin();
+    const auto at = begin + static_cast<std::ptrdiff_t>(basis.place[k]);
+    std::rotate(begin + static_cast<std::ptrdiff_t>(k), at, at + 1);
+  }
+  delaunay3_detail::Delaunay3Builder builder{IdVector<VertexId, Point3>(std::move(inserted))};
+  if (!builder.insert_all()) throw std::runtime_error("too many tets");
+  Run run{clock.seconds(), 0};
+  for (const TetVertices& tet : builder.arrays().tets) {
+    run.simplices += tet[0].valid() && tet[0] != delaunay3_detail::kGhost ? 1U : 0U;
+  }
+  return run;
+}
+
+Run slab3(std::span<const Point3> points) {
+  const Clock clock;
+  const std::vector<Point3> ranked = sorted(points);
+  std::vector<Point2> plane[2];
+  for (const Point3& p : ranked) plane[p.z == ranked.front().z ? 0 : 1].push_back({p.x, p.y});
+  const auto lower = delaunay2(plane[0]);
+  const auto upper = delaunay2(plane[1]);
+  const delaunay3_detail::SlabTets slab = delaunay3_detail::slab_overlay(*lower, *upper);
+  return {clock.seconds(), slab.tets.size()};
+}
+
+Run whole_call3(std::span<const Point3> points) {
+  const Clock clock;
+  const auto d = delaunay3(points);
+  const double seconds = clock.seconds();
+  return {seconds, d->mesh.tet_count()};
+}
+
+Run incremental2(std::span<const Point2> points) {
+  const Clock clock;
+  const auto start = delaunay2_detail::triangulate(points);
+  const double seconds = clock.seconds();
+  // A ghost closes the plane to a sphere of 2 n − 2 triangles.
+  return {seconds, start.plane ? start.plane->triangle_count() : 0};
+}
+
+Run whole_call2(std::span<const Point2> points) {
+  const Clock clock;
+  const auto d = delaunay2(points);
+  const double seconds = clock.seconds();
+  return {seconds, d->triangles.size()};
+}
+
+}  // namespace tetloft::bench

@@ -1,0 +1,46 @@
+// What is timed: the engines of the library, and of others.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <string>
+
+#include <tetloft/point.hpp>
+
+namespace tetloft::bench {
+
+/// What one run took and made.
+struct Run {
+  double seconds = 0;
+  std::size_t simplices = 0;
+};
+
+/// Runs once; the time is that of the work proper, without preparing input or counting.
+using Runner = std::function<Run()>;
+
+/// Sorting, order and insertion, without canonical numbering.
+Run incremental3(std::span<const Point3> points);
+/// Both plane triangulations and the overlay with adjacency, without canonical numbering.
+Run slab3(std::span<const Point3> points);
+/// The whole call, by the automatic engine: canonical numbering and mesh included.
+Run whole_call3(std::span<const Point3> points);
+/// Order and insertion.
+Run incremental2(std::span<const Point2> points);
+/// The whole call.
+Run whole_call2(std::span<const Point2> points);
+
+/// Another engine; `version` is what it says of itself.
+struct Peer {
+  std::string name;
+  std::string version;
+  std::function<Run(std::span<const Point3>)> run3;  // empty: cannot
+  std::function<Run(std::span<const Point2>)> run2;
+  std::size_t most_points = static_cast<std::size_t>(-1);  // more takes too long to wait for
+};
+
+Peer cgal();
+Peer tetgen();
+Peer qhull();
+
+}  // namespace tetloft::bench

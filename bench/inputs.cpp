@@ -1,0 +1,148 @@
+#include "inputs.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/prng.hpp"
+
+namespace tetloft::bench {
+
+namespace {
+
+constexpr double kTurn = 6.283185307179586;
+
+// n vertices of concentric wiggly rings, about 5000 to a ring, each plane a little different.
+std::vector<Point2> rings(std::size_t n, std::size_t plane, Prng& prng) {
+  const std::size_t count = std::max<std::size_t>(1, n / 5000);
+  const std::size_t each = n / count;
+  std::vector<Point2> points;
+  points.reserve(n);
+  for (std::size_t ring = 0; ring < count; ++ring) {
+    for (std::size_t i = 0; i < each; ++i) {
+      const double angle =
+          kTurn * (static_cast<double>(i) + 0.5 * prng.unit()) / static_cast<double>(each);
+      const double radius = 10 * static_cast<double>(ring + 1) +
+                            2 * std::sin(7 * angle + static_cast<double>(ring)) +
+                            0.4 * std::sin(23 * angle + static_cast<double>(plane));
+      points.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+    }
+  }
+  return points;
+}
+
+void append(std::vector<Point3>& points, const std::vector<Point2>& plane, double z) {
+  for (const Point2& p : plane) points.push_back({p.x, p.y, z});
+}
+
+Point3 direction(Prng& prng) {
+  for (;;) {
+    const double x = prng.between(-1, 1);
+    const double y = prng.between(-1, 1);
+    const double z = prng.between(-1, 1);
+    const double length = std::sqrt(x * x + y * y + z * z);
+    if (length > 0.1 && length < 1) return {x / length, y / length, z / length};
+  }
+}
+
+}  // namespace
+
+std::vector<Point3> uniform3(std::size_t n) {
+  Prng prng(1);
+  std::vector<Point3> points(n);
+  for (Point3& p : points) {
+    p.x = prng.unit();
+    p.y = prng.unit();
+    p.z = prng.unit();
+  }
+  return points;
+}
+
+std::vector<Point3> grid3(std::size_t side) {
+  std::vector<Point3> points;
+  for (std::size_t x = 0; x < side; ++x) {
+    for (std::size_t y = 0; y < side; ++y) {
+      for (std::size_t z = 0; z < side; ++z) {
+        points.push_back({static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)});
+      }
+    }
+  }
+  Prng prng(2);
+  prng.shuffle(points);
+  return points;
+}
+
+std::vector<Point3> sphere(std::size_t n) {
+  Prng prng(3);
+  std::vector<Point3> points(n);
+  for (Point3& p : points) p = direction(prng);
+  return points;
+}
+
+std::vector<Point3> bumpy_sphere(std::size_t n) {
+  Prng prng(4);
+  std::vector<Point3> points(n);
+  for (Point3& p : points) {
+    const Point3 d = direction(prng);
+    const double radius = 1 + 0.1 * std::sin(9 * d.x) * std::sin(8 * d.y) * std::sin(7 * d.z);
+    p = {radius * d.x, radius * d.y, radius * d.z};
+  }
+  return points;
+}
+
+std::vector<Point3> two_planes(std::size_t n) {
+  Prng prng(5);
+  std::vector<Point3> points;
+  for (std::size_t plane = 0; plane < 2; ++plane) {
+    append(points, rings(n, plane, prng), static_cast<double>(plane));
+  }
+  return points;
+}
+
+std::vector<Point3> two_pixel_planes(std::size_t n) {
+  std::vector<Point3> points = two_planes(n);
+  for (Point3& p : points) {
+    p.x = std::floor(32 * p.x) / 2;
+    p.y = std::floor(32 * p.y) / 2;
+  }
+  std::sort(points.begin(), points.end(),
+            [](const Point3& a, const Point3& b) { return canonical_less(a, b); });
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  Prng prng(6);
+  prng.shuffle(points);
+  return points;
+}
+
+std::vector<Point3> thin_slab(std::size_t n, std::size_t k) {
+  Prng prng(7 + k);
+  std::vector<Point3> points;
+  append(points, rings(n, k, prng), static_cast<double>(k));
+  append(points, rings(n, k + 1, prng), static_cast<double>(k + 1));
+  return points;
+}
+
+std::vector<Point2> uniform2(std::size_t n) {
+  Prng prng(8);
+  std::vector<Point2> points(n);
+  for (Point2& p : points) {
+    p.x = prng.unit();
+    p.y = prng.unit();
+  }
+  return points;
+}
+
+SectionStack tube(std::size_t vertices) {
+  constexpr std::size_t kEach = 200;
+  SectionStack stack;
+  for (std::size_t k = 0; k < std::max<std::size_t>(2, vertices / kEach); ++k) {
+    Prng prng(9 + k);
+    Section section;
+    section.z = static_cast<double>(k);
+    Contour contour;
+    contour.vertices = rings(kEach, k, prng);
+    section.contours.push_back(std::move(contour));
+    stack.sections.push_back(std::move(section));
+  }
+  return stack;
+}
+
+}  // namespace tetloft::bench

@@ -1,0 +1,138 @@
+#include "report.hpp"
+
+#include <cstdio>
+
+namespace tetloft::bench {
+
+namespace {
+
+template <class... Values>
+std::string format(const char* pattern, Values... values) {
+  char buffer[256];
+  std::snprintf(buffer, sizeof buffer, pattern, values...);
+  return buffer;
+}
+
+double nanoseconds_each(double seconds, std::size_t n) {
+  return n == 0 ? 0 : 1e9 * seconds / static_cast<double>(n);
+}
+
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    result += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+  }
+  return result + '"';
+}
+
+std::string json_of(const Measurement& m, std::size_t points) {
+  std::string json = "{\"name\": " + quoted(m.name);
+  if (!m.failure.empty()) return json + ", \"failure\": " + quoted(m.failure) + "}";
+  json += format(", \"best\": %.6g, \"median\": %.6g, \"ns_per_point\": %.4g", m.best(), m.median(),
+                 nanoseconds_each(m.best(), points));
+  json += format(", \"ns_per_simplex\": %.4g, \"simplices\": %zu, \"peak_mb\": %.1f}",
+                 nanoseconds_each(m.best(), m.simplices), m.simplices, m.peak_megabytes);
+  return json;
+}
+
+}  // namespace
+
+std::string text_of(const CaseReport& report) {
+  std::string text =
+      report.name + " (" + report.what + "), " + std::to_string(report.points) + " points\n";
+  const auto line = [&](const Measurement& m) {
+    if (!m.failure.empty()) {
+      text += format("  %-14s %s\n", m.name.c_str(), m.failure.c_str());
+      return;
+    }
+    text += format("  %-14s best %8.4f s  median %8.4f s  %7.0f ns/point  %6.1f ns/simplex",
+                   m.name.c_str(), m.best(), m.median(), nanoseconds_each(m.best(), report.points),
+                   nanoseconds_each(m.best(), m.simplices));
+    text += format("  %9zu simplices  %6.0f MB\n", m.simplices, m.peak_megabytes);
+  };
+  for (const Measurement& m : report.own) line(m);
+  for (const Measurement& peer : report.peers) {
+    line(peer);
+    if (!peer.failure.empty()) continue;
+    for (const Measurement& own : report.own) {
+      if (!own.failure.empty()) continue;
+      text += format("    %s / %s: %.3f of bests, %.3f median of rounds\n", own.name.c_str(),
+                     peer.name.c_str(), own.best() / peer.best(), median_ratio(own, peer));
+    }
+  }
+  return text;
+}
+
+std::string text_of(const std::vector<PredicateTime>& times) {
+  std::string text = "predicates\n";
+  for (const PredicateTime& t : times) {
+    text += format("  %-20s %-10s %8.1f ns a call (%.0f %% of them)\n", t.predicate.c_str(),
+                   t.stage.c_str(), t.nanoseconds, 100 * t.share);
+  }
+  return text;
+}
+
+std::string json_of(const Report& report) {
+  std::string json = "{\"rounds\": " + std::to_string(report.rounds) + ", \"peers\": [";
+  for (std::size_t i = 0; i < report.versions.size(); ++i) {
+    json += (i == 0 ? "" : ", ") + quoted(report.versions[i]);
+  }
+  json += "],\n \"cases\": [";
+  for (std::size_t c = 0; c < report.cases.size(); ++c) {
+    const CaseReport& one = report.cases[c];
+    json += std::string(c == 0 ? "" : ",") + "\n  {\"name\": " + quoted(one.name) +
+            ", \"points\": " + std::to_string(one.points) + ",\n   \"own\": [";
+    for (std::size_t i = 0; i < one.own.size(); ++i) {
+      json += (i == 0 ? "" : ", ") + json_of(one.own[i], one.points);
+    }
+    json += "],\n   \"peers\": [";
+    for (std::size_t i = 0; i < one.peers.size(); ++i) {
+      json += (i == 0 ? "" : ", ") + json_of(one.peers[i], one.points);
+    }
+    json += "],\n   \"ratios\": [";
+    bool first = true;
+    for (const Measurement& own : one.own) {
+      for (const Measurement& peer : one.peers) {
+        if (!own.failure.empty() || !peer.failure.empty()) continue;
+        json += (first ? "" : ", ") + ("{\"own\": " + quoted(own.name)) +
+                ", \"peer\": " + quoted(peer.name) +
+                format(", \"best\": %.4f, \"median\": %.4f}", own.best() / peer.best(),
+                       median_ratio(own, peer));
+        first = false;
+      }
+    }
+    json += "]}";
+  }
+  json += "],\n \"predicates\": [";
+  for (std::size_t i = 0; i < report.predicates.size(); ++i) {
+    const PredicateTime& t = report.predicates[i];
+    json += (i == 0 ? "\n  " : ",\n  ") + ("{\"predicate\": " + quoted(t.predicate)) +
+            ", \"stage\": " + quoted(t.stage) +
+            format(", \"ns\": %.1f, \"share\": %.3f}", t.nanoseconds, t.share);
+  }
+  return json + "]}\n";
+}
+
+std::string markdown_of(const Report& report) {
+  std::string text =
+      "| case | points | ours (s) | MB | others (s) | ratio |\n|---|---|---|---|---|---|\n";
+  for (const CaseReport& one : report.cases) {
+    if (one.own.empty() || !one.own.front().failure.empty()) continue;
+    const Measurement& own = one.own.front();
+    std::string others;
+    std::string ratios;
+    for (const Measurement& peer : one.peers) {
+      others += (others.empty() ? "" : ", ") + peer.name + ' ' +
+                (peer.failure.empty() ? format("%.3f", peer.best()) : "failed");
+      if (!peer.failure.empty()) continue;
+      ratios += (ratios.empty() ? "" : ", ") + format("%.2f", own.best() / peer.best());
+    }
+    text += "| " + one.name + " | " + std::to_string(one.points) + " | " +
+            format("%.3f (%s)", own.best(), own.name.c_str()) +
+            format(" | %.0f | ", own.peak_megabytes) + others + " | " + ratios + " |\n";
+  }
+  return text;
+}
+
+}  // namespace tetloft::bench

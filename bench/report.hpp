@@ -1,0 +1,33 @@
+// What was measured, as text, JSON and Markdown.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "measure.hpp"
+#include "predicates.hpp"
+
+namespace tetloft::bench {
+
+struct CaseReport {
+  std::string name;
+  std::string what;
+  std::size_t points = 0;
+  std::vector<Measurement> own;
+  std::vector<Measurement> peers;
+};
+
+struct Report {
+  int rounds = 0;
+  std::vector<std::string> versions;
+  std::vector<CaseReport> cases;
+  std::vector<PredicateTime> predicates;
+};
+
+[[nodiscard]] std::string text_of(const CaseReport& report);
+[[nodiscard]] std::string text_of(const std::vector<PredicateTime>& times);
+[[nodiscard]] std::string json_of(const Report& report);
+/// The best of our contestants against each peer.
+[[nodiscard]] std::string markdown_of(const Report& report);
+
+}  // namespace tetloft::bench
