@@ -40,7 +40,8 @@ HalfFaceId half_face(TetId t, std::size_t i) {
 
 }  // namespace
 
-Delaunay3Builder::Delaunay3Builder(IdVector<VertexId, Point3> points) : points_(std::move(points)) {
+Delaunay3Builder::Delaunay3Builder(IdVector<VertexId, Point3> points)
+    : points_(std::move(points)), filter_(points_.raw()) {
   const std::size_t expected = kExpectedTetsPerPoint * points_.size();
   tets_.reserve(expected);
   opposite_.reserve(4 * expected);
@@ -107,10 +108,7 @@ TetId Delaunay3Builder::locate(const Point3& p, TetId start) {
     for (std::size_t k = 0; k < 4; ++k) {
       const std::size_t i = ((walk_state_ >> 30) + k) & 3U;
       if (i == entered) continue;
-      const TriangleVertices facet = facet_of(tet, static_cast<int>(i));
-      if (orient3d(points_[facet[0]], points_[facet[1]], points_[facet[2]], p) != Sign::positive) {
-        continue;
-      }
+      if (!is_beyond(tet, i, p)) continue;
       crossing = opposite_[half_face(t, i)];
       break;
     }
@@ -165,8 +163,24 @@ bool Delaunay3Builder::in_ghost_conflict(TetId t, const Point3& p) const {
 }
 
 bool Delaunay3Builder::in_sphere(const TetVertices& tet, const Point3& p) const {
-  return insphere_perturbed(points_[tet[0]], points_[tet[1]], points_[tet[2]], points_[tet[3]],
-                            p) == Sign::positive;
+  const Point3& a = points_[tet[0]];
+  const Point3& b = points_[tet[1]];
+  const Point3& c = points_[tet[2]];
+  const Point3& d = points_[tet[3]];
+  if (const int s = filter_.insphere(a, b, c, d, p); s != 0) return s > 0;
+  const Sign sign = filter_.is_exact()
+                        ? predicates::perturbed_insphere_of_cospherical(a, b, c, d, p)
+                        : insphere_perturbed(a, b, c, d, p);
+  return sign == Sign::positive;
+}
+
+bool Delaunay3Builder::is_beyond(const TetVertices& tet, std::size_t i, const Point3& p) const {
+  const TriangleVertices facet = facet_of(tet, static_cast<int>(i));
+  const Point3& a = points_[facet[0]];
+  const Point3& b = points_[facet[1]];
+  const Point3& c = points_[facet[2]];
+  if (const int s = filter_.orient3d(a, b, c, p); s != 0) return s > 0;
+  return !filter_.is_exact() && orient3d(a, b, c, p) == Sign::positive;
 }
 
 TetId Delaunay3Builder::star_cavity(VertexId v) {

@@ -18,6 +18,7 @@
 #include <tetloft/tet_mesh.hpp>
 
 #include "delaunay3/canonical_mesh.hpp"
+#include "predicates/set_filter.hpp"
 
 namespace tetloft::delaunay3_detail {
 
@@ -62,6 +63,8 @@ class Delaunay3Builder {
   [[nodiscard]] bool in_conflict(TetId t, const Point3& p) const;
   [[nodiscard]] bool in_ghost_conflict(TetId t, const Point3& p) const;
   [[nodiscard]] bool in_sphere(const TetVertices& tet, const Point3& p) const;
+  // Does p lie strictly beyond face i of the tet?
+  [[nodiscard]] bool is_beyond(const TetVertices& tet, std::size_t i, const Point3& p) const;
 
   // Gives every facet of the horizon its filler, glued to the outer tet only.
   void create_fillers(VertexId v);
@@ -82,6 +85,7 @@ class Delaunay3Builder {
   [[nodiscard]] std::uint32_t mark_out() const { return 2 * epoch_; }
 
   IdVector<VertexId, Point3> points_;
+  predicates::SetFilter filter_;
   // Positive; ghost tets would be with the ghost far beyond their hull facet. [3] is the
   // latest vertex. [0] is kGhost in ghost tets, invalid in dead slots after insert_all().
   IdVector<TetId, TetVertices> tets_;

@@ -17,6 +17,7 @@
 
 #include "predicates/big_integer.hpp"
 #include "predicates/determinants.hpp"
+#include "predicates/double_double.hpp"
 #include "predicates/expansion.hpp"
 #include "predicates/filter.hpp"
 #include "predicates/lattice.hpp"
@@ -164,6 +165,36 @@ std::optional<TwoPlanes<n>> split_by_plane(const std::array<const Point3*, n>& p
   return result;
 }
 
+// The in-sphere filter in twice the precision. Leaves lattice data to the lattice stage: there
+// zero is likely.
+int double_double_insphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
+                           const Point3& e) {
+  const std::array<const Point3*, 4> corner{&a, &b, &c, &d};
+  std::array<DoubleDouble, 12> p;
+  std::array<double, 12> values;
+  std::array<double, 3> most{};
+  bool rounded = false;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::array<double, 3> from{corner[i]->x, corner[i]->y, corner[i]->z};
+    const std::array<double, 3> to{e.x, e.y, e.z};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Rounded difference = two_difference(from[k], to[k]);
+      p[3 * i + k] = {difference.value, difference.error};
+      values[3 * i + k] = difference.value;
+      most[k] = std::max(most[k], std::abs(difference.value));
+      rounded |= difference.error != 0;
+    }
+  }
+  if (!(largest(most[0], most[1], most[2]) <= kLargest)) return 0;
+  if (!rounded && to_lattice<kInsphereBits>(values)) return 0;
+  const DoubleDouble determinant = insphere_determinant(p[0], p[1], p[2], p[3], p[4], p[5], p[6],
+                                                        p[7], p[8], p[9], p[10], p[11]);
+  const double bound = kInsphereError / kRounding * kDoubleDoubleRounding * most[0] * most[1] *
+                           most[2] * (most[0] * most[0] + most[1] * most[1] + most[2] * most[2]) +
+                       kTiny;
+  return certain_sign(determinant.high, bound);
+}
+
 Answer times(Sign s, const Answer& answer) {
   return s == Sign::positive ? answer : Answer{-answer.sign, answer.stage};
 }
@@ -232,6 +263,9 @@ Answer exact_insphere(const Point3& a, const Point3& b, const Point3& c, const P
         return times(p->gap(), exact_two_plane_insphere(flat((*p)[0]), flat((*p)[1]), flat((*p)[2]),
                                                         flat((*p)[3]), flat((*p)[4])));
     }
+  }
+  if (const int s = double_double_insphere(a, b, c, d, e); s != 0) {
+    return {to_sign(s), &Stages::filter};
   }
   return exact_sign<kInsphereBits>(
       std::array{a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, d.x, d.y, d.z},

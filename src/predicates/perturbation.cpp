@@ -22,6 +22,7 @@
 #include "predicates/counting.hpp"
 #include "predicates/exact.hpp"
 #include "predicates/filter.hpp"
+#include "predicates/set_filter.hpp"
 
 namespace tetloft {
 
@@ -71,6 +72,13 @@ Sign perturbed_sign(const std::array<Point, n>& simplex, const Point& query) {
 }
 
 }  // namespace
+
+Sign predicates::perturbed_insphere_of_cospherical(const Point3& a, const Point3& b,
+                                                   const Point3& c, const Point3& d,
+                                                   const Point3& e) {
+  count(&PredicateCounters::insphere, &Stages::symbolic);
+  return perturbed_sign(std::array{a, b, c, d}, e);
+}
 
 Sign incircle_perturbed(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
   if (const int s = predicates::incircle_filter(a, b, c, d); s != 0) {

@@ -1,0 +1,55 @@
+// Filters with one bound for a whole set of points: the cheapest first stage.
+//
+// The bounds of filter.hpp with the extents of the set's bounding box for the largest
+// differences. Where all coordinates are multiples of one power of two and span few of them,
+// the determinants are computed without rounding: then the bound is zero and the sign, zero
+// included, is final.
+#pragma once
+
+#include <span>
+
+#include <tetloft/point.hpp>
+#include <tetloft/predicates.hpp>
+
+#include "predicates/determinants.hpp"
+#include "predicates/filter.hpp"
+
+namespace tetloft::predicates {
+
+class SetFilter {
+ public:
+  /// Requires finite coordinates; answers for points of the set only.
+  explicit SetFilter(std::span<const Point3> points);
+
+  /// Whether a zero of these filters is the exact sign.
+  [[nodiscard]] bool is_exact() const { return exact_; }
+
+  /// As orient3d; 0 where it is not certain.
+  [[nodiscard]] int orient3d(const Point3& a, const Point3& b, const Point3& c,
+                             const Point3& d) const {
+    return certain_sign(orient3d_determinant(b.x - a.x, b.y - a.y, b.z - a.z, c.x - a.x, c.y - a.y,
+                                             c.z - a.z, d.x - a.x, d.y - a.y, d.z - a.z),
+                        orient3d_bound_);
+  }
+
+  /// As insphere; 0 where it is not certain.
+  [[nodiscard]] int insphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
+                             const Point3& e) const {
+    return certain_sign(
+        insphere_determinant(a.x - e.x, a.y - e.y, a.z - e.z, b.x - e.x, b.y - e.y, b.z - e.z,
+                             c.x - e.x, c.y - e.y, c.z - e.z, d.x - e.x, d.y - e.y, d.z - e.z),
+        insphere_bound_);
+  }
+
+ private:
+  double orient3d_bound_;
+  double insphere_bound_;
+  bool exact_ = false;
+};
+
+/// insphere_perturbed where insphere is known to be zero.
+[[nodiscard]] Sign perturbed_insphere_of_cospherical(const Point3& a, const Point3& b,
+                                                     const Point3& c, const Point3& d,
+                                                     const Point3& e);
+
+}  // namespace tetloft::predicates

@@ -1,0 +1,101 @@
+// Filters with one bound for a set: certain where they answer, final where they are exact.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include <tetloft/predicates.hpp>
+
+#include "core/prng.hpp"
+#include "predicates/set_filter.hpp"
+
+namespace tetloft::test {
+namespace {
+
+using predicates::SetFilter;
+
+std::vector<Point3> draw(std::size_t n, Prng& prng, auto&& coordinate) {
+  std::vector<Point3> points(n);
+  for (Point3& p : points) {
+    p.x = coordinate(prng);
+    p.y = coordinate(prng);
+    p.z = coordinate(prng);
+  }
+  return points;
+}
+
+struct Tally {
+  int answered = 0;
+  int silent = 0;
+};
+
+// All filters agree with the exact predicates on random choices of five points.
+Tally expect_agreement(const std::vector<Point3>& points, Prng& prng) {
+  const SetFilter filter(points);
+  Tally tally;
+  for (int round = 0; round < 3000; ++round) {
+    const auto pick = [&]() -> const Point3& { return points[prng.below(points.size())]; };
+    const Point3 &a = pick(), &b = pick(), &c = pick(), &d = pick(), &e = pick();
+    const int o = filter.orient3d(a, b, c, d);
+    const int s = filter.insphere(a, b, c, d, e);
+    if (o != 0 || filter.is_exact()) {
+      EXPECT_EQ(static_cast<Sign>(o), orient3d(a, b, c, d));
+    }
+    if (s != 0 || filter.is_exact()) {
+      EXPECT_EQ(static_cast<Sign>(s), insphere(a, b, c, d, e));
+    }
+    if (s == 0 && filter.is_exact()) {
+      EXPECT_EQ(predicates::perturbed_insphere_of_cospherical(a, b, c, d, e),
+                insphere_perturbed(a, b, c, d, e));
+    }
+    (s != 0 ? tally.answered : tally.silent) += 1;
+  }
+  return tally;
+}
+
+TEST(SetFilter, IsNeverWrong) {
+  Prng prng(71);
+  const Tally uniform = expect_agreement(draw(200, prng, [](Prng& r) { return r.unit(); }), prng);
+  EXPECT_GT(uniform.answered, 2500);
+  const Tally tenths = expect_agreement(
+      draw(60, prng, [](Prng& r) { return static_cast<double>(r.below(5)) / 10; }), prng);
+  EXPECT_GT(tenths.silent, 100);
+  expect_agreement(
+      draw(60, prng,
+           [](Prng& r) { return std::ldexp(r.unit() - 0.5, static_cast<int>(r.below(100)) - 50); }),
+      prng);
+}
+
+TEST(SetFilter, IsExactOnSmallMultiplesOfAPowerOfTwo) {
+  Prng prng(72);
+  for (const double unit : {1.0, 0.5, 0x1p-180, 0x1p+140}) {
+    for (const std::uint64_t side : {3U, 601U}) {
+      const auto points =
+          draw(100, prng, [&](Prng& r) { return unit * (static_cast<double>(r.below(side)) - 7); });
+      EXPECT_TRUE(SetFilter(points).is_exact());
+      expect_agreement(points, prng);
+    }
+  }
+  std::vector<Point3> wide =
+      draw(50, prng, [](Prng& r) { return static_cast<double>(r.below(3)); });
+  wide.push_back({900, 0, 0});
+  EXPECT_FALSE(SetFilter(wide).is_exact());
+  expect_agreement(wide, prng);
+}
+
+TEST(SetFilter, DoesNotAnswerWhereDeterminantsCouldOverflow) {
+  const std::vector<Point3> far{{1e200, 0, 0}, {0, 1e200, 0}, {0, 0, 1e200}, {0, 0, 0}, {1, 2, 3}};
+  const SetFilter filter(far);
+  EXPECT_FALSE(filter.is_exact());
+  EXPECT_EQ(filter.insphere(far[0], far[1], far[2], far[3], far[4]), 0);
+  EXPECT_EQ(filter.orient3d(far[0], far[1], far[2], far[4]), 0);
+}
+
+TEST(SetFilter, TakesAnyNumberOfPoints) {
+  EXPECT_FALSE(SetFilter({}).is_exact());
+  const std::vector<Point3> one{{0.1, 0.2, 0.3}};
+  EXPECT_EQ(SetFilter(one).orient3d(one[0], one[0], one[0], one[0]), 0);
+}
+
+}  // namespace
+}  // namespace tetloft::test
