@@ -60,33 +60,50 @@ void Embedding::add_prisms() {
   }
 }
 
-// The faces that one piece alone has, oriented outwards.
+// The faces that one piece alone has, oriented outwards, by their sorted nodes. Faces are put
+// into the bucket of their lowest node, and buckets are no larger than stars: near-linear.
 void Embedding::collect_boundary() {
   struct Face {
-    TriangleVertices sorted;
-    TriangleVertices oriented;
+    VertexId middle, high;
+    std::uint32_t half_face;
   };
-  std::vector<Face> faces;
-  faces.reserve(4 * pieces_.size());
-  for (const Piece& piece : pieces_) {
-    for (const auto& f : kFaceVertex) {
-      Face face;
-      for (std::size_t i = 0; i < 3; ++i) {
-        face.oriented[i] = piece.node[static_cast<std::size_t>(f[i])];
-      }
-      face.sorted = face.oriented;
-      std::sort(face.sorted.begin(), face.sorted.end());
-      faces.push_back(face);
-    }
+  const auto oriented = [&](std::size_t h) {
+    const auto& f = kFaceVertex[h % 4];
+    const auto& node = pieces_[h / 4].node;
+    return TriangleVertices{node[static_cast<std::size_t>(f[0])],
+                            node[static_cast<std::size_t>(f[1])],
+                            node[static_cast<std::size_t>(f[2])]};
+  };
+  const std::size_t face_count = 4 * pieces_.size();
+  std::vector<std::uint32_t> first(first_cap_ + caps_.size() + 1, 0);
+  for (std::size_t h = 0; h < face_count; ++h) {
+    const TriangleVertices t = oriented(h);
+    ++first[std::min({t[0], t[1], t[2]}).index() + 1];
   }
-  std::sort(faces.begin(), faces.end(),
-            [](const Face& a, const Face& b) { return a.sorted < b.sorted; });
-  for (std::size_t i = 0; i < faces.size();) {
-    std::size_t j = i + 1;
-    while (j < faces.size() && faces[j].sorted == faces[i].sorted) ++j;
-    TETLOFT_CHECK(j - i <= 2);
-    if (j - i == 1) boundary_.push_back(faces[i].oriented);
-    i = j;
+  for (std::size_t v = 1; v < first.size(); ++v) first[v] += first[v - 1];
+  std::vector<Face> faces(face_count);
+  std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
+  for (std::size_t h = 0; h < face_count; ++h) {
+    TriangleVertices t = oriented(h);
+    std::sort(t.begin(), t.end());
+    faces[next[t[0].index()]++] = {t[1], t[2], static_cast<std::uint32_t>(h)};
+  }
+  const auto same = [](const Face& a, const Face& b) {
+    return a.middle == b.middle && a.high == b.high;
+  };
+  for (std::size_t v = 0; v + 1 < first.size(); ++v) {
+    const std::size_t end = first[v + 1];
+    std::sort(faces.begin() + first[v], faces.begin() + first[v + 1],
+              [](const Face& a, const Face& b) {
+                return a.middle != b.middle ? a.middle < b.middle : a.high < b.high;
+              });
+    for (std::size_t i = first[v]; i < end;) {
+      std::size_t j = i + 1;
+      while (j < end && same(faces[i], faces[j])) ++j;
+      TETLOFT_CHECK(j - i <= 2);
+      if (j - i == 1) boundary_.push_back(oriented(faces[i].half_face));
+      i = j;
+    }
   }
 }
 
