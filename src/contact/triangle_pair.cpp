@@ -14,6 +14,7 @@
 
 #include "contact/contact.hpp"
 #include "contact/planar.hpp"
+#include "predicates/filter.hpp"
 
 namespace tetloft::contact_detail {
 
@@ -61,14 +62,36 @@ std::array<Axis, 3> axes_by_normal(const Triangle3& t) {
 
 // A triangle that is not degenerate.
 struct Plate {
-  const Triangle3& t;
+  const Triangle3& t;    // shared vertices first
+  const Triangle3& own;  // in the order its facing was taken in
   const Facing& facing;
 };
 
+// The sign of (b − a) × (c − a) · (p − a) for the facing's triangle (a, b, c), where
+// rounding cannot have changed it, else 0. Each of the six monomials takes at most 8
+// roundings (difference, product, 2 × 2 difference, difference and product along the third
+// axis, two sums: 3 + 1 + 2 + 2): the count, and thus the bound, of orient3d_filter.
+int side_filter(const Facing& f, const Point3& p) {
+  using predicates::largest;
+  const double dx = p.x - f.origin.x;
+  const double dy = p.y - f.origin.y;
+  const double dz = p.z - f.origin.z;
+  const double mx = std::max(std::abs(dx), f.reach.x);
+  const double my = std::max(std::abs(dy), f.reach.y);
+  const double mz = std::max(std::abs(dz), f.reach.z);
+  if (!(largest(mx, my, mz) <= predicates::kLargest)) return 0;
+  return predicates::certain_sign(f.normal.z * dz + (f.normal.x * dx + f.normal.y * dy),
+                                  predicates::kOrient3dError * mx * my * mz + predicates::kTiny);
+}
+
 // The side of the plate's plane on which p lies; which side is positive depends on the
-// plate alone.
+// plate alone, not on the order of its vertices.
 Sign side(const Plate& plate, const Point3& p) {
-  if (!plate.facing.parallel) return orient3d(plate.t[0], plate.t[1], plate.t[2], p);
+  if (!plate.facing.parallel) {
+    const int sign = side_filter(plate.facing, p);
+    if (sign != 0) return sign > 0 ? Sign::positive : Sign::negative;
+    return orient3d(plate.own[0], plate.own[1], plate.own[2], p);
+  }
   const double level = coordinate(plate.t[0], plate.facing.axis);
   const double at = coordinate(p, plate.facing.axis);
   if (at == level) return Sign::zero;
@@ -189,7 +212,14 @@ Facing facing_of(const Triangle3& t) {
     if (orient2d(p[0], p[1], p[2]) == Sign::zero) continue;
     const double level = coordinate(t[0], axis);
     const bool parallel = coordinate(t[1], axis) == level && coordinate(t[2], axis) == level;
-    return {axis, parallel};
+    const Point3 u{t[1].x - t[0].x, t[1].y - t[0].y, t[1].z - t[0].z};
+    const Point3 v{t[2].x - t[0].x, t[2].y - t[0].y, t[2].z - t[0].z};
+    return {axis,
+            parallel,
+            t[0],
+            {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x},
+            {std::max(std::abs(u.x), std::abs(v.x)), std::max(std::abs(u.y), std::abs(v.y)),
+             std::max(std::abs(u.z), std::abs(v.z))}};
   }
   return {};
 }
@@ -212,8 +242,10 @@ bool touch(std::span<const Point3> points, const TriangleVertices& a, const Faci
 
   const Triangle3 ta = corners(points, va);
   const Triangle3 tb = corners(points, vb);
-  const Plate pa{ta, f};
-  const Plate pb{tb, g};
+  const Triangle3 own_a = corners(points, a);
+  const Triangle3 own_b = corners(points, b);
+  const Plate pa{ta, own_a, f};
+  const Plate pb{tb, own_b, g};
   if (f.axis == Axis::none || g.axis == Axis::none) return touch_degenerate(pa, pb);
   switch (shared) {
     case 0: return touch_sharing_nothing(pa, pb);

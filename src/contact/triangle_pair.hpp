@@ -3,7 +3,9 @@
 // What is asked of a triangle alone is computed once and kept in its Facing: a coordinate
 // plane onto which it projects without degenerating, and whether its own plane is parallel
 // to that one. Then the side of a point is a comparison and no determinant; the caps of a
-// solid between planar sections are like that.
+// solid between planar sections are like that. For all others the normal is kept, so that
+// the filter of a side is a scalar product and a bound; only what it cannot decide is asked
+// of orient3d.
 #pragma once
 
 #include <array>
@@ -23,6 +25,11 @@ enum class Axis : std::uint8_t { x, y, z, none };
 struct Facing {
   Axis axis = Axis::none;
   bool parallel = false;  ///< the coordinate `axis` is the same at all three vertices
+  /// For the filter of side(): the triangle's first vertex, the rounded normal there, and
+  /// the largest computed |difference| of the other vertices to it along each axis.
+  Point3 origin;
+  Point3 normal;
+  Point3 reach;
 };
 
 [[nodiscard]] Triangle3 corners(std::span<const Point3> points, const TriangleVertices& t);

@@ -5,7 +5,6 @@
 
 #include <tetloft/predicates.hpp>
 
-#include "contact/contact.hpp"
 #include "core/check.hpp"
 
 namespace tetloft {
@@ -161,7 +160,7 @@ Embedding::Blame Embedding::find_fault() {
   if (!blame.empty()) return blame;
 
   const auto start = std::chrono::steady_clock::now();
-  const std::vector<Contact> contacts = find_contacts(points_, boundary_);
+  const std::vector<Contact> contacts = boundary_contacts();
   contact_seconds_ +=
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   for (const Contact& contact : contacts) {
@@ -178,6 +177,27 @@ Embedding::Blame Embedding::find_fault() {
     blame.prisms.insert(blame.prisms.end(), pair.prisms.begin(), pair.prisms.end());
   }
   return blame;
+}
+
+// All contacts of the boundary. Once looked for, a pair that had none cannot have got one
+// unless a vertex of it moved.
+std::vector<Contact> Embedding::boundary_contacts() {
+  std::vector<std::uint8_t> active;
+  if (!tested_.empty()) {
+    active = std::move(in_contact_);
+    const auto moved = [&](VertexId v) { return points_[v.index()] != tested_[v.index()]; };
+    for (std::size_t k = 0; k < boundary_.size(); ++k) {
+      const TriangleVertices& t = boundary_[k];
+      if (moved(t[0]) || moved(t[1]) || moved(t[2])) active[k] = 1;
+    }
+  }
+  std::vector<Contact> contacts =
+      find_contacts(points_, boundary_, static_cast<std::size_t>(-1), active);
+  tested_ = points_;
+  in_contact_.assign(boundary_.size(), 0);
+  for (const Contact& contact : contacts)
+    in_contact_[contact.first] = in_contact_[contact.second] = 1;
+  return contacts;
 }
 
 Embedding::Outcome Embedding::give_way(Blame blame) {
