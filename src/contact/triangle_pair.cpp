@@ -71,11 +71,11 @@ struct Plate {
 // rounding cannot have changed it, else 0. Each of the six monomials takes at most 8
 // roundings (difference, product, 2 × 2 difference, difference and product along the third
 // axis, two sums: 3 + 1 + 2 + 2): the count, and thus the bound, of orient3d_filter.
-int side_filter(const Facing& f, const Point3& p) {
+int side_filter(const Facing& f, const Point3& a, const Point3& p) {
   using predicates::largest;
-  const double dx = p.x - f.origin.x;
-  const double dy = p.y - f.origin.y;
-  const double dz = p.z - f.origin.z;
+  const double dx = p.x - a.x;
+  const double dy = p.y - a.y;
+  const double dz = p.z - a.z;
   const double mx = std::max(std::abs(dx), f.reach.x);
   const double my = std::max(std::abs(dy), f.reach.y);
   const double mz = std::max(std::abs(dz), f.reach.z);
@@ -88,7 +88,7 @@ int side_filter(const Facing& f, const Point3& p) {
 // plate alone, not on the order of its vertices.
 Sign side(const Plate& plate, const Point3& p) {
   if (!plate.facing.parallel) {
-    const int sign = side_filter(plate.facing, p);
+    const int sign = side_filter(plate.facing, plate.own[0], p);
     if (sign != 0) return sign > 0 ? Sign::positive : Sign::negative;
     return orient3d(plate.own[0], plate.own[1], plate.own[2], p);
   }
@@ -216,12 +216,87 @@ Facing facing_of(const Triangle3& t) {
     const Point3 v{t[2].x - t[0].x, t[2].y - t[0].y, t[2].z - t[0].z};
     return {axis,
             parallel,
-            t[0],
             {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x},
             {std::max(std::abs(u.x), std::abs(v.x)), std::max(std::abs(u.y), std::abs(v.y)),
              std::max(std::abs(u.z), std::abs(v.z))}};
   }
   return {};
+}
+
+Prepared prepare(std::span<const Point3> points, const TriangleVertices& t) {
+  Prepared result{t, corners(points, t), {}, 0};
+  result.facing = facing_of(result.corner);
+  if (!result.facing.parallel) return result;
+  const Triangle2 flat = project(result.corner, result.facing.axis);
+  result.turn = predicates::orient2d_filter(flat[0], flat[1], flat[2]);
+  return result;
+}
+
+namespace {
+
+// Bit 3 i + j: vertex i of a is vertex j of b.
+unsigned shared_vertices(const TriangleVertices& a, const TriangleVertices& b) {
+  unsigned shared = 0;
+  for (unsigned i = 0; i < 3; ++i) {
+    for (unsigned j = 0; j < 3; ++j) shared |= unsigned{a[i] == b[j]} << (3 * i + j);
+  }
+  return shared;
+}
+
+// The plane of a meets b in their shared simplex if all other vertices of b lie strictly on
+// one side. `of_b`: bit j if vertex j of b is shared.
+bool plane_parts(const Prepared& a, const Prepared& b, unsigned of_b) {
+  int common = 0;
+  for (std::size_t j = 0; j < 3; ++j) {
+    if (((of_b >> j) & 1U) != 0) continue;
+    int sign = 0;
+    if (a.facing.parallel) {
+      const double level = coordinate(a.corner[0], a.facing.axis);
+      const double at = coordinate(b.corner[j], a.facing.axis);
+      sign = static_cast<int>(at > level) - static_cast<int>(at < level);
+    } else {
+      sign = side_filter(a.facing, a.corner[0], b.corner[j]);
+    }
+    if (sign == 0 || sign == -common) return false;
+    common = sign;
+  }
+  return common != 0;
+}
+
+// In one plane: the same for the line of an edge of a, which has a on its other side.
+// `on_a[j]`: which vertex of a vertex j of b is, as a mask.
+bool edge_parts(const Prepared& a, const Prepared& b, const std::array<unsigned, 3>& on_a) {
+  const Triangle2 p = project(a.corner, a.facing.axis);
+  const Triangle2 q = project(b.corner, a.facing.axis);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t l = (k + 1) % 3;
+    bool parted = true;
+    for (std::size_t j = 0; j < 3 && parted; ++j) {
+      if ((on_a[j] & (1U << k | 1U << l)) != 0) continue;
+      parted = predicates::orient2d_filter(p[k], p[l], q[j]) == -a.turn;
+    }
+    if (parted) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool certainly_apart(const Prepared& a, const Prepared& b) {
+  // A degenerate triangle touches its neighbours.
+  if (a.facing.axis == Axis::none || b.facing.axis == Axis::none) return false;
+  const unsigned shared = shared_vertices(a.vertex, b.vertex);
+  const std::array<unsigned, 3> of_a{shared & 7U, (shared >> 3) & 7U, (shared >> 6) & 7U};
+  const auto on_a = [&](unsigned j) {
+    return ((shared >> j) & 1U) | ((shared >> (3 + j)) & 1U) << 1 | ((shared >> (6 + j)) & 1U) << 2;
+  };
+  if (a.turn != 0 && b.turn != 0 && a.facing.axis == b.facing.axis &&
+      coordinate(a.corner[0], a.facing.axis) == coordinate(b.corner[0], a.facing.axis)) {
+    return edge_parts(a, b, {on_a(0), on_a(1), on_a(2)}) || edge_parts(b, a, of_a);
+  }
+  const unsigned vertices_of_a =
+      unsigned{of_a[0] != 0} | unsigned{of_a[1] != 0} << 1 | unsigned{of_a[2] != 0} << 2;
+  return plane_parts(a, b, of_a[0] | of_a[1] | of_a[2]) || plane_parts(b, a, vertices_of_a);
 }
 
 bool touch(std::span<const Point3> points, const TriangleVertices& a, const Facing& f,
