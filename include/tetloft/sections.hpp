@@ -42,8 +42,9 @@ struct SectionStack {
 /// and of magnitude below kLargestCoordinate; contours simple, with at least three
 /// vertices and non-zero area, pairwise without contact. The error names section, contour,
 /// vertex, coordinates and the reason; the first defect by (section, contour, vertex) is
-/// reported. O(n log n) for contours without long-range contact.
-[[nodiscard]] Result<void> validate(const SectionStack& stack);
+/// reported. O(n log n) for contours without long-range contact. Sections are verified on up
+/// to `threads` threads (0: all processors), with the same result.
+[[nodiscard]] Result<void> validate(const SectionStack& stack, unsigned threads = 1);
 
 /// Constructed points (midpoints, lifted and cut points) neither over- nor underflow as
 /// long as input coordinates stay below this.

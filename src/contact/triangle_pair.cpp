@@ -79,9 +79,10 @@ int side_filter(const Facing& f, const Point3& a, const Point3& p) {
   const double mx = std::max(std::abs(dx), f.reach.x);
   const double my = std::max(std::abs(dy), f.reach.y);
   const double mz = std::max(std::abs(dz), f.reach.z);
-  if (!(largest(mx, my, mz) <= predicates::kLargest)) return 0;
-  return predicates::certain_sign(f.normal.z * dz + (f.normal.x * dx + f.normal.y * dy),
-                                  predicates::kOrient3dError * mx * my * mz + predicates::kTiny);
+  const int sign =
+      predicates::certain_sign(f.normal.z * dz + (f.normal.x * dx + f.normal.y * dy),
+                               predicates::kOrient3dError * mx * my * mz + predicates::kTiny);
+  return largest(mx, my, mz) <= predicates::kLargest ? sign : 0;
 }
 
 // The side of the plate's plane on which p lies; which side is positive depends on the
@@ -244,23 +245,17 @@ unsigned shared_vertices(const TriangleVertices& a, const TriangleVertices& b) {
 }
 
 // The plane of a meets b in their shared simplex if all other vertices of b lie strictly on
-// one side. `of_b`: bit j if vertex j of b is shared.
+// one side. `of_b`: bit j if vertex j of b is shared. Without branches: which side a vertex
+// is on is a coin's toss to the processor.
 bool plane_parts(const Prepared& a, const Prepared& b, unsigned of_b) {
-  int common = 0;
-  for (std::size_t j = 0; j < 3; ++j) {
-    if (((of_b >> j) & 1U) != 0) continue;
-    int sign = 0;
-    if (a.facing.parallel) {
-      const double level = coordinate(a.corner[0], a.facing.axis);
-      const double at = coordinate(b.corner[j], a.facing.axis);
-      sign = static_cast<int>(at > level) - static_cast<int>(at < level);
-    } else {
-      sign = side_filter(a.facing, a.corner[0], b.corner[j]);
-    }
-    if (sign == 0 || sign == -common) return false;
-    common = sign;
+  unsigned above = of_b;
+  unsigned below = of_b;
+  for (unsigned j = 0; j < 3; ++j) {
+    const int sign = side_filter(a.facing, a.corner[0], b.corner[j]);
+    above |= unsigned{sign > 0} << j;
+    below |= unsigned{sign < 0} << j;
   }
-  return common != 0;
+  return of_b != 7 && (above == 7 || below == 7);
 }
 
 // In one plane: the same for the line of an edge of a, which has a on its other side.
