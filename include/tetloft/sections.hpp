@@ -6,6 +6,7 @@
 // immediate holes.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -41,8 +42,9 @@ struct SectionStack {
 /// and of magnitude below kLargestCoordinate; contours simple, with at least three
 /// vertices and non-zero area, pairwise without contact. The error names section, contour,
 /// vertex, coordinates and the reason; the first defect by (section, contour, vertex) is
-/// reported. O(n log n) for contours without long-range contact.
-[[nodiscard]] Result<void> validate(const SectionStack& stack);
+/// reported. O(n log n) for contours without long-range contact. Sections are verified on up
+/// to `threads` threads (0: all processors), with the same result.
+[[nodiscard]] Result<void> validate(const SectionStack& stack, unsigned threads = 1);
 
 /// Constructed points (midpoints, lifted and cut points) neither over- nor underflow as
 /// long as input coordinates stay below this.
@@ -179,10 +181,16 @@ struct RegionOutline {
 };
 [[nodiscard]] RegionOutline outline(const Section& section, const Nesting& nesting,
                                     RegionId region);
+/// The same of all regions, in time linear in the contours.
+[[nodiscard]] IdVector<RegionId, RegionOutline> outlines(const Section& section,
+                                                         const Nesting& nesting);
 
 /// An exact comparison of areas: the sign of area(a ∩ b) / min(area a, area b) − tau, for
 /// tau as the double it is. Interval arithmetic first, rationals where it cannot decide.
 [[nodiscard]] Sign compare_overlap(const RegionOutline& a, const RegionOutline& b, double tau);
+/// The same for two thresholds, for little more than the cost of one.
+[[nodiscard]] std::array<Sign, 2> compare_overlap(const RegionOutline& a, const RegionOutline& b,
+                                                  const std::array<double, 2>& taus);
 /// The same ratio, for reports and for ordering by evidence: rounded to 32 significant
 /// bits, halves up, so that equal ratios are equal doubles however they arise; exactly 0
 /// iff the intersection has no area.

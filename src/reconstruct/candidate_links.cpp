@@ -36,10 +36,10 @@ std::vector<Link> overlap_links(SlabId slab, const Section& below, const Nesting
   const std::size_t lows = nesting_below.outer.size();
   const std::size_t highs = nesting_above.outer.size();
   std::vector<Box> high_box(highs);
-  std::vector<RegionOutline> high_outline(highs);
+  const IdVector<RegionId, RegionOutline> low_outline = outlines(below, nesting_below);
+  const IdVector<RegionId, RegionOutline> high_outline = outlines(above, nesting_above);
   for (std::size_t j = 0; j < highs; ++j) {
     high_box[j] = box_of(above.contours[nesting_above.outer[RegionId(j)]]);
-    high_outline[j] = outline(above, nesting_above, RegionId(j));
   }
 
   std::vector<Candidate> candidates;
@@ -47,16 +47,16 @@ std::vector<Link> overlap_links(SlabId slab, const Section& below, const Nesting
   std::vector<std::uint32_t> strong_above(highs, 0);
   for (std::size_t i = 0; i < lows; ++i) {
     const Box low_box = box_of(below.contours[nesting_below.outer[RegionId(i)]]);
-    const RegionOutline low_outline = outline(below, nesting_below, RegionId(i));
     for (std::size_t j = 0; j < highs; ++j) {
       if (!low_box.meets(high_box[j])) continue;
-      const bool strong =
-          compare_overlap(low_outline, high_outline[j], kStrongOverlap) != Sign::negative;
+      const auto [against_strong, against_tau] = compare_overlap(
+          low_outline[RegionId(i)], high_outline[RegionId(j)], std::array{kStrongOverlap, tau});
+      const bool strong = against_strong != Sign::negative;
       if (strong) {
         ++strong_below[i];
         ++strong_above[j];
       }
-      if (compare_overlap(low_outline, high_outline[j], tau) != Sign::positive) continue;
+      if (against_tau != Sign::positive) continue;
       candidates.push_back({{slab, RegionId(i), RegionId(j)}, strong});
     }
   }

@@ -18,7 +18,7 @@ Completion::Completion(const Slab& slab, const SlabClasses& classes,
       rules_(rules),
       queued_(slab.vertex_count(), 0),
       spoke_of_(slab.mesh().tet_slots(), kHull),
-      seen_(slab.vertex_count(), 0) {}
+      link_vertex_(slab.vertex_count()) {}
 
 std::vector<Unconnectable> Completion::run() {
   for (std::size_t v = 0; v < slab_.vertex_count(); ++v) {
@@ -27,21 +27,23 @@ std::vector<Unconnectable> Completion::run() {
   settle_queue();
 
   std::vector<Unconnectable> left;
+  std::optional<UnionFind> sets;  // none once the complex has grown
   for (std::size_t k = 0; k < classes_.class_count(); ++k) {
     const ClassId c(k);
     if (active_[c] == 0 || classes_.is_lone(c)) continue;
     for (;;) {
-      const UnionFind sets = parts();
+      if (!sets) sets = parts();
       const auto& regions = classes_.regions(c);
       const bool connected = std::all_of(regions.begin(), regions.end(), [&](SlabRegionId r) {
-        return sets.same(r.index(), regions.front().index());
+        return sets->same(r.index(), regions.front().index());
       });
       if (connected) break;
-      if (!connect_class(c, sets)) {
+      if (!connect_class(c, *sets)) {
         left.push_back({c, regions});
         break;
       }
       settle_queue();
+      sets.reset();
     }
   }
   if (left.empty()) fill_convex();
@@ -75,9 +77,13 @@ void Completion::settle_queue() {
 
 void Completion::settle(VertexId p) {
   gather_star(p);
-  do {
+  for (;;) {
     find_primary_sheet();
-  } while (fill_rings(p) || fill_holes(p));
+    const LinkShape shape = link_shape();
+    if (shape == LinkShape::disc) break;
+    if (shape == LinkShape::pinched && fill_rings(p)) continue;
+    if (!fill_holes(p)) break;
+  }
 
   for (std::size_t k = 0; k < spokes_.size(); ++k) {
     if (primary_[k] == 0) continue;
@@ -104,16 +110,22 @@ void Completion::gather_star(VertexId p) {
 // Floods from the type-1 tets on the vertex's own internal triangles.
 void Completion::find_primary_sheet() {
   primary_.assign(spokes_.size(), 0);
-  stack_.clear();
+  sheets_ = 0;
   for (std::size_t k = 0; k < spokes_.size(); ++k) {
     const Spoke& spoke = spokes_[k];
     if (slab_.kind(spoke.tet) != TetKind::t1_internal) continue;
     const std::uint8_t upper = slab_.upper_corners(spoke.tet);
     const bool triangle_above = std::popcount(upper) == 3;
     if (has_corner(upper, spoke.corner) != triangle_above) continue;  // p is the apex
-    primary_[k] = 1;
-    stack_.push_back(static_cast<std::uint32_t>(k));
+    if (primary_[k] != 0) continue;
+    ++sheets_;
+    flood_primary(k);
   }
+}
+
+void Completion::flood_primary(std::size_t start) {
+  primary_[start] = 1;
+  stack_.assign(1, static_cast<std::uint32_t>(start));
   while (!stack_.empty()) {
     const Spoke& spoke = spokes_[stack_.back()];
     stack_.pop_back();
@@ -128,15 +140,56 @@ void Completion::find_primary_sheet() {
   }
 }
 
-bool Completion::fill_rings(VertexId p) {
+// In the link the primary sheet is a set of triangles. A link vertex is pinched iff more
+// than two of the set's boundary edges end there: two for one run of tets, also for one gap
+// in a cycle, four and more for several. A connected set without pinch is a disc iff χ = 1.
+Completion::LinkShape Completion::link_shape() {
   ++epoch_;
+  std::size_t triangles = 0;
+  std::size_t vertices = 0;
+  std::size_t boundary_edges = 0;
+  bool pinched = false;
+  for (std::size_t k = 0; k < spokes_.size(); ++k) {
+    if (primary_[k] == 0) continue;
+    ++triangles;
+    const Spoke& spoke = spokes_[k];
+    const std::array<VertexId, 4>& corner = slab_.mesh().vertices(spoke.tet);
+    // Whether each of the triangle's edges, opposite corner i, is on the boundary.
+    std::array<bool, 4> edge{};
+    std::size_t edges = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (i == static_cast<std::size_t>(spoke.corner)) continue;
+      const std::int32_t next = spoke.next[i];
+      edge[i] = next == kHull || primary_[static_cast<std::size_t>(next)] == 0;
+      edges += edge[i] ? 1U : 0U;
+    }
+    boundary_edges += edges;
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (i == static_cast<std::size_t>(spoke.corner)) continue;
+      LinkVertex& vertex = link_vertex_[corner[i]];
+      if (vertex.epoch != epoch_) {
+        vertex = {epoch_, 0};
+        ++vertices;
+      }
+      vertex.boundary_edges += static_cast<std::uint32_t>(edges - (edge[i] ? 1U : 0U));
+      pinched = pinched || vertex.boundary_edges > 2;
+    }
+  }
+  if (pinched) return LinkShape::pinched;
+  // V − E + F = 1 with E = (3 F + B) / 2.
+  const bool euler = 2 * vertices == 2 + triangles + boundary_edges;
+  return sheets_ == 1 && euler ? LinkShape::disc : LinkShape::holed;
+}
+
+bool Completion::fill_rings(VertexId p) {
   to_keep_.clear();
   for (std::size_t k = 0; k < spokes_.size(); ++k) {
     if (primary_[k] == 0) continue;
     for (int i = 0; i < 4; ++i) {
       const VertexId q = slab_.mesh().vertex(spokes_[k].tet, i);
-      if (i == spokes_[k].corner || seen_[q] == epoch_) continue;
-      seen_[q] = epoch_;
+      // Each pinched link vertex once.
+      if (i == spokes_[k].corner || link_vertex_[q].boundary_edges <= 2) continue;
+      link_vertex_[q].boundary_edges = 0;
       const bool cyclic = slab_.ring(spokes_[k].tet, p, q, ring_);
       const std::size_t n = ring_.size();
       const auto attached = [&](std::size_t at) { return in_primary(ring_[at]); };

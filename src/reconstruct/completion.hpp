@@ -58,6 +58,13 @@ class Completion {
   };
   static constexpr std::int32_t kHull = -1;
 
+  // The primary sheet as it appears in the link of its vertex.
+  enum class LinkShape : std::uint8_t { disc, pinched, holed };
+  struct LinkVertex {
+    std::uint32_t epoch = 0;
+    std::uint32_t boundary_edges = 0;  // of the primary sheet, that end there
+  };
+
   struct Merge {
     bool attached = false;  // the sheet reaches an attached corner of another part
     std::size_t length = 0;
@@ -73,6 +80,8 @@ class Completion {
 
   void gather_star(VertexId p);
   void find_primary_sheet();
+  void flood_primary(std::size_t start);
+  [[nodiscard]] LinkShape link_shape();
   bool fill_rings(VertexId p);
   bool fill_holes(VertexId p);
   void settle(VertexId p);
@@ -110,8 +119,9 @@ class Completion {
   std::vector<std::uint32_t> stack_;
   std::vector<TetId> ring_;
   std::vector<TetId> to_keep_;
-  // Epoch stamps of link vertices whose ring was looked at.
-  IdVector<VertexId, std::uint32_t> seen_;
+  std::size_t sheets_ = 0;  // connected parts of primary_
+  // Of the vertices in the current star's link, those with the current epoch.
+  IdVector<VertexId, LinkVertex> link_vertex_;
   std::uint32_t epoch_ = 0;
 };
 

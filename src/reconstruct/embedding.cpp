@@ -5,7 +5,6 @@
 
 #include <tetloft/predicates.hpp>
 
-#include "contact/contact.hpp"
 #include "core/check.hpp"
 
 namespace tetloft {
@@ -60,33 +59,50 @@ void Embedding::add_prisms() {
   }
 }
 
-// The faces that one piece alone has, oriented outwards.
+// The faces that one piece alone has, oriented outwards, by their sorted nodes. Faces are put
+// into the bucket of their lowest node, and buckets are no larger than stars: near-linear.
 void Embedding::collect_boundary() {
   struct Face {
-    TriangleVertices sorted;
-    TriangleVertices oriented;
+    VertexId middle, high;
+    std::uint32_t half_face;
   };
-  std::vector<Face> faces;
-  faces.reserve(4 * pieces_.size());
-  for (const Piece& piece : pieces_) {
-    for (const auto& f : kFaceVertex) {
-      Face face;
-      for (std::size_t i = 0; i < 3; ++i) {
-        face.oriented[i] = piece.node[static_cast<std::size_t>(f[i])];
-      }
-      face.sorted = face.oriented;
-      std::sort(face.sorted.begin(), face.sorted.end());
-      faces.push_back(face);
-    }
+  const auto oriented = [&](std::size_t h) {
+    const auto& f = kFaceVertex[h % 4];
+    const auto& node = pieces_[h / 4].node;
+    return TriangleVertices{node[static_cast<std::size_t>(f[0])],
+                            node[static_cast<std::size_t>(f[1])],
+                            node[static_cast<std::size_t>(f[2])]};
+  };
+  const std::size_t face_count = 4 * pieces_.size();
+  std::vector<std::uint32_t> first(first_cap_ + caps_.size() + 1, 0);
+  for (std::size_t h = 0; h < face_count; ++h) {
+    const TriangleVertices t = oriented(h);
+    ++first[std::min({t[0], t[1], t[2]}).index() + 1];
   }
-  std::sort(faces.begin(), faces.end(),
-            [](const Face& a, const Face& b) { return a.sorted < b.sorted; });
-  for (std::size_t i = 0; i < faces.size();) {
-    std::size_t j = i + 1;
-    while (j < faces.size() && faces[j].sorted == faces[i].sorted) ++j;
-    TETLOFT_CHECK(j - i <= 2);
-    if (j - i == 1) boundary_.push_back(faces[i].oriented);
-    i = j;
+  for (std::size_t v = 1; v < first.size(); ++v) first[v] += first[v - 1];
+  std::vector<Face> faces(face_count);
+  std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
+  for (std::size_t h = 0; h < face_count; ++h) {
+    TriangleVertices t = oriented(h);
+    std::sort(t.begin(), t.end());
+    faces[next[t[0].index()]++] = {t[1], t[2], static_cast<std::uint32_t>(h)};
+  }
+  const auto same = [](const Face& a, const Face& b) {
+    return a.middle == b.middle && a.high == b.high;
+  };
+  for (std::size_t v = 0; v + 1 < first.size(); ++v) {
+    const std::size_t end = first[v + 1];
+    std::sort(faces.begin() + first[v], faces.begin() + first[v + 1],
+              [](const Face& a, const Face& b) {
+                return a.middle != b.middle ? a.middle < b.middle : a.high < b.high;
+              });
+    for (std::size_t i = first[v]; i < end;) {
+      std::size_t j = i + 1;
+      while (j < end && same(faces[i], faces[j])) ++j;
+      TETLOFT_CHECK(j - i <= 2);
+      if (j - i == 1) boundary_.push_back(oriented(faces[i].half_face));
+      i = j;
+    }
   }
 }
 
@@ -144,7 +160,7 @@ Embedding::Blame Embedding::find_fault() {
   if (!blame.empty()) return blame;
 
   const auto start = std::chrono::steady_clock::now();
-  const std::vector<Contact> contacts = find_contacts(points_, boundary_);
+  const std::vector<Contact> contacts = boundary_contacts();
   contact_seconds_ +=
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   for (const Contact& contact : contacts) {
@@ -161,6 +177,27 @@ Embedding::Blame Embedding::find_fault() {
     blame.prisms.insert(blame.prisms.end(), pair.prisms.begin(), pair.prisms.end());
   }
   return blame;
+}
+
+// All contacts of the boundary. Once looked for, a pair that had none cannot have got one
+// unless a vertex of it moved.
+std::vector<Contact> Embedding::boundary_contacts() {
+  std::vector<std::uint8_t> active;
+  if (!tested_.empty()) {
+    active = std::move(in_contact_);
+    const auto moved = [&](VertexId v) { return points_[v.index()] != tested_[v.index()]; };
+    for (std::size_t k = 0; k < boundary_.size(); ++k) {
+      const TriangleVertices& t = boundary_[k];
+      if (moved(t[0]) || moved(t[1]) || moved(t[2])) active[k] = 1;
+    }
+  }
+  std::vector<Contact> contacts =
+      find_contacts(points_, boundary_, static_cast<std::size_t>(-1), active);
+  tested_ = points_;
+  in_contact_.assign(boundary_.size(), 0);
+  for (const Contact& contact : contacts)
+    in_contact_[contact.first] = in_contact_[contact.second] = 1;
+  return contacts;
 }
 
 Embedding::Outcome Embedding::give_way(Blame blame) {

@@ -18,6 +18,7 @@
 
 #include <tetloft/result.hpp>
 
+#include "contact/contact.hpp"
 #include "reconstruct/lifting.hpp"
 #include "reconstruct/prism.hpp"
 
@@ -71,6 +72,7 @@ class Embedding {
   void collect_boundary();
   void place();
   [[nodiscard]] Blame find_fault();
+  [[nodiscard]] std::vector<Contact> boundary_contacts();
   void blame_node(VertexId node, Blame& blame) const;
   [[nodiscard]] Outcome give_way(Blame blame);
 
@@ -93,6 +95,10 @@ class Embedding {
   std::vector<Piece> pieces_;
   std::vector<TriangleVertices> boundary_;
   std::vector<Point3> points_;
+  // Where the points were when contacts were last looked for, none before; and, by boundary
+  // triangle, whether it had a contact then.
+  std::vector<Point3> tested_;
+  std::vector<std::uint8_t> in_contact_;
   Point3 at_;
   double contact_seconds_ = 0;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <tetloft/predicates.hpp>
 
@@ -23,6 +24,11 @@ constexpr double kFlat = 0.1;
 constexpr double kLowEnough = 0x1p-5;
 // No child in particular.
 constexpr std::uint32_t kNone = 0xFFFFFFFFU;
+
+void sort_unique(std::vector<std::uint32_t>& items) {
+  std::sort(items.begin(), items.end());
+  items.erase(std::unique(items.begin(), items.end()), items.end());
+}
 
 }  // namespace
 
@@ -64,6 +70,8 @@ Lifting::Lifting(const Slab& slab, const Subdivision& subdivision)
                          points_[node[2].index()], points_[node[3].index()])));
   }
   for (std::size_t k = 0; k < lifted; ++k) place(k);
+  todo_.resize(subdivision.children.size());
+  std::iota(todo_.begin(), todo_.end(), 0U);
 }
 
 void Lifting::place(std::size_t k) {
@@ -91,6 +99,7 @@ bool Lifting::good(std::size_t child) const {
 
 bool Lifting::halve(std::size_t k) {
   ceiling_[k] = 0.5 * fraction_[k];
+  todo_.insert(todo_.end(), child_.begin() + first_child_[k], child_.begin() + first_child_[k + 1]);
   return lower(k, kNone);
 }
 
@@ -151,14 +160,13 @@ bool Lifting::settle(RuleCounts& rules) {
   const std::size_t n = slab_.vertex_count();
   // The first bad child of a vertex that is to be lowered; kNone otherwise.
   std::vector<std::uint32_t> bad_child(subdivision_.lifted.size(), kNone);
-  std::vector<std::uint32_t> todo(subdivision_.children.size());
-  for (std::size_t c = 0; c < todo.size(); ++c) todo[c] = static_cast<std::uint32_t>(c);
+  sort_unique(todo_);
 
   // Rounds: all vertices of bad children are halved together, then the children they touch
   // are looked at again.
-  while (!todo.empty()) {
+  while (!todo_.empty()) {
     std::vector<std::size_t> halved;
-    for (const std::uint32_t c : todo) {
+    for (const std::uint32_t c : todo_) {
       if (good(c)) continue;
       for (const VertexId v : subdivision_.children[c].node) {
         if (v.index() < n) continue;  // nothing to move: a tet of D is positive
@@ -168,16 +176,15 @@ bool Lifting::settle(RuleCounts& rules) {
       }
     }
     std::sort(halved.begin(), halved.end());
-    todo.clear();
+    todo_.clear();
     for (const std::size_t k : halved) {
       count(rules, Rule::halved_lift);
       if (!lower(k, bad_child[k])) return false;
       bad_child[k] = kNone;
-      todo.insert(todo.end(), child_.begin() + first_child_[k],
-                  child_.begin() + first_child_[k + 1]);
+      todo_.insert(todo_.end(), child_.begin() + first_child_[k],
+                   child_.begin() + first_child_[k + 1]);
     }
-    std::sort(todo.begin(), todo.end());
-    todo.erase(std::unique(todo.begin(), todo.end()), todo.end());
+    sort_unique(todo_);
   }
   raise();
   return true;

@@ -71,6 +71,8 @@ class Lifting {
   // child_[first_child_[k] … first_child_[k + 1]]: the children at lifted vertex k.
   std::vector<std::uint32_t> first_child_;
   std::vector<std::uint32_t> child_;
+  // Children that may not be good: all at first, later those at vertices lowered since.
+  std::vector<std::uint32_t> todo_;
   Point3 at_;
 };
 

@@ -96,7 +96,7 @@ class Reconstructor {
 
   std::optional<Error> prepare_sections() {
     const auto start = Clock::now();
-    if (Result<void> valid = validate(stack_); !valid) return valid.error();
+    if (Result<void> valid = validate(stack_, options_.threads); !valid) return valid.error();
     nestings_.resize(section_count());
     sections_.resize(section_count());
     gabriel_.resize(section_count());

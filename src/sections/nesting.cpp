@@ -80,4 +80,19 @@ RegionOutline outline(const Section& section, const Nesting& nesting, RegionId r
   return result;
 }
 
+IdVector<RegionId, RegionOutline> outlines(const Section& section, const Nesting& nesting) {
+  IdVector<RegionId, RegionOutline> result(nesting.outer.size());
+  for (std::size_t r = 0; r < nesting.outer.size(); ++r) {
+    result[RegionId(r)].contours.push_back(&section.contours[nesting.outer[RegionId(r)]]);
+  }
+  for (std::size_t c = 0; c < section.contours.size(); ++c) {
+    const ContourId id(c);
+    const RegionId region = nesting.region[id];
+    if (id != nesting.outer[region]) {
+      result[region].contours.push_back(&section.contours[id]);
+    }
+  }
+  return result;
+}
+
 }  // namespace tetloft

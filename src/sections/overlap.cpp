@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include <tetloft/sections.hpp>
@@ -156,23 +157,55 @@ double to_ratio_bits(double value) {
 
 }  // namespace
 
+std::array<Sign, 2> compare_overlap(const RegionOutline& a, const RegionOutline& b,
+                                    const std::array<double, 2>& taus) {
+  std::array<Sign, 2> signs{};
+  const bool apart = !sections::bounds(a).overlaps(sections::bounds(b));
+  // What the thresholds have in common is found when the first of them needs it.
+  struct Overlap {
+    Trapezoids a, b;
+    Bounds areas;
+  };
+  std::optional<Overlap> overlap;
+  for (std::size_t k = 0; k < taus.size(); ++k) {
+    const double tau = taus[k];
+    // A ratio is between 0 and 1. Nothing exceeds a tau that is not a number.
+    if (tau < 0) {
+      signs[k] = Sign::positive;
+      continue;
+    }
+    if (!(tau <= 1)) {
+      signs[k] = Sign::negative;
+      continue;
+    }
+    if (apart) {
+      signs[k] = tau == 0 ? Sign::zero : Sign::negative;
+      continue;
+    }
+    if (!overlap) {
+      overlap = Overlap{sections::trapezoids_of(a), sections::trapezoids_of(b), {}};
+      overlap->areas = bounds(overlap->a, overlap->b);
+    }
+    const Bounds& areas = overlap->areas;
+    if (tau == 0) {
+      const bool some = areas.overlap.positive() || sections::interiors_meet(a, b);
+      signs[k] = some ? Sign::positive : Sign::zero;
+      continue;
+    }
+    const Interval excess = areas.overlap - Interval{tau, tau} * areas.smaller;
+    if (excess.positive()) {
+      signs[k] = Sign::positive;
+    } else if (excess.negative()) {
+      signs[k] = Sign::negative;
+    } else {
+      signs[k] = sections::compare(sections::exact_overlap(overlap->a, overlap->b), tau);
+    }
+  }
+  return signs;
+}
+
 Sign compare_overlap(const RegionOutline& a, const RegionOutline& b, double tau) {
-  // A ratio is between 0 and 1. Nothing exceeds a tau that is not a number.
-  if (tau < 0) return Sign::positive;
-  if (!(tau <= 1)) return Sign::negative;
-  if (!sections::bounds(a).overlaps(sections::bounds(b))) {
-    return tau == 0 ? Sign::zero : Sign::negative;
-  }
-  const Trapezoids edges_a = sections::trapezoids_of(a);
-  const Trapezoids edges_b = sections::trapezoids_of(b);
-  const Bounds areas = bounds(edges_a, edges_b);
-  if (tau == 0) {
-    return areas.overlap.positive() || sections::interiors_meet(a, b) ? Sign::positive : Sign::zero;
-  }
-  const Interval excess = areas.overlap - Interval{tau, tau} * areas.smaller;
-  if (excess.positive()) return Sign::positive;
-  if (excess.negative()) return Sign::negative;
-  return sections::compare(sections::exact_overlap(edges_a, edges_b), tau);
+  return compare_overlap(a, b, {tau, -1})[0];
 }
 
 double overlap_ratio(const RegionOutline& a, const RegionOutline& b) {

@@ -5,6 +5,7 @@
 // without an interior and contours with bad coordinates are defects themselves; they take
 // part in no contact.
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdio>
 #include <optional>
@@ -14,6 +15,7 @@
 #include <tetloft/sections.hpp>
 
 #include "core/check.hpp"
+#include "core/parallel.hpp"
 #include "sections/contacts.hpp"
 
 namespace tetloft {
@@ -126,6 +128,17 @@ Error error_at(const Section& section, std::size_t s, const Defect& defect) {
   return error;
 }
 
+std::optional<Error> section_error(const SectionStack& stack, std::size_t s) {
+  const Section& section = stack.sections[SectionId(s)];
+  if (const auto reason = height_defect(stack, s)) {
+    Error error{ErrorCode::invalid_input, *reason, {}};
+    error.where.section = s;
+    return error;
+  }
+  if (const auto defect = contour_defect(section)) return error_at(section, s, *defect);
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::size_t SectionStack::contour_count() const {
@@ -142,21 +155,24 @@ std::size_t SectionStack::vertex_count() const {
   return count;
 }
 
-Result<void> validate(const SectionStack& stack) {
+Result<void> validate(const SectionStack& stack, unsigned threads) {
   return guard_internal([&]() -> Result<void> {
     if (Result<void> sound = fp_self_check(); !sound) return sound;
     if (stack.sections.empty()) {
       return Error{ErrorCode::invalid_input, "the stack has no section", {}};
     }
-    for (std::size_t s = 0; s < stack.sections.size(); ++s) {
-      const Section& section = stack.sections[SectionId(s)];
-      if (const auto reason = height_defect(stack, s)) {
-        Error error{ErrorCode::invalid_input, *reason, {}};
-        error.where.section = s;
-        return error;
+    std::vector<std::optional<Error>> errors(stack.sections.size());
+    // Sections above a faulty one need no look: the lowest is reported.
+    std::atomic<std::size_t> lowest{errors.size()};
+    parallel_for(errors.size(), threads, [&](std::size_t s) {
+      if (s > lowest.load()) return;
+      errors[s] = section_error(stack, s);
+      if (!errors[s]) return;
+      std::size_t known = lowest.load();
+      while (s < known && !lowest.compare_exchange_weak(known, s)) {
       }
-      if (const auto defect = contour_defect(section)) return error_at(section, s, *defect);
-    }
+    });
+    if (lowest < errors.size()) return *std::move(errors[lowest]);
     return {};
   });
 }
