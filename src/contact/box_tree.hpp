@@ -30,12 +30,8 @@ class BoxTree {
   BoxTree(std::span<const Point3> points, std::span<const TriangleVertices> triangles,
           std::span<const std::uint8_t> active);
 
-  /// Triangles by place: places of triangles near each other are near each other.
-  [[nodiscard]] std::size_t size() const { return items_.size(); }
-  [[nodiscard]] std::uint32_t triangle(std::uint32_t place) const { return items_[place].triangle; }
-
-  /// Calls visit(i, j) once for each unordered pair of triangles, i != j, by their places,
-  /// whose closed boxes meet and of which one is active. The order depends on the input alone.
+  /// Calls visit(i, j) once for each unordered pair of triangles, i != j, whose closed boxes
+  /// meet and of which one is active. The order depends on the input alone.
   template <class Visit>
   void for_each_pair(Visit&& visit) const;
 
@@ -77,7 +73,7 @@ void BoxTree::visit_leaf(const Node& a, Visit& visit) const {
     for (std::uint32_t j = i + 1; j < a.end; ++j) {
       const Item& p = items_[i];
       const Item& q = items_[j];
-      if ((p.active || q.active) && p.box.meets(q.box)) visit(i, j);
+      if ((p.active || q.active) && p.box.meets(q.box)) visit(p.triangle, q.triangle);
     }
   }
 }
@@ -89,7 +85,7 @@ void BoxTree::visit_leaves(const Node& a, const Node& b, Visit& visit) const {
     if (!(p.active || b.active) || !p.box.meets(b.box)) continue;
     for (std::uint32_t j = b.begin; j < b.end; ++j) {
       const Item& q = items_[j];
-      if ((p.active || q.active) && p.box.meets(q.box)) visit(i, j);
+      if ((p.active || q.active) && p.box.meets(q.box)) visit(p.triangle, q.triangle);
     }
   }
 }

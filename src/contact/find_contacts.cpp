@@ -10,7 +10,7 @@ namespace tetloft {
 
 namespace {
 
-using contact_detail::Prepared;
+using contact_detail::Facing;
 
 /// Keeps the lowest `limit` of the contacts it is given, in memory linear in `limit`.
 class LowestContacts {
@@ -52,22 +52,19 @@ std::vector<Contact> find_contacts(std::span<const Point3> points,
                                    std::span<const TriangleVertices> triangles, std::size_t limit,
                                    std::span<const std::uint8_t> active) {
   if (limit == 0) return {};
+  std::vector<Facing> facing;
+  facing.reserve(triangles.size());
+  for (const TriangleVertices& t : triangles) {
+    facing.push_back(contact_detail::facing_of(contact_detail::corners(points, t)));
+  }
   LowestContacts lowest(limit);
   const contact_detail::BoxTree tree(points, triangles, active);
-  std::vector<Prepared> prepared;  // in the tree's order: neighbours share cache lines
-  prepared.reserve(triangles.size());
-  for (std::uint32_t k = 0; k < tree.size(); ++k) {
-    prepared.push_back(contact_detail::prepare(points, triangles[tree.triangle(k)]));
-  }
-  tree.for_each_pair([&](std::uint32_t k, std::uint32_t l) {
-    const Prepared& p = prepared[k];
-    const Prepared& q = prepared[l];
-    if (contact_detail::certainly_apart(p, q)) return;
-    const std::uint32_t i = tree.triangle(k);
-    const std::uint32_t j = tree.triangle(l);
+  tree.for_each_pair([&](std::uint32_t i, std::uint32_t j) {
     const Contact pair{std::min(i, j), std::max(i, j)};
     if (!lowest.wants(pair)) return;
-    if (contact_detail::touch(points, p.vertex, p.facing, q.vertex, q.facing)) lowest.add(pair);
+    if (contact_detail::touch(points, triangles[i], facing[i], triangles[j], facing[j])) {
+      lowest.add(pair);
+    }
   });
   return lowest.sorted();
 }

@@ -14,7 +14,6 @@
 
 #include "contact/contact.hpp"
 #include "contact/planar.hpp"
-#include "predicates/filter.hpp"
 
 namespace tetloft::contact_detail {
 
@@ -62,37 +61,14 @@ std::array<Axis, 3> axes_by_normal(const Triangle3& t) {
 
 // A triangle that is not degenerate.
 struct Plate {
-  const Triangle3& t;    // shared vertices first
-  const Triangle3& own;  // in the order its facing was taken in
+  const Triangle3& t;
   const Facing& facing;
 };
 
-// The sign of (b − a) × (c − a) · (p − a) for the facing's triangle (a, b, c), where
-// rounding cannot have changed it, else 0. Each of the six monomials takes at most 8
-// roundings (difference, product, 2 × 2 difference, difference and product along the third
-// axis, two sums: 3 + 1 + 2 + 2): the count, and thus the bound, of orient3d_filter.
-int side_filter(const Facing& f, const Point3& a, const Point3& p) {
-  using predicates::largest;
-  const double dx = p.x - a.x;
-  const double dy = p.y - a.y;
-  const double dz = p.z - a.z;
-  const double mx = std::max(std::abs(dx), f.reach.x);
-  const double my = std::max(std::abs(dy), f.reach.y);
-  const double mz = std::max(std::abs(dz), f.reach.z);
-  const int sign =
-      predicates::certain_sign(f.normal.z * dz + (f.normal.x * dx + f.normal.y * dy),
-                               predicates::kOrient3dError * mx * my * mz + predicates::kTiny);
-  return largest(mx, my, mz) <= predicates::kLargest ? sign : 0;
-}
-
 // The side of the plate's plane on which p lies; which side is positive depends on the
-// plate alone, not on the order of its vertices.
+// plate alone.
 Sign side(const Plate& plate, const Point3& p) {
-  if (!plate.facing.parallel) {
-    const int sign = side_filter(plate.facing, plate.own[0], p);
-    if (sign != 0) return sign > 0 ? Sign::positive : Sign::negative;
-    return orient3d(plate.own[0], plate.own[1], plate.own[2], p);
-  }
+  if (!plate.facing.parallel) return orient3d(plate.t[0], plate.t[1], plate.t[2], p);
   const double level = coordinate(plate.t[0], plate.facing.axis);
   const double at = coordinate(p, plate.facing.axis);
   if (at == level) return Sign::zero;
@@ -213,85 +189,9 @@ Facing facing_of(const Triangle3& t) {
     if (orient2d(p[0], p[1], p[2]) == Sign::zero) continue;
     const double level = coordinate(t[0], axis);
     const bool parallel = coordinate(t[1], axis) == level && coordinate(t[2], axis) == level;
-    const Point3 u{t[1].x - t[0].x, t[1].y - t[0].y, t[1].z - t[0].z};
-    const Point3 v{t[2].x - t[0].x, t[2].y - t[0].y, t[2].z - t[0].z};
-    return {axis,
-            parallel,
-            {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x},
-            {std::max(std::abs(u.x), std::abs(v.x)), std::max(std::abs(u.y), std::abs(v.y)),
-             std::max(std::abs(u.z), std::abs(v.z))}};
+    return {axis, parallel};
   }
   return {};
-}
-
-Prepared prepare(std::span<const Point3> points, const TriangleVertices& t) {
-  Prepared result{t, corners(points, t), {}, 0};
-  result.facing = facing_of(result.corner);
-  if (!result.facing.parallel) return result;
-  const Triangle2 flat = project(result.corner, result.facing.axis);
-  result.turn = predicates::orient2d_filter(flat[0], flat[1], flat[2]);
-  return result;
-}
-
-namespace {
-
-// Bit 3 i + j: vertex i of a is vertex j of b.
-unsigned shared_vertices(const TriangleVertices& a, const TriangleVertices& b) {
-  unsigned shared = 0;
-  for (unsigned i = 0; i < 3; ++i) {
-    for (unsigned j = 0; j < 3; ++j) shared |= unsigned{a[i] == b[j]} << (3 * i + j);
-  }
-  return shared;
-}
-
-// The plane of a meets b in their shared simplex if all other vertices of b lie strictly on
-// one side. `of_b`: bit j if vertex j of b is shared. Without branches: which side a vertex
-// is on is a coin's toss to the processor.
-bool plane_parts(const Prepared& a, const Prepared& b, unsigned of_b) {
-  unsigned above = of_b;
-  unsigned below = of_b;
-  for (unsigned j = 0; j < 3; ++j) {
-    const int sign = side_filter(a.facing, a.corner[0], b.corner[j]);
-    above |= unsigned{sign > 0} << j;
-    below |= unsigned{sign < 0} << j;
-  }
-  return of_b != 7 && (above == 7 || below == 7);
-}
-
-// In one plane: the same for the line of an edge of a, which has a on its other side.
-// `on_a[j]`: which vertex of a vertex j of b is, as a mask.
-bool edge_parts(const Prepared& a, const Prepared& b, const std::array<unsigned, 3>& on_a) {
-  const Triangle2 p = project(a.corner, a.facing.axis);
-  const Triangle2 q = project(b.corner, a.facing.axis);
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t l = (k + 1) % 3;
-    bool parted = true;
-    for (std::size_t j = 0; j < 3 && parted; ++j) {
-      if ((on_a[j] & (1U << k | 1U << l)) != 0) continue;
-      parted = predicates::orient2d_filter(p[k], p[l], q[j]) == -a.turn;
-    }
-    if (parted) return true;
-  }
-  return false;
-}
-
-}  // namespace
-
-bool certainly_apart(const Prepared& a, const Prepared& b) {
-  // A degenerate triangle touches its neighbours.
-  if (a.facing.axis == Axis::none || b.facing.axis == Axis::none) return false;
-  const unsigned shared = shared_vertices(a.vertex, b.vertex);
-  const std::array<unsigned, 3> of_a{shared & 7U, (shared >> 3) & 7U, (shared >> 6) & 7U};
-  const auto on_a = [&](unsigned j) {
-    return ((shared >> j) & 1U) | ((shared >> (3 + j)) & 1U) << 1 | ((shared >> (6 + j)) & 1U) << 2;
-  };
-  if (a.turn != 0 && b.turn != 0 && a.facing.axis == b.facing.axis &&
-      coordinate(a.corner[0], a.facing.axis) == coordinate(b.corner[0], a.facing.axis)) {
-    return edge_parts(a, b, {on_a(0), on_a(1), on_a(2)}) || edge_parts(b, a, of_a);
-  }
-  const unsigned vertices_of_a =
-      unsigned{of_a[0] != 0} | unsigned{of_a[1] != 0} << 1 | unsigned{of_a[2] != 0} << 2;
-  return plane_parts(a, b, of_a[0] | of_a[1] | of_a[2]) || plane_parts(b, a, vertices_of_a);
 }
 
 bool touch(std::span<const Point3> points, const TriangleVertices& a, const Facing& f,
@@ -312,10 +212,8 @@ bool touch(std::span<const Point3> points, const TriangleVertices& a, const Faci
 
   const Triangle3 ta = corners(points, va);
   const Triangle3 tb = corners(points, vb);
-  const Triangle3 own_a = corners(points, a);
-  const Triangle3 own_b = corners(points, b);
-  const Plate pa{ta, own_a, f};
-  const Plate pb{tb, own_b, g};
+  const Plate pa{ta, f};
+  const Plate pb{tb, g};
   if (f.axis == Axis::none || g.axis == Axis::none) return touch_degenerate(pa, pb);
   switch (shared) {
     case 0: return touch_sharing_nothing(pa, pb);

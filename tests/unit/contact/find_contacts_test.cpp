@@ -1,5 +1,4 @@
 // find_contacts() against all pairs.
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -7,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include "contact/contact.hpp"
-#include "contact/triangle_pair.hpp"
 #include "core/prng.hpp"
 
 namespace tetloft::contact_test {
@@ -177,45 +175,6 @@ TEST(FindContacts, NothingTouchesInASoupOfNoneOrOne) {
   soup.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   soup.triangles = {{VertexId(0), VertexId(1), VertexId(2)}};
   EXPECT_TRUE(find_contacts(soup.points, soup.triangles).empty());
-}
-
-// The quick answer that find_contacts() asks for first, on every case of shared vertices.
-TEST(CertainlyApart, NeverOfTrianglesThatTouch) {
-  Prng random(11);
-  std::array<std::size_t, 4> apart{};  // by number of shared vertices
-  std::size_t apart_in_plane = 0;
-  for (int round = 0; round < 200; ++round) {
-    std::vector<Point3> points;
-    const std::size_t levels = round % 2 == 0 ? 1 : 4;
-    for (int i = 0; i < 6; ++i) {
-      points.push_back({static_cast<double>(random.below(4)), static_cast<double>(random.below(4)),
-                        static_cast<double>(random.below(levels))});
-    }
-    for (int pair = 0; pair < 200; ++pair) {
-      std::array<TriangleVertices, 2> t;
-      for (TriangleVertices& triangle : t) {
-        const std::size_t first = random.below(6);
-        const std::size_t second = (first + 1 + random.below(5)) % 6;
-        std::size_t third = random.below(6);
-        while (third == first || third == second) third = (third + 1) % 6;
-        triangle = {VertexId(first), VertexId(second), VertexId(third)};
-      }
-      if (!contact_detail::certainly_apart(contact_detail::prepare(points, t[0]),
-                                           contact_detail::prepare(points, t[1]))) {
-        continue;
-      }
-      EXPECT_FALSE(triangles_touch(points, t[0], t[1]));
-      std::size_t shared = 0;
-      for (const VertexId v : t[0]) shared += std::count(t[1].begin(), t[1].end(), v) != 0;
-      ++apart[shared];
-      apart_in_plane += levels == 1 ? 1U : 0U;
-    }
-  }
-  EXPECT_GT(apart[0], 100U);
-  EXPECT_GT(apart[1], 100U);
-  EXPECT_GT(apart[2], 100U);
-  EXPECT_EQ(apart[3], 0U);
-  EXPECT_GT(apart_in_plane, 100U);
 }
 
 }  // namespace
