@@ -3,8 +3,26 @@
 #include <tetloft/predicates.hpp>
 
 #include "core/check.hpp"
+#include "predicates/filter.hpp"
 
 namespace tetloft::delaunay2_detail {
+
+namespace {
+
+// The predicates with their filters in line: most calls end there, and walks and zones are little
+// else.
+
+Sign orientation(const Point2& a, const Point2& b, const Point2& c) {
+  const int s = predicates::orient2d_filter(a, b, c);
+  return s != 0 ? static_cast<Sign>(s) : orient2d(a, b, c);
+}
+
+Sign circle(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
+  const int s = predicates::incircle_filter(a, b, c, d);
+  return s != 0 ? static_cast<Sign>(s) : incircle_perturbed(a, b, c, d);
+}
+
+}  // namespace
 
 Incremental2::Incremental2(const Point2& a, const Point2& b, const Point2& c,
                            std::size_t expected) {
@@ -55,7 +73,7 @@ TriangleId Incremental2::locate(const Point2& p, VertexId hint) const {
     }
   }
   const auto is_outside = [&](HalfEdgeId h) {
-    return orient2d(point(origin(h)), point(destination(h)), p) == Sign::negative;
+    return orientation(point(origin(h)), point(destination(h)), p) == Sign::negative;
   };
   HalfEdgeId exit = is_outside(entry) ? entry : HalfEdgeId();
   for (;;) {
@@ -84,12 +102,12 @@ bool Incremental2::in_conflict(TriangleId t, const Point2& p) const {
     // edge without its ends: there it agrees with the circle of the triangle inside.
     const Point2& a = point(v[(i + 1) % 3]);
     const Point2& b = point(v[(i + 2) % 3]);
-    const Sign side = orient2d(a, b, p);
+    const Sign side = orientation(a, b, p);
     if (side != Sign::zero) return side == Sign::positive;
     return canonical_less(a, b) ? canonical_less(a, p) && canonical_less(p, b)
                                 : canonical_less(b, p) && canonical_less(p, a);
   }
-  return incircle_perturbed(point(v[0]), point(v[1]), point(v[2]), p) == Sign::positive;
+  return circle(point(v[0]), point(v[1]), point(v[2]), p) == Sign::positive;
 }
 
 /// Depth first from `first`, counter-clockwise: replacing an edge by the other two of the
