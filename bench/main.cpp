@@ -15,14 +15,15 @@ namespace {
 using namespace tetloft::bench;
 
 constexpr const char* kUsage =
-    "tetloft_bench [--only PART-OF-NAME] [--repeat K] [--peers none] [--stack FILE.cnt …]\n"
+    "tetloft_bench [--only PART-OF-NAME] [--repeat K] [--peers CGAL,TetGen,Qhull|none] [--stack "
+    "FILE.cnt …]\n"
     "              [--json FILE] [--markdown FILE] [--list]\n"
     "Each case runs K times (5), its contestants in turns; see bench/README.md.\n";
 
 struct Options {
   std::string only;
   int rounds = 5;
-  bool peers = true;
+  std::string peers = "CGAL,TetGen,Qhull";
   bool list = false;
   std::vector<std::string> stacks;
   std::string json;
@@ -42,8 +43,8 @@ bool parse(int argc, char** argv, Options& options) {
       options.only = value;
     } else if (word == "--repeat") {
       options.rounds = std::atoi(value.c_str());
-    } else if (word == "--peers" && value == "none") {
-      options.peers = false;
+    } else if (word == "--peers") {
+      options.peers = value;
     } else if (word == "--stack") {
       options.stacks.push_back(value);
     } else if (word == "--json") {
@@ -57,7 +58,8 @@ bool parse(int argc, char** argv, Options& options) {
   return options.rounds > 0;
 }
 
-std::vector<Peer> installed_peers() {
+// Those that are installed and named in the list.
+std::vector<Peer> chosen_peers(const std::string& names) {
   std::vector<Peer> peers;
 #ifdef TETLOFT_BENCH_CGAL
   peers.push_back(cgal());
@@ -68,6 +70,8 @@ std::vector<Peer> installed_peers() {
 #ifdef TETLOFT_BENCH_QHULL
   peers.push_back(qhull());
 #endif
+  std::erase_if(peers,
+                [&](const Peer& peer) { return names.find(peer.name) == std::string::npos; });
   return peers;
 }
 
@@ -88,7 +92,7 @@ int main(int argc, char** argv) {
   }
   Report report;
   report.rounds = options.rounds;
-  const std::vector<Peer> peers = options.peers ? installed_peers() : std::vector<Peer>{};
+  const std::vector<Peer> peers = chosen_peers(options.peers);
   for (const Peer& peer : peers) report.versions.push_back(peer.name + ' ' + peer.version);
   for (const std::string& version : report.versions) std::cout << version << '\n';
 

@@ -52,6 +52,6 @@ Run run2(std::span<const Point2> points) {
 
 }  // namespace
 
-Peer qhull() { return {"Qhull", qh_version2, run3, run2, 50'000}; }
+Peer qhull() { return {"Qhull", qh_version2, run3, run2, 10'000}; }
 
 }  // namespace tetloft::bench
