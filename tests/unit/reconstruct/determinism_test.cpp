@@ -1,5 +1,5 @@
-// The result is a function of the set of contours: not of threads, nor of how contours are
-// listed.
+// The result is a function of the set of contours: not of threads, nor of the engine, nor of
+// how contours are listed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,10 +16,12 @@ namespace {
 
 constexpr std::uint64_t kSeed = 500;
 
-Result<Reconstruction> run(const GeneratedStack& generated, unsigned threads) {
+Result<Reconstruction> run(const GeneratedStack& generated, unsigned threads,
+                           DelaunayEngine engine = DelaunayEngine::automatic) {
   ReconstructOptions options;
   options.correspondence = generated.correspondence;
   options.threads = threads;
+  options.delaunay = engine;
   return reconstruct(generated.stack, options);
 }
 
@@ -39,6 +41,25 @@ TEST(Determinism, TheResultDoesNotDependOnThreads) {
       EXPECT_EQ(one->partition, more->partition);
       EXPECT_EQ(one->report.rules, more->report.rules);
       EXPECT_EQ(one->report.smallest_lift, more->report.smallest_lift);
+    }
+  }
+}
+
+TEST(Determinism, TheResultDoesNotDependOnTheDelaunayEngine) {
+  for (const StackKind kind : all_kinds()) {
+    SCOPED_TRACE(name_of(kind));
+    const GeneratedStack generated = generate(kind, kSeed);
+    const auto slab = run(generated, 1, DelaunayEngine::slab);
+    for (const unsigned threads : {1U, 2U, 3U}) {
+      const auto incremental = run(generated, threads, DelaunayEngine::incremental);
+      ASSERT_EQ(slab.ok(), incremental.ok());
+      if (!slab.ok()) {
+        EXPECT_EQ(to_string(slab.error()), to_string(incremental.error()));
+        continue;
+      }
+      EXPECT_TRUE(same_bits(slab->model, incremental->model));
+      EXPECT_EQ(slab->partition, incremental->partition);
+      EXPECT_EQ(slab->report.rules, incremental->report.rules);
     }
   }
 }
