@@ -29,6 +29,7 @@ Runner over_all(Sets<Point> sets, std::function<Run(std::span<const Point>)> run
       const Run one = run(set);
       sum.seconds += one.seconds;
       sum.simplices += one.simplices;
+      sum.steps.insert(sum.steps.end(), one.steps.begin(), one.steps.end());
     }
     return sum;
   };
@@ -41,10 +42,17 @@ std::size_t count(const Sets<Point>& sets) {
   return n;
 }
 
+// Why the peer does not run; empty: it does.
+std::string left_out(const Peer& peer, std::size_t points) {
+  if (points <= peer.most_points) return {};
+  return "left out above " + std::to_string(peer.most_points) + " points";
+}
+
 void add_peers(Field& field, const Sets<Point3>& sets, const std::vector<Peer>& peers) {
   for (const Peer& peer : peers) {
-    if (!peer.run3 || field.points > peer.most_points) continue;
-    field.peers.push_back({peer.name, over_all<Point3>(sets, peer.run3)});
+    if (!peer.run3) continue;
+    field.peers.push_back(
+        {peer.name, over_all<Point3>(sets, peer.run3), false, left_out(peer, field.points)});
   }
 }
 
@@ -54,9 +62,9 @@ Case in_space(std::string name, std::string what,
             const auto sets = std::make_shared<const std::vector<std::vector<Point3>>>(make());
             Field field;
             field.points = count<Point3>(sets);
-            if (two_planes) field.own.push_back({"slab", over_all<Point3>(sets, slab3)});
-            field.own.push_back({"incremental", over_all<Point3>(sets, incremental3)});
-            field.own.push_back({"whole call", over_all<Point3>(sets, whole_call3)});
+            if (two_planes) field.own.push_back({"slab", over_all<Point3>(sets, slab3), true});
+            field.own.push_back({"incremental", over_all<Point3>(sets, incremental3), true});
+            field.own.push_back({"whole call", over_all<Point3>(sets, whole_call3), true});
             add_peers(field, sets, peers);
             return field;
           }};
@@ -67,11 +75,12 @@ Case in_plane(std::string name, std::string what, std::function<std::vector<Poin
             const auto sets = std::make_shared<const std::vector<std::vector<Point2>>>(1, make());
             Field field;
             field.points = count<Point2>(sets);
-            field.own.push_back({"incremental", over_all<Point2>(sets, incremental2)});
-            field.own.push_back({"whole call", over_all<Point2>(sets, whole_call2)});
+            field.own.push_back({"incremental", over_all<Point2>(sets, incremental2), true});
+            field.own.push_back({"whole call", over_all<Point2>(sets, whole_call2), true});
             for (const Peer& peer : peers) {
-              if (!peer.run2 || field.points > peer.most_points) continue;
-              field.peers.push_back({peer.name, over_all<Point2>(sets, peer.run2)});
+              if (!peer.run2) continue;
+              field.peers.push_back({peer.name, over_all<Point2>(sets, peer.run2), false,
+                                     left_out(peer, field.points)});
             }
             return field;
           }};
@@ -83,6 +92,13 @@ T value_of(Result<T> result) {
   return std::move(result.value());
 }
 
+// The steps that the library tells, CPU seconds summed over threads.
+void add_steps(const ReconstructReport& report, Run& run) {
+  for (std::size_t s = 0; s < report.seconds.size(); ++s) {
+    run.steps.emplace_back(name_of(static_cast<Step>(s)), report.seconds[s]);
+  }
+}
+
 // Reads, reconstructs, writes.
 Run reconstruct_file(const std::string& path, unsigned threads) {
   const std::string output =
@@ -91,14 +107,20 @@ Run reconstruct_file(const std::string& path, unsigned threads) {
       ".vtu";
   const Clock clock;
   const auto input = value_of(read_cnt(path));
+  Run run;
+  run.steps.emplace_back("read", clock.seconds());
   ReconstructOptions options;
   options.threads = threads;
   const Reconstruction solid = value_of(reconstruct(input.stack, options));
+  add_steps(solid.report, run);
+  const Clock writing;
   const Result<void> written = write_vtu(output, solid.model);
-  const double seconds = clock.seconds();
+  run.steps.emplace_back("write", writing.seconds());
+  run.seconds = clock.seconds();
   std::remove(output.c_str());
   if (!written) throw std::runtime_error(to_string(written.error()));
-  return {seconds, solid.model.tets.size()};
+  run.simplices = solid.model.tets.size();
+  return run;
 }
 
 Run reconstruct_stack(const SectionStack& stack, unsigned threads) {
@@ -106,7 +128,9 @@ Run reconstruct_stack(const SectionStack& stack, unsigned threads) {
   ReconstructOptions options;
   options.threads = threads;
   const Reconstruction solid = value_of(reconstruct(stack, options));
-  return {clock.seconds(), solid.model.tets.size()};
+  Run run{clock.seconds(), solid.model.tets.size()};
+  add_steps(solid.report, run);
+  return run;
 }
 
 // The vertices of every slab: what a reconstruction has to triangulate at least.
@@ -134,8 +158,56 @@ Case whole(const std::string& path) {
             const SectionStack stack = value_of(read_cnt(path)).stack;
             Field field;
             field.points = stack.vertex_count();
-            field.own.push_back({"1 thread", [=] { return reconstruct_file(path, 1); }});
+            field.own.push_back({"1 thread", [=] { return reconstruct_file(path, 1); }, true});
             field.own.push_back({"2 threads", [=] { return reconstruct_file(path, 2); }});
+            add_peers(field,
+                      std::make_shared<const std::vector<std::vector<Point3>>>(slabs_of(stack)),
+                      peers);
+            return field;
+          }};
+}
+
+// A folder that lasts as long as the runners do.
+class TemporaryFolder {
+ public:
+  TemporaryFolder()
+      : path_(std::filesystem::temp_directory_path() /
+              ("tetloft_bench_" + std::to_string(getpid()))) {
+    std::filesystem::create_directories(path_);
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+// A generated stack, written before it is timed.
+Case branching_case(std::string name, std::size_t vertices, std::size_t sections) {
+  return {std::move(name),
+          "wiggly circles with holes that part in four; peers triangulate the slabs only",
+          [=](const std::vector<Peer>& peers) {
+            const auto folder = std::make_shared<const TemporaryFolder>();
+            const std::string path = (folder->path() / "stack.cnt").string();
+            const SectionStack stack = branching(vertices, sections);
+            if (const auto written = write_cnt(path, stack); !written) {
+              throw std::runtime_error(to_string(written.error()));
+            }
+            Field field;
+            field.points = stack.vertex_count();
+            for (const unsigned threads : {1U, 2U}) {
+              field.own.push_back({threads == 1 ? "1 thread" : "2 threads",
+                                   [=] {
+                                     (void)folder;  // kept
+                                     return reconstruct_file(path, threads);
+                                   },
+                                   threads == 1});
+            }
             add_peers(field,
                       std::make_shared<const std::vector<std::vector<Point3>>>(slabs_of(stack)),
                       peers);
@@ -150,7 +222,7 @@ Case scaling(std::size_t vertices) {
             const auto stack = std::make_shared<const SectionStack>(tube(vertices));
             Field field;
             field.points = stack->vertex_count();
-            field.own.push_back({"1 thread", [=] { return reconstruct_stack(*stack, 1); }});
+            field.own.push_back({"1 thread", [=] { return reconstruct_stack(*stack, 1); }, true});
             field.own.push_back({"2 threads", [=] { return reconstruct_stack(*stack, 2); }});
             return field;
           }};
@@ -176,6 +248,13 @@ std::vector<Case> all_cases(const std::vector<std::string>& stacks) {
           "bumpy sphere 200k", "on a sphere with bumps",
           [] { return Sets3{bumpy_sphere(200'000)}; }, false),
       in_space(
+          "clusters 200k", "1000 tight clusters", [] { return Sets3{clusters(200'000, 1000)}; },
+          false),
+      in_space(
+          "lines 5k", "on 20 segments", [] { return Sets3{lines(5000, 20)}; }, false),
+      in_space(
+          "curves 5k", "on 10 parabolas", [] { return Sets3{curves(5000, 10)}; }, false),
+      in_space(
           "two planes 2x50k", "wiggly circles in two planes",
           [] { return Sets3{two_planes(50'000)}; }, true),
       in_space(
@@ -192,11 +271,13 @@ std::vector<Case> all_cases(const std::vector<std::string>& stacks) {
       in_plane("plane 50k", "uniform in a square", [] { return uniform2(50'000); }),
       in_plane("plane 1M", "uniform in a square", [] { return uniform2(1'000'000); }),
   };
-  for (const char* sample : {"bunny", "terrain", "tooth", "torus"}) {
+  cases.push_back(branching_case("smoke stack", 1000, 6));
+  cases.push_back(branching_case("reconstruct 128k in 48", 128'000, 48));
+  for (const char* sample : {"bifurcation", "bunny", "terrain", "tooth", "torus"}) {
     cases.push_back(whole(std::string(TETLOFT_DATA_DIR) + '/' + sample + ".cnt"));
   }
   for (const std::string& path : stacks) cases.push_back(whole(path));
-  for (const std::size_t vertices : {10'000U, 100'000U, 1'000'000U}) {
+  for (const std::size_t vertices : {10'000U, 30'000U, 100'000U, 300'000U, 1'000'000U}) {
     cases.push_back(scaling(vertices));
   }
   return cases;

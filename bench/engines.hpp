@@ -5,15 +5,18 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <tetloft/point.hpp>
 
 namespace tetloft::bench {
 
-/// What one run took and made.
+/// What one run took and made, finite simplices only.
 struct Run {
   double seconds = 0;
   std::size_t simplices = 0;
+  std::vector<std::pair<std::string, double>> steps{};  // seconds by name; empty: not told
 };
 
 /// Runs once; the time is that of the work proper, without preparing input or counting.

@@ -1,6 +1,7 @@
 #include "inputs.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/prng.hpp"
@@ -32,6 +33,42 @@ std::vector<Point2> rings(std::size_t n, std::size_t plane, Prng& prng) {
 
 void append(std::vector<Point3>& points, const std::vector<Point2>& plane, double z) {
   for (const Point2& p : plane) points.push_back({p.x, p.y, z});
+}
+
+Point3 in_cube(Prng& prng) {
+  const double x = prng.unit();
+  const double y = prng.unit();
+  const double z = prng.unit();
+  return {x, y, z};
+}
+
+// n points of `count` curves a + t (b − a) + bend t² c.
+std::vector<Point3> bent(std::size_t n, std::size_t count, double bend, std::uint64_t seed) {
+  Prng prng(seed);
+  std::vector<std::array<Point3, 3>> curve(count);
+  for (auto& c : curve) {
+    for (Point3& p : c) p = in_cube(prng);
+  }
+  std::vector<Point3> points(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto& [a, b, c] = curve[i % count];
+    const double t = prng.unit();
+    points[i] = {a.x + t * (b.x - a.x) + bend * t * t * c.x,
+                 a.y + t * (b.y - a.y) + bend * t * t * c.y,
+                 a.z + t * (b.z - a.z) + bend * t * t * c.z};
+  }
+  return points;
+}
+
+std::vector<Point2> wiggly(double x, double y, double radius, double phase, std::size_t n) {
+  std::vector<Point2> points(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double angle = kTurn * static_cast<double>(i) / static_cast<double>(n);
+    const double r =
+        radius * (1 + 0.04 * std::sin(7 * angle + phase) + 0.01 * std::sin(23 * angle - 2 * phase));
+    points[i] = {x + r * std::cos(angle), y + r * std::sin(angle)};
+  }
+  return points;
 }
 
 Point3 direction(Prng& prng) {
@@ -128,6 +165,52 @@ std::vector<Point2> uniform2(std::size_t n) {
     p.y = prng.unit();
   }
   return points;
+}
+
+std::vector<Point3> clusters(std::size_t n, std::size_t count) {
+  Prng prng(10);
+  std::vector<Point3> centres(count);
+  for (Point3& p : centres) p = in_cube(prng);
+  // The sum of twelve uniform numbers is nearly Gaussian, and the same everywhere.
+  const auto near = [&](double centre) {
+    double sum = -6;
+    for (int k = 0; k < 12; ++k) sum += prng.unit();
+    return centre + 1e-3 * sum;
+  };
+  std::vector<Point3> points(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const Point3& c = centres[i % count];
+    points[i].x = near(c.x);
+    points[i].y = near(c.y);
+    points[i].z = near(c.z);
+  }
+  prng.shuffle(points);
+  return points;
+}
+
+std::vector<Point3> lines(std::size_t n, std::size_t count) { return bent(n, count, 0, 11); }
+
+std::vector<Point3> curves(std::size_t n, std::size_t count) { return bent(n, count, 1, 12); }
+
+SectionStack branching(std::size_t vertices, std::size_t sections) {
+  SectionStack stack;
+  for (std::size_t k = 0; k < sections; ++k) {
+    Section section;
+    section.z = static_cast<double>(k);
+    const std::size_t parts = std::size_t{1} << (3 * k / sections);
+    // Half as long around a hole as outside; circles of a section share its vertices.
+    const std::size_t outer = std::max<std::size_t>(12, 2 * vertices / (3 * sections * parts));
+    for (std::size_t part = 0; part < parts; ++part) {
+      const double x = parts == 1 ? 0 : (part % 2 == 0 ? -5.0 : 5.0);
+      const double y = parts < 4 ? 0 : (part < 2 ? -5.0 : 5.0);
+      const double radius = parts == 1 ? 10 : 4.5;
+      const double phase = 0.05 * static_cast<double>(k) + static_cast<double>(part);
+      section.contours.push_back({wiggly(x, y, radius, phase, outer)});
+      section.contours.push_back({wiggly(x, y, 0.5 * radius, -phase, outer / 2)});
+    }
+    stack.sections.push_back(std::move(section));
+  }
+  return stack;
 }
 
 SectionStack tube(std::size_t vertices) {

@@ -23,9 +23,19 @@ std::vector<Point3> two_planes(std::size_t n);
 std::vector<Point3> two_pixel_planes(std::size_t n);
 /// Slab `k` of a stack of wiggly circles, n vertices in each plane.
 std::vector<Point3> thin_slab(std::size_t n, std::size_t k);
+/// `n` points in `count` clusters a thousandth wide, nearly Gaussian, in the unit cube.
+std::vector<Point3> clusters(std::size_t n, std::size_t count);
+/// `n` points on `count` segments of the unit cube, up to rounding.
+std::vector<Point3> lines(std::size_t n, std::size_t count);
+/// The same on parabolas.
+std::vector<Point3> curves(std::size_t n, std::size_t count);
 std::vector<Point2> uniform2(std::size_t n);
 
 /// A tube with wiggles, of about `vertices` vertices, 200 to a section.
 SectionStack tube(std::size_t vertices);
+
+/// Wiggly circles of about `vertices` vertices in all, each with a hole: one in the lowest
+/// third of the sections, two in the next, four in the last.
+SectionStack branching(std::size_t vertices, std::size_t sections);
 
 }  // namespace tetloft::bench

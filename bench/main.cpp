@@ -17,12 +17,15 @@ using namespace tetloft::bench;
 constexpr const char* kUsage =
     "tetloft_bench [--only PART-OF-NAME] [--repeat K] [--peers CGAL,TetGen,Qhull|none] [--stack "
     "FILE.cnt …]\n"
-    "              [--json FILE] [--markdown FILE] [--list]\n"
-    "Each case runs K times (5), its contestants in turns; see bench/README.md.\n";
+    "              [--limit SECONDS] [--json FILE] [--markdown FILE] [--list]\n"
+    "Each case runs K times (5), its contestants in turns, each run no longer than the limit "
+    "(120);\n"
+    "see bench/README.md.\n";
 
 struct Options {
   std::string only;
   int rounds = 5;
+  double limit = 120;
   std::string peers = "CGAL,TetGen,Qhull";
   bool list = false;
   std::vector<std::string> stacks;
@@ -43,6 +46,8 @@ bool parse(int argc, char** argv, Options& options) {
       options.only = value;
     } else if (word == "--repeat") {
       options.rounds = std::atoi(value.c_str());
+    } else if (word == "--limit") {
+      options.limit = std::atof(value.c_str());
     } else if (word == "--peers") {
       options.peers = value;
     } else if (word == "--stack") {
@@ -55,7 +60,7 @@ bool parse(int argc, char** argv, Options& options) {
       return false;
     }
   }
-  return options.rounds > 0;
+  return options.rounds > 0 && options.limit > 0;
 }
 
 // Those that are installed and named in the list.
@@ -92,6 +97,7 @@ int main(int argc, char** argv) {
   }
   Report report;
   report.rounds = options.rounds;
+  report.limit = options.limit;
   const std::vector<Peer> peers = chosen_peers(options.peers);
   for (const Peer& peer : peers) report.versions.push_back(peer.name + ' ' + peer.version);
   for (const std::string& version : report.versions) std::cout << version << '\n';
@@ -106,7 +112,7 @@ int main(int argc, char** argv) {
     const Case::Field field = one.make(peers);
     std::vector<Contestant> all = field.own;
     all.insert(all.end(), field.peers.begin(), field.peers.end());
-    std::vector<Measurement> measured = measure(all, options.rounds);
+    std::vector<Measurement> measured = measure(all, options.rounds, options.limit);
     CaseReport result{one.name, one.what, field.points, {}, {}};
     for (std::size_t i = 0; i < measured.size(); ++i) {
       failed |= i < field.own.size() && !measured[i].failure.empty();

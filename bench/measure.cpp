@@ -1,12 +1,9 @@
 #include "measure.hpp"
 
 #include <algorithm>
-#include <exception>
 #include <sstream>
 
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
+#include "child.hpp"
 
 namespace tetloft::bench {
 
@@ -19,54 +16,60 @@ double median_of(std::vector<double> values) {
   return n % 2 == 1 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
 }
 
-struct Child {
-  std::string output;
-  double peak_megabytes = 0;
-  bool ended_well = false;
-};
-
-// Runs `work` in a child process and returns what it returned.
-Child run_in_child(const std::function<std::string()>& work) {
-  int ends[2];
-  if (pipe(ends) != 0) return {};
-  const pid_t pid = fork();
-  if (pid < 0) return {};
-  if (pid == 0) {
-    close(ends[0]);
-    const std::string text = work();
-    for (std::size_t sent = 0; sent < text.size();) {
-      const ssize_t n = write(ends[1], text.data() + sent, text.size() - sent);
-      if (n <= 0) _exit(1);
-      sent += static_cast<std::size_t>(n);
-    }
-    _exit(0);
-  }
-  close(ends[1]);
-  Child child;
-  char buffer[4096];
-  for (ssize_t n; (n = read(ends[0], buffer, sizeof buffer)) > 0;) {
-    child.output.append(buffer, static_cast<std::size_t>(n));
-  }
-  close(ends[0]);
-  int status = 0;
-  rusage usage{};
-  wait4(pid, &status, 0, &usage);
-  child.peak_megabytes = static_cast<double>(usage.ru_maxrss) / 1024;
-  child.ended_well = WIFEXITED(status) && WEXITSTATUS(status) == 0;
-  return child;
+// "seconds simplices", then "step seconds" for each; names of steps have no blanks.
+std::string to_text(const Run& run) {
+  std::ostringstream text;
+  text.precision(12);
+  text << run.seconds << ' ' << run.simplices << '\n';
+  for (const auto& [name, seconds] : run.steps) text << name << ' ' << seconds << '\n';
+  return text.str();
 }
 
-// "index seconds simplices" a line; "index ! reason" for a failure.
-std::string run_once(std::size_t index, const Contestant& contestant) {
-  std::ostringstream line;
-  line.precision(9);
-  try {
-    const Run run = contestant.run();
-    line << index << ' ' << run.seconds << ' ' << run.simplices << '\n';
-  } catch (const std::exception& e) {
-    line << index << " ! " << e.what() << '\n';
+Run run_from(const std::string& text) {
+  std::istringstream in(text);
+  Run run;
+  in >> run.seconds >> run.simplices;
+  std::string name;
+  for (double seconds = 0; in >> name >> seconds;) run.steps.emplace_back(name, seconds);
+  return run;
+}
+
+std::vector<std::uint64_t*> numbers_of(PredicateCounters& counters) {
+  std::vector<std::uint64_t*> all;
+  for (PredicateCounters::Stages* s :
+       {&counters.orient2d, &counters.orient3d, &counters.incircle, &counters.insphere}) {
+    all.insert(all.end(), {&s->filter, &s->expansion, &s->integer, &s->symbolic, &s->lattice});
   }
-  return line.str();
+  return all;
+}
+
+std::string counted_run(const Contestant& contestant) {
+  PredicateCounters counters;
+  {
+    const PredicateCounting counting(counters);
+    contestant.run();
+  }
+  std::ostringstream text;
+  for (const std::uint64_t* number : numbers_of(counters)) text << *number << ' ';
+  return text.str();
+}
+
+void run_once(const Contestant& contestant, double limit, Measurement& result) {
+  const Child child = run_in_child([&] { return to_text(contestant.run()); }, limit);
+  result.failure = child.failure;
+  if (!result.failure.empty()) return;
+  Run run = run_from(child.output);
+  if (result.seconds.empty() || run.seconds < result.best()) result.steps = std::move(run.steps);
+  result.seconds.push_back(run.seconds);
+  result.simplices = run.simplices;
+  result.peak_megabytes = std::max(result.peak_megabytes, child.peak_megabytes);
+}
+
+void count_stages(const Contestant& contestant, double limit, Measurement& result) {
+  const Child child = run_in_child([&] { return counted_run(contestant); }, limit);
+  if (!child.failure.empty()) return;
+  std::istringstream in(child.output);
+  for (std::uint64_t* number : numbers_of(result.counters.emplace())) in >> *number;
 }
 
 }  // namespace
@@ -85,35 +88,23 @@ double median_ratio(const Measurement& a, const Measurement& b) {
   return median_of(ratios);
 }
 
-std::vector<Measurement> measure(const std::vector<Contestant>& contestants, int rounds) {
+std::vector<Measurement> measure(const std::vector<Contestant>& contestants, int rounds,
+                                 double limit) {
   std::vector<Measurement> result(contestants.size());
-  for (std::size_t i = 0; i < contestants.size(); ++i) result[i].name = contestants[i].name;
-  const Child timed = run_in_child([&] {
-    std::string lines;
-    for (int round = 0; round < rounds; ++round) {
-      for (std::size_t i = 0; i < contestants.size(); ++i) lines += run_once(i, contestants[i]);
+  for (std::size_t i = 0; i < contestants.size(); ++i) {
+    result[i].name = contestants[i].name;
+    result[i].left_out = contestants[i].left_out;
+  }
+  const auto runs = [&](std::size_t i) {
+    return result[i].left_out.empty() && result[i].failure.empty();
+  };
+  for (int round = 0; round < rounds; ++round) {
+    for (std::size_t i = 0; i < contestants.size(); ++i) {
+      if (runs(i)) run_once(contestants[i], limit, result[i]);
     }
-    return lines;
-  });
-  std::istringstream lines(timed.output);
-  for (std::string line; std::getline(lines, line);) {
-    std::istringstream words(line);
-    std::size_t i = 0;
-    std::string first;
-    words >> i >> first;
-    if (i >= result.size()) continue;
-    if (first == "!") {
-      std::getline(words >> std::ws, result[i].failure);
-      continue;
-    }
-    result[i].seconds.push_back(std::stod(first));
-    words >> result[i].simplices;
   }
   for (std::size_t i = 0; i < contestants.size(); ++i) {
-    if (!timed.ended_well && result[i].failure.empty()) result[i].failure = "crashed";
-    if (!result[i].failure.empty()) continue;
-    result[i].peak_megabytes =
-        run_in_child([&] { return run_once(i, contestants[i]); }).peak_megabytes;
+    if (runs(i) && contestants[i].counted) count_stages(contestants[i], limit, result[i]);
   }
   return result;
 }

@@ -17,6 +17,14 @@ double nanoseconds_each(double seconds, std::size_t n) {
   return n == 0 ? 0 : 1e9 * seconds / static_cast<double>(n);
 }
 
+constexpr std::pair<const char*, PredicateCounters::Stages PredicateCounters::*> kCounted[] = {
+    {"orient2d", &PredicateCounters::orient2d},
+    {"orient3d", &PredicateCounters::orient3d},
+    {"incircle", &PredicateCounters::incircle},
+    {"insphere", &PredicateCounters::insphere}};
+
+unsigned long long number(std::uint64_t n) { return n; }
+
 std::string quoted(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) {
@@ -28,12 +36,57 @@ std::string quoted(const std::string& text) {
 
 std::string json_of(const Measurement& m, std::size_t points) {
   std::string json = "{\"name\": " + quoted(m.name);
+  if (!m.left_out.empty()) return json + ", \"left_out\": " + quoted(m.left_out) + "}";
   if (!m.failure.empty()) return json + ", \"failure\": " + quoted(m.failure) + "}";
   json += format(", \"best\": %.6g, \"median\": %.6g, \"ns_per_point\": %.4g", m.best(), m.median(),
                  nanoseconds_each(m.best(), points));
-  json += format(", \"ns_per_simplex\": %.4g, \"simplices\": %zu, \"peak_mb\": %.1f}",
+  json += format(", \"ns_per_simplex\": %.4g, \"simplices\": %zu, \"peak_mb\": %.1f",
                  nanoseconds_each(m.best(), m.simplices), m.simplices, m.peak_megabytes);
-  return json;
+  if (!m.steps.empty()) {
+    json += ", \"steps\": {";
+    for (std::size_t i = 0; i < m.steps.size(); ++i) {
+      json += (i == 0 ? "" : ", ") + quoted(m.steps[i].first) + format(": %.6g", m.steps[i].second);
+    }
+    json += "}";
+  }
+  if (m.counters) {
+    json += ", \"settled\": {";
+    bool first = true;
+    for (const auto& [name, member] : kCounted) {
+      const PredicateCounters::Stages& s = (*m.counters).*member;
+      json +=
+          (first ? "" : ", ") + quoted(name) +
+          format(": {\"filter\": %llu, \"lattice\": %llu, \"expansion\": %llu", number(s.filter),
+                 number(s.lattice), number(s.expansion)) +
+          format(", \"integer\": %llu, \"symbolic\": %llu}", number(s.integer), number(s.symbolic));
+      first = false;
+    }
+    json += "}";
+  }
+  return json + "}";
+}
+
+std::string why_invalid(const Measurement& m) {
+  return m.left_out.empty() ? "failed: " + m.failure : m.left_out;
+}
+
+// What a row has below it: steps, and by which stage predicates were settled.
+std::string details_of(const Measurement& m) {
+  std::string text;
+  if (!m.steps.empty()) {
+    text += "    steps:";
+    for (const auto& [name, seconds] : m.steps) text += format(" %s %.4f", name.c_str(), seconds);
+    text += '\n';
+  }
+  if (!m.counters) return text;
+  for (const auto& [name, member] : kCounted) {
+    const PredicateCounters::Stages& s = (*m.counters).*member;
+    if (s.filter + s.lattice + s.expansion + s.integer + s.symbolic == 0) continue;
+    text += format("    %s settled by filter %llu, lattice %llu, expansion %llu", name,
+                   number(s.filter), number(s.lattice), number(s.expansion));
+    text += format(", integer %llu, symbolic %llu\n", number(s.integer), number(s.symbolic));
+  }
+  return text;
 }
 
 }  // namespace
@@ -42,21 +95,22 @@ std::string text_of(const CaseReport& report) {
   std::string text =
       report.name + " (" + report.what + "), " + std::to_string(report.points) + " points\n";
   const auto line = [&](const Measurement& m) {
-    if (!m.failure.empty()) {
-      text += format("  %-14s %s\n", m.name.c_str(), m.failure.c_str());
+    if (!m.valid()) {
+      text += "  " + m.name + ": " + why_invalid(m) + '\n';
       return;
     }
     text += format("  %-14s best %8.4f s  median %8.4f s  %7.0f ns/point  %6.1f ns/simplex",
                    m.name.c_str(), m.best(), m.median(), nanoseconds_each(m.best(), report.points),
                    nanoseconds_each(m.best(), m.simplices));
     text += format("  %9zu simplices  %6.0f MB\n", m.simplices, m.peak_megabytes);
+    text += details_of(m);
   };
   for (const Measurement& m : report.own) line(m);
   for (const Measurement& peer : report.peers) {
     line(peer);
-    if (!peer.failure.empty()) continue;
+    if (!peer.valid()) continue;
     for (const Measurement& own : report.own) {
-      if (!own.failure.empty()) continue;
+      if (!own.valid()) continue;
       text += format("    %s / %s: %.3f of bests, %.3f median of rounds\n", own.name.c_str(),
                      peer.name.c_str(), own.best() / peer.best(), median_ratio(own, peer));
     }
@@ -74,7 +128,8 @@ std::string text_of(const std::vector<PredicateTime>& times) {
 }
 
 std::string json_of(const Report& report) {
-  std::string json = "{\"rounds\": " + std::to_string(report.rounds) + ", \"peers\": [";
+  std::string json = "{\"rounds\": " + std::to_string(report.rounds) +
+                     format(", \"limit\": %g", report.limit) + ", \"peers\": [";
   for (std::size_t i = 0; i < report.versions.size(); ++i) {
     json += (i == 0 ? "" : ", ") + quoted(report.versions[i]);
   }
@@ -94,7 +149,7 @@ std::string json_of(const Report& report) {
     bool first = true;
     for (const Measurement& own : one.own) {
       for (const Measurement& peer : one.peers) {
-        if (!own.failure.empty() || !peer.failure.empty()) continue;
+        if (!own.valid() || !peer.valid()) continue;
         json += (first ? "" : ", ") + ("{\"own\": " + quoted(own.name)) +
                 ", \"peer\": " + quoted(peer.name) +
                 format(", \"best\": %.4f, \"median\": %.4f}", own.best() / peer.best(),
@@ -124,8 +179,8 @@ std::string markdown_of(const Report& report) {
     std::string ratios;
     for (const Measurement& peer : one.peers) {
       others += (others.empty() ? "" : ", ") + peer.name + ' ' +
-                (peer.failure.empty() ? format("%.3f", peer.best()) : "failed");
-      if (!peer.failure.empty()) continue;
+                (peer.valid() ? format("%.3f", peer.best()) : '(' + why_invalid(peer) + ')');
+      if (!peer.valid()) continue;
       ratios += (ratios.empty() ? "" : ", ") + format("%.2f", own.best() / peer.best());
     }
     text += "| " + one.name + " | " + std::to_string(one.points) + " | " +

@@ -19,6 +19,7 @@ struct CaseReport {
 
 struct Report {
   int rounds = 0;
+  double limit = 0;
   std::vector<std::string> versions;
   std::vector<CaseReport> cases;
   std::vector<PredicateTime> predicates;

@@ -1,6 +1,9 @@
 // TetGen: the Delaunay triangulation of points, no quality, quiet.
 #include "engines.hpp"
 
+#include <stdexcept>
+#include <string>
+
 #define TETLIBRARY
 #include <tetgen.h>
 
@@ -22,7 +25,11 @@ Run run3(std::span<const Point3> points) {
   }
   char switches[] = "QN";
   const Clock clock;
-  tetrahedralize(switches, &in, &out);
+  try {
+    tetrahedralize(switches, &in, &out);
+  } catch (const int code) {  // all that TetGen throws
+    throw std::runtime_error("TetGen gave up with code " + std::to_string(code));
+  }
   const double seconds = clock.seconds();
   return {seconds, static_cast<std::size_t>(out.numberoftetrahedra)};
 }
