@@ -11,12 +11,15 @@ namespace {
 /// Measured: 4 to 12 are equally fast; fewer nodes take less memory.
 constexpr std::uint32_t kLeafSize = 8;
 
-Box box_of(const Point3& a, const Point3& b, const Point3& c) {
+}  // namespace
+
+Box box_of(std::span<const Point3> points, const TriangleVertices& t) {
+  const Point3& a = points[t[0].index()];
+  const Point3& b = points[t[1].index()];
+  const Point3& c = points[t[2].index()];
   return {{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::min({a.z, b.z, c.z})},
           {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z})}};
 }
-
-}  // namespace
 
 void Box::extend(const Box& b) {
   low = {std::min(low.x, b.low.x), std::min(low.y, b.low.y), std::min(low.z, b.low.z)};
@@ -24,15 +27,14 @@ void Box::extend(const Box& b) {
 }
 
 BoxTree::BoxTree(std::span<const Point3> points, std::span<const TriangleVertices> triangles,
-                 std::span<const std::uint8_t> active) {
-  const std::size_t n = triangles.size();
+                 std::span<const std::uint32_t> members) {
+  const std::size_t n = members.size();
   if (n == 0) return;
   std::vector<Item> unordered(n);
   Box all;
   for (std::size_t i = 0; i < n; ++i) {
-    const TriangleVertices& t = triangles[i];
-    const Box box = box_of(points[t[0].index()], points[t[1].index()], points[t[2].index()]);
-    unordered[i] = {box, static_cast<std::uint32_t>(i), active.empty() || active[i] != 0};
+    const Box box = box_of(points, triangles[members[i]]);
+    unordered[i] = {box, members[i]};
     if (i == 0) all = box;
     all.extend(box);
   }
@@ -103,13 +105,11 @@ void BoxTree::fit_boxes() {
     if (node.left != 0) {
       node.box = nodes_[node.left].box;
       node.box.extend(nodes_[node.left + 1].box);
-      node.active = nodes_[node.left].active || nodes_[node.left + 1].active;
       continue;
     }
     node.box = items_[node.begin].box;
     for (std::uint32_t i = node.begin; i < node.end; ++i) {
       node.box.extend(items_[i].box);
-      node.active = node.active || items_[i].active;
     }
   }
 }

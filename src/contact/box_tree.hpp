@@ -4,6 +4,7 @@
 // extent of these. Everything but exact box comparisons is a matter of speed, not of truth.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -24,16 +25,23 @@ struct Box {
   void extend(const Box& b);
 };
 
+[[nodiscard]] Box box_of(std::span<const Point3> points, const TriangleVertices& t);
+
 class BoxTree {
  public:
-  /// An empty `active` makes all triangles active.
+  /// A tree over the given triangles of a soup.
   BoxTree(std::span<const Point3> points, std::span<const TriangleVertices> triangles,
-          std::span<const std::uint8_t> active);
+          std::span<const std::uint32_t> members);
 
-  /// Calls visit(i, j) once for each unordered pair of triangles, i != j, whose closed boxes
-  /// meet and of which one is active. The order depends on the input alone.
+  /// Calls visit(i, j) once for each unordered pair of members, i != j, whose closed boxes
+  /// meet. The order depends on the input alone.
   template <class Visit>
   void for_each_pair(Visit&& visit) const;
+
+  /// Calls visit(i) for every member i whose closed box meets `box`. The order depends on
+  /// the input alone.
+  template <class Visit>
+  void for_each_meeting(const Box& box, Visit&& visit) const;
 
  private:
   /// Triangles items_[begin … end − 1], one at least. A leaf iff left is 0, else the
@@ -43,7 +51,6 @@ class BoxTree {
     std::uint32_t begin = 0;
     std::uint32_t end = 0;
     std::uint32_t left = 0;
-    bool active = false;
   };
   struct Centre {
     float at[3];
@@ -52,7 +59,6 @@ class BoxTree {
   struct Item {
     Box box;
     std::uint32_t triangle;
-    bool active;
   };
 
   void build(std::vector<Centre>& centres);
@@ -73,7 +79,7 @@ void BoxTree::visit_leaf(const Node& a, Visit& visit) const {
     for (std::uint32_t j = i + 1; j < a.end; ++j) {
       const Item& p = items_[i];
       const Item& q = items_[j];
-      if ((p.active || q.active) && p.box.meets(q.box)) visit(p.triangle, q.triangle);
+      if (p.box.meets(q.box)) visit(p.triangle, q.triangle);
     }
   }
 }
@@ -82,10 +88,10 @@ template <class Visit>
 void BoxTree::visit_leaves(const Node& a, const Node& b, Visit& visit) const {
   for (std::uint32_t i = a.begin; i < a.end; ++i) {
     const Item& p = items_[i];
-    if (!(p.active || b.active) || !p.box.meets(b.box)) continue;
+    if (!p.box.meets(b.box)) continue;
     for (std::uint32_t j = b.begin; j < b.end; ++j) {
       const Item& q = items_[j];
-      if ((p.active || q.active) && p.box.meets(q.box)) visit(p.triangle, q.triangle);
+      if (p.box.meets(q.box)) visit(p.triangle, q.triangle);
     }
   }
 }
@@ -102,7 +108,6 @@ void BoxTree::for_each_pair(Visit&& visit) const {
     stack.pop_back();
     const Node& a = nodes_[pair.a];
     const Node& b = nodes_[pair.b];
-    if (!a.active && !b.active) continue;
     if (pair.a == pair.b) {
       if (a.left == 0) {
         visit_leaf(a, visit);
@@ -122,6 +127,27 @@ void BoxTree::for_each_pair(Visit&& visit) const {
     } else {
       stack.push_back({pair.a, b.left});
       stack.push_back({pair.a, b.left + 1});
+    }
+  }
+}
+
+template <class Visit>
+void BoxTree::for_each_meeting(const Box& box, Visit&& visit) const {
+  if (nodes_.empty()) return;
+  // Depth first: at most one sibling waits at each of fewer than 32 levels.
+  std::array<std::uint32_t, 33> stack;
+  std::size_t waiting = 0;
+  stack[waiting++] = 0;
+  while (waiting > 0) {
+    const Node& node = nodes_[stack[--waiting]];
+    if (!node.box.meets(box)) continue;
+    if (node.left != 0) {
+      stack[waiting++] = node.left + 1;
+      stack[waiting++] = node.left;
+      continue;
+    }
+    for (std::uint32_t i = node.begin; i < node.end; ++i) {
+      if (items_[i].box.meets(box)) visit(items_[i].triangle);
     }
   }
 }

@@ -52,13 +52,20 @@ std::vector<Contact> find_contacts(std::span<const Point3> points,
                                    std::span<const TriangleVertices> triangles, std::size_t limit,
                                    std::span<const std::uint8_t> active) {
   if (limit == 0) return {};
-  std::vector<Facing> facing;
-  facing.reserve(triangles.size());
-  for (const TriangleVertices& t : triangles) {
-    facing.push_back(contact_detail::facing_of(contact_detail::corners(points, t)));
+  std::vector<std::uint32_t> members;
+  members.reserve(triangles.size());
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    if (active.empty() || active[i] != 0) members.push_back(static_cast<std::uint32_t>(i));
   }
+  if (members.empty()) return {};
+  const auto facing_of = [&](std::size_t i) {
+    return contact_detail::facing_of(contact_detail::corners(points, triangles[i]));
+  };
+  std::vector<Facing> facing(triangles.size());  // of members only
+  for (const std::uint32_t i : members) facing[i] = facing_of(i);
+
   LowestContacts lowest(limit);
-  const contact_detail::BoxTree tree(points, triangles, active);
+  const contact_detail::BoxTree tree(points, triangles, members);
   tree.for_each_pair([&](std::uint32_t i, std::uint32_t j) {
     const Contact pair{std::min(i, j), std::max(i, j)};
     if (!lowest.wants(pair)) return;
@@ -66,6 +73,22 @@ std::vector<Contact> find_contacts(std::span<const Point3> points,
       lowest.add(pair);
     }
   });
+  if (members.size() == triangles.size()) return lowest.sorted();
+
+  // The others against the tree, one by one: most meet nothing there.
+  for (std::uint32_t j = 0; j < triangles.size(); ++j) {
+    if (active[j] != 0) continue;
+    bool faced = false;
+    tree.for_each_meeting(contact_detail::box_of(points, triangles[j]), [&](std::uint32_t i) {
+      const Contact pair{std::min(i, j), std::max(i, j)};
+      if (!lowest.wants(pair)) return;
+      if (!faced) facing[j] = facing_of(j);
+      faced = true;
+      if (contact_detail::touch(points, triangles[i], facing[i], triangles[j], facing[j])) {
+        lowest.add(pair);
+      }
+    });
+  }
   return lowest.sorted();
 }
 

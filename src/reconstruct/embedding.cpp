@@ -179,11 +179,19 @@ Embedding::Blame Embedding::find_fault() {
   return blame;
 }
 
-// All contacts of the boundary. Once looked for, a pair that had none cannot have got one
+// All contacts of the boundary. Of triangles without a constructed node no two are in contact
+// (embedding.hpp, lemma); and once looked for, a pair that had none cannot have got one
 // unless a vertex of it moved.
 std::vector<Contact> Embedding::boundary_contacts() {
   std::vector<std::uint8_t> active;
-  if (!tested_.empty()) {
+  if (tested_.empty()) {
+    active.resize(boundary_.size());
+    const auto constructed = [&](VertexId v) { return v.index() >= slab_.vertex_count(); };
+    for (std::size_t k = 0; k < boundary_.size(); ++k) {
+      const TriangleVertices& t = boundary_[k];
+      active[k] = constructed(t[0]) || constructed(t[1]) || constructed(t[2]) ? 1 : 0;
+    }
+  } else {
     active = std::move(in_contact_);
     const auto moved = [&](VertexId v) { return points_[v.index()] != tested_[v.index()]; };
     for (std::size_t k = 0; k < boundary_.size(); ++k) {

@@ -8,6 +8,15 @@
 // another or winds twice; but each component meets a section plane, and there only in its
 // regions, which are disjoint and covered once. So no two tets overlap.
 //
+// Lemma: boundary triangles without a constructed node are not in contact with each other,
+// and need no test. Each is a face of D: as a face of a piece cut from a tet of D, since its
+// three nodes are corners of that tet; as the base of a prism, since the section's triangles
+// are facets of D, which Slab checks one by one. Slab vertices never move. D is a
+// triangulation, decided by exact predicates on the same stored points: its perturbation
+// chooses among the triangulations of cospherical points and moves none of them, and D has
+// no flat tets. Two faces of a triangulation meet in the simplex of their common vertices.
+// What is left are the pairs with a constructed node in one triangle at least.
+//
 // Where a test fails, the constructed nodes it involves come closer to where they came
 // from: cuts to their kept corner, lifted vertices to their plane, prisms get lower and
 // are replaced by truncated caps at last.

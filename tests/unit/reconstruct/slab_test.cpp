@@ -9,6 +9,9 @@
 #include <set>
 #include <vector>
 
+#include <tetloft/predicates.hpp>
+
+#include "contact/contact.hpp"
 #include "unit/reconstruct/cases.hpp"
 
 namespace tetloft::testing {
@@ -152,6 +155,33 @@ TEST(Slab, FindsATetAtEveryInPlaneEdge) {
       }
     }
   }
+}
+
+// The lemma by which embedding leaves out pairs of boundary triangles.
+TEST(Slab, NoTwoFacesOfItsTriangulationAreInContact) {
+  std::size_t slabs = 0;
+  for (const NamedSlab& s : generated_slabs(105, 1)) {
+    SCOPED_TRACE(s.name);
+    const Slab& slab = *s.built->slab;
+    std::vector<Point3> points;
+    for (std::size_t v = 0; v < slab.vertex_count(); ++v) points.push_back(slab.point(VertexId(v)));
+    std::set<TriangleVertices> faces;
+    for (std::size_t k = 0; k < slab.mesh().tet_slots(); ++k) {
+      const auto& v = slab.mesh().vertices(TetId(k));
+      ASSERT_EQ(orient3d(points[v[0].index()], points[v[1].index()], points[v[2].index()],
+                         points[v[3].index()]),
+                Sign::positive);
+      for (std::size_t i = 0; i < 4; ++i) {
+        TriangleVertices face{v[(i + 1) % 4], v[(i + 2) % 4], v[(i + 3) % 4]};
+        std::sort(face.begin(), face.end());
+        faces.insert(face);
+      }
+    }
+    const std::vector<TriangleVertices> triangles(faces.begin(), faces.end());
+    EXPECT_TRUE(find_contacts(points, triangles).empty());
+    ++slabs;
+  }
+  EXPECT_GT(slabs, 0U);
 }
 
 }  // namespace
