@@ -45,8 +45,9 @@ Run incremental3(std::span<const Point3> points) {
   delaunay3_detail::Delaunay3Builder builder{IdVector<VertexId, Point3>(std::move(inserted))};
   if (!builder.insert_all()) throw std::runtime_error("too many tets");
   Run run{clock.seconds(), 0};
-  for (const TetVertices& tet : builder.arrays().tets) {
-    run.simplices += tet[0].valid() && tet[0] != delaunay3_detail::kGhost ? 1U : 0U;
+  for (const delaunay3_detail::TetSlot& slot : builder.slots()) {
+    const VertexId first = slot.vertices[0];
+    run.simplices += first.valid() && first != delaunay3_detail::kGhost ? 1U : 0U;
   }
   return run;
 }
@@ -58,8 +59,9 @@ Run slab3(std::span<const Point3> points) {
   for (const Point3& p : ranked) plane[p.z == ranked.front().z ? 0 : 1].push_back({p.x, p.y});
   const auto lower = delaunay2(plane[0]);
   const auto upper = delaunay2(plane[1]);
-  const delaunay3_detail::SlabTets slab = delaunay3_detail::slab_overlay(*lower, *upper);
-  return {clock.seconds(), slab.tets.size()};
+  const std::vector<delaunay3_detail::TetSlot> slab =
+      delaunay3_detail::slab_overlay(*lower, *upper);
+  return {clock.seconds(), slab.size()};
 }
 
 Run whole_call3(std::span<const Point3> points) {

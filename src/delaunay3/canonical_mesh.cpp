@@ -80,11 +80,11 @@ struct Renaming {
 
 // Collects the finite tets in buckets of equal lowest rank, bucket r from bucket[r] to
 // bucket[r + 1], and sorts each. Fills renaming.position.
-std::vector<Entry> sort_tets(const TetArrays& built, std::span<const std::uint32_t> rank_of,
+std::vector<Entry> sort_tets(std::span<const TetSlot> built, std::span<const std::uint32_t> rank_of,
                              std::vector<std::size_t>& bucket, Renaming& renaming) {
   const auto for_each_finite = [&](const auto& visit) {
-    for (std::size_t k = 0; k < built.tets.size(); ++k) {
-      if (built.tets[k][0].index() < rank_of.size()) visit(TetId(k), built.tets[k]);
+    for (std::size_t k = 0; k < built.size(); ++k) {
+      if (built[k].vertices[0].index() < rank_of.size()) visit(TetId(k), built[k].vertices);
     }
   };
   bucket.assign(rank_of.size() + 1, 0);
@@ -96,7 +96,7 @@ std::vector<Entry> sort_tets(const TetArrays& built, std::span<const std::uint32
   for (std::size_t& end : bucket) end = total += end;
 
   std::vector<Entry> entries(total);
-  renaming.position = IdVector<TetId, Permutation>(built.tets.size());
+  renaming.position = IdVector<TetId, Permutation>(built.size());
   // Filling from the ends leaves every bucket[r] at the start of its bucket.
   for_each_finite([&](TetId t, const TetVertices& tet) {
     const NamedTet named = name_tet(tet, rank_of);
@@ -114,12 +114,12 @@ std::vector<Entry> sort_tets(const TetArrays& built, std::span<const std::uint32
 }
 
 // The tets in canonical order. Fills `renaming`.
-std::vector<TetVertices> canonical_tets(const TetArrays& built, const VertexNames& names,
+std::vector<TetVertices> canonical_tets(std::span<const TetSlot> built, const VertexNames& names,
                                         Renaming& renaming) {
   std::vector<std::size_t> bucket;
   const std::vector<Entry> entries = sort_tets(built, names.rank_of, bucket, renaming);
   std::vector<TetVertices> tets(entries.size());
-  renaming.name = IdVector<TetId, TetId>(built.tets.size());
+  renaming.name = IdVector<TetId, TetId>(built.size());
   for (std::size_t r = 0; r + 1 < bucket.size(); ++r) {
     for (std::size_t i = bucket[r]; i < bucket[r + 1]; ++i) {
       const Entry& entry = entries[i];
@@ -134,15 +134,15 @@ std::vector<TetVertices> canonical_tets(const TetArrays& built, const VertexName
 
 }  // namespace
 
-TetMesh canonical_mesh(const TetArrays& built, const VertexNames& names) {
+TetMesh canonical_mesh(std::span<const TetSlot> built, const VertexNames& names) {
   Renaming renaming;
   std::vector<TetVertices> tets = canonical_tets(built, names, renaming);
   // In the engine's order, in which neighbours are near each other in memory.
   std::vector<HalfFaceId> opposite(4 * tets.size());
-  for (TetId t(0U); t.index() < built.tets.size(); t = TetId(t.value() + 1)) {
+  for (TetId t(0U); t.index() < built.size(); t = TetId(t.value() + 1)) {
     if (!renaming.name[t].valid()) continue;
     for (int face = 0; face < 4; ++face) {
-      const HalfFaceId across = built.opposite[TetMesh::half_face(t, face).index()];
+      const HalfFaceId across = built[t.index()].opposite[static_cast<std::size_t>(face)];
       if (!across.valid()) continue;
       const TetId neighbour = TetMesh::tet_of(across);
       if (!renaming.name[neighbour].valid()) continue;  // a ghost: the face is on the hull

@@ -9,14 +9,9 @@
 #include <tetloft/ids.hpp>
 #include <tetloft/tet_mesh.hpp>
 
-namespace tetloft::delaunay3_detail {
+#include "delaunay3/tet_slot.hpp"
 
-/// Tets as an engine leaves them. Slots are skipped whose vertex 0 is no vertex: ghosts and
-/// dead ones. opposite[4 t + i] is a half-face, perhaps of a ghost, or invalid on the hull.
-struct TetArrays {
-  std::span<const TetVertices> tets;
-  std::span<const HalfFaceId> opposite;
-};
+namespace tetloft::delaunay3_detail {
 
 /// How the engine's vertices are named outside.
 struct VertexNames {
@@ -28,8 +23,9 @@ struct VertexNames {
   std::size_t input_count = 0;
 };
 
-/// The finite tets, numbered as struct Delaunay3 says. Linear in tets but for sorting the
-/// tets that share their lowest vertex.
-[[nodiscard]] TetMesh canonical_mesh(const TetArrays& built, const VertexNames& names);
+/// The finite tets, numbered as struct Delaunay3 says. Slots are skipped whose vertex 0 is no
+/// vertex: ghosts and dead ones. Linear in tets but for sorting the tets that share their
+/// lowest vertex.
+[[nodiscard]] TetMesh canonical_mesh(std::span<const TetSlot> built, const VertexNames& names);
 
 }  // namespace tetloft::delaunay3_detail

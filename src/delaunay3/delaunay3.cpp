@@ -129,11 +129,12 @@ Result<bool> overlay_planes(const RankedPoints& ranked, Delaunay3& out) {
   const Result<Triangulation2> upper = triangulate_plane(points.subspan(below));
   if (!upper) return upper.error();
   if (lower->triangles.empty() || upper->triangles.empty()) return false;
-  const delaunay3_detail::SlabTets slab = delaunay3_detail::slab_overlay(*lower, *upper);
-  if (slab.tets.empty()) return too_many_tets();
+  const std::vector<delaunay3_detail::TetSlot> slab =
+      delaunay3_detail::slab_overlay(*lower, *upper);
+  if (slab.empty()) return too_many_tets();
   const std::vector<std::uint32_t> rank_of = identity(points.size());
   out.mesh = delaunay3_detail::canonical_mesh(
-      {slab.tets, slab.opposite},
+      slab,
       {.rank_of = rank_of, .input_of = ranked.input_of, .input_count = out.representative.size()});
   out.dimension = 3;
   out.engine = DelaunayEngine::slab;
@@ -158,7 +159,7 @@ Result<bool> insert_points(RankedPoints& ranked, Delaunay3& out) {
   delaunay3_detail::Delaunay3Builder builder{IdVector<VertexId, Point3>(std::move(inserted))};
   if (!builder.insert_all()) return too_many_tets();
   out.mesh = delaunay3_detail::canonical_mesh(
-      builder.arrays(),
+      builder.slots(),
       {.rank_of = order, .input_of = ranked.input_of, .input_count = out.representative.size()});
   return true;
 }
@@ -209,14 +210,14 @@ Result<void> check_planes(const Triangulation2& lower, const Triangulation2& upp
 Result<TetMesh> triangulate_slab(const Triangulation2& lower, const Triangulation2& upper) {
   if (Result<void> checked = fp_self_check(); !checked) return checked.error();
   if (Result<void> checked = check_planes(lower, upper); !checked) return checked.error();
-  const delaunay3_detail::SlabTets slab = delaunay3_detail::slab_overlay(lower, upper);
-  if (slab.tets.empty()) return too_many_tets();
+  const std::vector<delaunay3_detail::TetSlot> slab = delaunay3_detail::slab_overlay(lower, upper);
+  if (slab.empty()) return too_many_tets();
   const std::size_t n = lower.points.size() + upper.points.size();
   const std::vector<std::uint32_t> rank_of = identity(n);
   std::vector<VertexId> input_of(n);
   for (std::size_t i = 0; i < n; ++i) input_of[i] = VertexId(i);
   return delaunay3_detail::canonical_mesh(
-      {slab.tets, slab.opposite}, {.rank_of = rank_of, .input_of = input_of, .input_count = n});
+      slab, {.rank_of = rank_of, .input_of = input_of, .input_count = n});
 }
 
 }  // namespace

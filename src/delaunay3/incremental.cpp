@@ -1,6 +1,7 @@
 // See incremental.hpp.
 #include "delaunay3/incremental.hpp"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -41,54 +42,58 @@ HalfFaceId half_face(TetId t, std::size_t i) {
 }  // namespace
 
 Delaunay3Builder::Delaunay3Builder(IdVector<VertexId, Point3> points)
-    : points_(std::move(points)), filter_(points_.raw()) {
-  const std::size_t expected = kExpectedTetsPerPoint * points_.size();
-  tets_.reserve(expected);
-  opposite_.reserve(4 * expected);
-  mark_.reserve(expected);
+    : filter_(points.raw()), edge_table_(kTableSide * kTableSide) {
+  vertices_.reserve(points.size());
+  for (const Point3& p : points) vertices_.push_back({p});
+  points = {};
+  const std::size_t expected = kExpectedTetsPerPoint * vertices_.size();
+  slots_.reserve(expected);
+  marks_.reserve(expected);
   make_first_tets();
 }
 
 bool Delaunay3Builder::insert_all() {
   bool complete = true;
-  for (VertexId v{4U}; complete && v < points_.end_id(); v = VertexId(v.value() + 1)) {
+  for (VertexId v{4U}; complete && v.index() < vertices_.size(); v = VertexId(v.value() + 1)) {
     complete = insert(v);
   }
-  for (const TetId t : free_) tets_[t][0] = VertexId();
-  points_ = {};
-  mark_ = {};
+  for (const TetId t : free_) slots_[t.index()].vertices[0] = VertexId();
+  vertices_ = {};
+  marks_ = {};
   return complete;
 }
 
 void Delaunay3Builder::make_first_tets() {
   TetVertices first{VertexId(0), VertexId(1), VertexId(2), VertexId(3)};
-  const Sign sign =
-      orient3d(points_[first[0]], points_[first[1]], points_[first[2]], points_[first[3]]);
+  const Sign sign = orient3d(point(first[0]), point(first[1]), point(first[2]), point(first[3]));
   TETLOFT_CHECK(sign != Sign::zero);
   if (sign == Sign::negative) std::swap(first[0], first[1]);
-  hint_ = new_tet(first);
+  slots_.resize(5);
+  marks_.resize(5, Mark::unvisited);
+  hint_ = TetId(0);
+  slots_[0].vertices = first;
   std::array<TetId, 4> ghosts;
-  for (int i = 0; i < 4; ++i) {
+  for (std::size_t i = 0; i < 4; ++i) {
     // Seen from the ghost the facet turns counter-clockwise, so (a, b, c, ghost) is
     // positive and with it (ghost, a, c, b).
-    const TriangleVertices facet = facet_of(first, i);
-    const TetId ghost = new_tet({kGhost, facet[0], facet[2], facet[1]});
-    glue(half_face(hint_, static_cast<std::size_t>(i)), half_face(ghost, 0));
-    ghosts[static_cast<std::size_t>(i)] = ghost;
+    const TriangleVertices facet = facet_of(first, static_cast<int>(i));
+    ghosts[i] = TetId(i + 1);
+    slots_[i + 1].vertices = {kGhost, facet[0], facet[2], facet[1]};
+    glue(half_face(hint_, i), half_face(ghosts[i], 0));
   }
   // Ghosts i and j meet in the face that lacks vertex j of `first` in ghost i.
   for (std::size_t i = 0; i < 4; ++i) {
     for (std::size_t j = i + 1; j < 4; ++j) {
-      glue(half_face(ghosts[i], index_of(tets_[ghosts[i]], first[j])),
-           half_face(ghosts[j], index_of(tets_[ghosts[j]], first[i])));
+      glue(half_face(ghosts[i], index_of(tet(ghosts[i]), first[j])),
+           half_face(ghosts[j], index_of(tet(ghosts[j]), first[i])));
     }
   }
 }
 
 bool Delaunay3Builder::insert(VertexId v) {
-  const Point3 p = points_[v];
+  const Point3 p = point(v);
   collect_conflict_zone(p, locate(p, hint_));
-  if (tets_.size() + horizon_.size() >= kMaxTets) return false;
+  if (slots_.size() + horizon_.size() >= kMaxTets) return false;
   hint_ = star_cavity(v);
   return true;
 }
@@ -101,15 +106,15 @@ TetId Delaunay3Builder::locate(const Point3& p, TetId start) {
   TetId t = start;
   std::size_t entered = 4;
   for (std::size_t steps = 0;; ++steps) {
-    TETLOFT_CHECK(steps <= tets_.size());
+    TETLOFT_CHECK(steps <= slots_.size());
     walk_state_ = walk_state_ * 1664525U + 1013904223U;
-    const TetVertices& tet = tets_[t];
+    const TetSlot& slot = slots_[t.index()];
     HalfFaceId crossing;
     for (std::size_t k = 0; k < 4; ++k) {
       const std::size_t i = ((walk_state_ >> 30) + k) & 3U;
       if (i == entered) continue;
-      if (!is_beyond(tet, i, p)) continue;
-      crossing = opposite_[half_face(t, i)];
+      if (!is_beyond(slot.vertices, i, p)) continue;
+      crossing = slot.opposite[i];
       break;
     }
     if (!crossing.valid()) return t;
@@ -120,26 +125,25 @@ TetId Delaunay3Builder::locate(const Point3& p, TetId start) {
 }
 
 void Delaunay3Builder::collect_conflict_zone(const Point3& p, TetId start) {
-  ++epoch_;
   conflict_.clear();
   horizon_.clear();
   conflict_.push_back(start);
-  mark_[start] = mark_in();
+  mark(start) = Mark::in_conflict;
   // The zone is its own queue: tets before `next` have all their neighbours decided.
   for (std::size_t next = 0; next < conflict_.size(); ++next) {
     const TetId t = conflict_[next];
     for (std::size_t i = 0; i < 4; ++i) {
-      const HalfFaceId across = opposite_[half_face(t, i)];
+      const HalfFaceId across = slots_[t.index()].opposite[i];
       const TetId neighbour = TetMesh::tet_of(across);
-      std::uint32_t& mark = mark_[neighbour];
-      if (mark == mark_in()) continue;
-      if (mark != mark_out()) {
+      const Mark known = mark(neighbour);
+      if (known == Mark::in_conflict) continue;
+      if (known == Mark::unvisited) {
         if (in_conflict(neighbour, p)) {
-          mark = mark_in();
+          mark(neighbour) = Mark::in_conflict;
           conflict_.push_back(neighbour);
           continue;
         }
-        mark = mark_out();
+        mark(neighbour) = Mark::outside;
       }
       horizon_.push_back({across, half_face(t, i), TetId()});
     }
@@ -147,45 +151,50 @@ void Delaunay3Builder::collect_conflict_zone(const Point3& p, TetId start) {
 }
 
 bool Delaunay3Builder::in_conflict(TetId t, const Point3& p) const {
-  return is_ghost(t) ? in_ghost_conflict(t, p) : in_sphere(tets_[t], p);
+  return is_ghost(t) ? in_ghost_conflict(t, p) : in_sphere(tet(t), p);
 }
 
 bool Delaunay3Builder::in_ghost_conflict(TetId t, const Point3& p) const {
   // The sphere of a ghost tet is the half-space beyond its hull facet …
-  const TetVertices& tet = tets_[t];
-  const Sign side = orient3d(p, points_[tet[1]], points_[tet[2]], points_[tet[3]]);
+  const TetVertices& ghost = tet(t);
+  const Sign side = orientation(p, point(ghost[1]), point(ghost[2]), point(ghost[3]));
   if (side != Sign::zero) return side == Sign::positive;
   // … and on its rim, the plane of the facet, the perturbed circle of the facet decides.
   // That is where the sphere of the finite neighbour meets the plane: for a coplanar p
   // the neighbour's fourth vertex has no weight in the perturbed determinant.
-  const TetId inside = TetMesh::tet_of(opposite_[half_face(t, 0)]);
-  return in_sphere(tets_[inside], p);
+  return in_sphere(tet(TetMesh::tet_of(opposite(half_face(t, 0)))), p);
 }
 
 bool Delaunay3Builder::in_sphere(const TetVertices& tet, const Point3& p) const {
-  const Point3& a = points_[tet[0]];
-  const Point3& b = points_[tet[1]];
-  const Point3& c = points_[tet[2]];
-  const Point3& d = points_[tet[3]];
+  const Point3& a = point(tet[0]);
+  const Point3& b = point(tet[1]);
+  const Point3& c = point(tet[2]);
+  const Point3& d = point(tet[3]);
   if (const int s = filter_.insphere(a, b, c, d, p); s != 0) return s > 0;
-  const Sign sign = filter_.is_exact()
-                        ? predicates::perturbed_insphere_of_cospherical(a, b, c, d, p)
-                        : insphere_perturbed(a, b, c, d, p);
-  return sign == Sign::positive;
+  if (filter_.is_exact()) {
+    return predicates::perturbed_insphere_of_cospherical(a, b, c, d, p) == Sign::positive;
+  }
+  // The bound of the whole set can be far above that of five near points.
+  if (const int s = predicates::insphere_filter(a, b, c, d, p); s != 0) return s > 0;
+  return insphere_perturbed(a, b, c, d, p) == Sign::positive;
+}
+
+Sign Delaunay3Builder::orientation(const Point3& a, const Point3& b, const Point3& c,
+                                   const Point3& d) const {
+  const int s = filter_.orient3d(a, b, c, d);
+  if (s != 0 || filter_.is_exact()) return static_cast<Sign>(s);
+  return orient3d(a, b, c, d);
 }
 
 bool Delaunay3Builder::is_beyond(const TetVertices& tet, std::size_t i, const Point3& p) const {
   const TriangleVertices facet = facet_of(tet, static_cast<int>(i));
-  const Point3& a = points_[facet[0]];
-  const Point3& b = points_[facet[1]];
-  const Point3& c = points_[facet[2]];
-  if (const int s = filter_.orient3d(a, b, c, p); s != 0) return s > 0;
-  return !filter_.is_exact() && orient3d(a, b, c, p) == Sign::positive;
+  return orientation(point(facet[0]), point(facet[1]), point(facet[2]), p) == Sign::positive;
 }
 
 TetId Delaunay3Builder::star_cavity(VertexId v) {
   create_fillers(v);
   glue_fillers();
+  for (const TetId t : conflict_) mark(t) = Mark::unvisited;
   free_.insert(free_.end(), conflict_.begin(), conflict_.end());
   // A finite one exists: the star of v holds more than its ghost tets.
   std::size_t k = 0;
@@ -194,21 +203,67 @@ TetId Delaunay3Builder::star_cavity(VertexId v) {
 }
 
 void Delaunay3Builder::create_fillers(VertexId v) {
-  for (HorizonFacet& facet : horizon_) {
+  take_slots();
+  horizon_vertex_count_ = 0;
+  table_is_full_ = false;
+  for (const HorizonFacet& facet : horizon_) {
+    const TetId outer = TetMesh::tet_of(facet.outer);
+    mark(outer) = Mark::unvisited;
     // Listed with the normal out of the outer tet, hence towards v: (base, v) is positive.
-    const TriangleVertices base =
-        facet_of(tets_[TetMesh::tet_of(facet.outer)], TetMesh::face_of(facet.outer));
-    facet.filler = new_tet({base[0], base[1], base[2], v});
+    const TriangleVertices base = facet_of(tet(outer), TetMesh::face_of(facet.outer));
+    slots_[facet.filler.index()].vertices = {base[0], base[1], base[2], v};
     // From now on the outer tet leads to the filler; the inner one still to the outer.
     glue(half_face(facet.filler, 3), facet.outer);
+    if (table_is_full_) continue;
+    const std::size_t a = number_on_horizon(base[0]);
+    const std::size_t b = number_on_horizon(base[1]);
+    const std::size_t c = number_on_horizon(base[2]);
+    if (table_is_full_) continue;
+    edge_table_[kTableSide * b + c] = half_face(facet.filler, 0);
+    edge_table_[kTableSide * c + a] = half_face(facet.filler, 1);
+    edge_table_[kTableSide * a + b] = half_face(facet.filler, 2);
   }
 }
 
+std::size_t Delaunay3Builder::number_on_horizon(VertexId v) {
+  // The ghost has no record to keep a number in; its place is the last of the table.
+  if (v == kGhost) return kTableSide - 1;
+  std::uint32_t& number = vertices_[v.index()].on_horizon;
+  if (number < horizon_vertex_count_ && horizon_vertices_[number] == v) return number;
+  if (horizon_vertex_count_ == kTableSide - 1) {
+    table_is_full_ = true;
+    return 0;
+  }
+  number = static_cast<std::uint32_t>(horizon_vertex_count_++);
+  horizon_vertices_[number] = v;
+  return number;
+}
+
 void Delaunay3Builder::glue_fillers() {
+  if (table_is_full_) {
+    glue_fillers_by_turning();
+  } else {
+    glue_fillers_by_table();
+  }
+}
+
+void Delaunay3Builder::glue_fillers_by_table() {
+  for (const HorizonFacet& facet : horizon_) {
+    TetSlot& slot = slots_[facet.filler.index()];
+    const std::size_t a = number_on_horizon(slot.vertices[0]);
+    const std::size_t b = number_on_horizon(slot.vertices[1]);
+    const std::size_t c = number_on_horizon(slot.vertices[2]);
+    // The neighbour has the edge in the other direction.
+    slot.opposite[0] = edge_table_[kTableSide * c + b];
+    slot.opposite[1] = edge_table_[kTableSide * a + c];
+    slot.opposite[2] = edge_table_[kTableSide * b + a];
+  }
+}
+
+void Delaunay3Builder::glue_fillers_by_turning() {
   for (const HorizonFacet& facet : horizon_) {
     for (std::size_t i = 0; i < 3; ++i) {
-      const HalfFaceId own = half_face(facet.filler, i);
-      if (!opposite_[own].valid()) glue(own, filler_across(facet, i));
+      opposite(half_face(facet.filler, i)) = filler_across(facet, i);
     }
   }
 }
@@ -220,34 +275,35 @@ HalfFaceId Delaunay3Builder::filler_across(const HorizonFacet& facet, std::size_
   HalfFaceId entered = facet.inner;
   // The vertex of the entered face that is not on the edge: the face to leave by is
   // opposite to it.
-  VertexId behind = tets_[facet.filler][i];
+  VertexId behind = tet(facet.filler)[i];
   for (std::size_t steps = 0;; ++steps) {
     TETLOFT_CHECK(steps < conflict_.size());
     const TetId t = TetMesh::tet_of(entered);
-    const HalfFaceId across = opposite_[half_face(t, index_of(tets_[t], behind))];
-    behind = tets_[t][static_cast<std::size_t>(TetMesh::face_of(entered))];
-    if (mark_[TetMesh::tet_of(across)] == mark_in()) {
+    const HalfFaceId across = opposite(half_face(t, index_of(tet(t), behind)));
+    behind = tet(t)[static_cast<std::size_t>(TetMesh::face_of(entered))];
+    if (mark(TetMesh::tet_of(across)) == Mark::in_conflict) {
       entered = across;
       continue;
     }
-    const TetId filler = TetMesh::tet_of(opposite_[across]);
-    return half_face(filler, index_of(tets_[filler], behind));
+    const TetId filler = TetMesh::tet_of(opposite(across));
+    return half_face(filler, index_of(tet(filler), behind));
   }
 }
 
-TetId Delaunay3Builder::new_tet(const TetVertices& vertices) {
-  TetId t;
-  if (free_.empty()) {
-    t = tets_.push_back(vertices);
-    opposite_.resize(4 * tets_.size());
-    mark_.push_back(0);
-    return t;
+void Delaunay3Builder::take_slots() {
+  std::size_t recycled = std::min(free_.size(), horizon_.size());
+  std::uint32_t fresh = static_cast<std::uint32_t>(slots_.size());
+  slots_.resize(slots_.size() + horizon_.size() - recycled);
+  marks_.resize(slots_.size(), Mark::unvisited);
+  for (HorizonFacet& facet : horizon_) {
+    if (recycled == 0) {
+      facet.filler = TetId(fresh++);
+      continue;
+    }
+    --recycled;
+    facet.filler = free_.back();
+    free_.pop_back();
   }
-  t = free_.back();
-  free_.pop_back();
-  tets_[t] = vertices;
-  for (std::size_t i = 0; i < 4; ++i) opposite_[half_face(t, i)] = HalfFaceId();
-  return t;
 }
 
 }  // namespace tetloft::delaunay3_detail

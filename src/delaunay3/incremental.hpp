@@ -7,17 +7,23 @@
 // ghost tets: each facet of the convex hull is joined to the ghost vertex, a point at
 // infinity. Combinatorially the tets form a 3-sphere, so every face has two tets and no
 // traversal has a boundary branch.
+//
+// Memory is laid out for the search of the conflict zone, which is most of the work: a tet's
+// vertices and neighbours share a cache line (half of one), so do a point and its number on
+// the horizon.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <tetloft/ids.hpp>
 #include <tetloft/point.hpp>
 #include <tetloft/tet_mesh.hpp>
 
-#include "delaunay3/canonical_mesh.hpp"
+#include "delaunay3/tet_slot.hpp"
 #include "predicates/set_filter.hpp"
 
 namespace tetloft::delaunay3_detail {
@@ -37,7 +43,7 @@ class Delaunay3Builder {
 
   /// All slots: of ghost tets vertex 0 is kGhost, of dead ones it is invalid. Valid after
   /// insert_all().
-  [[nodiscard]] TetArrays arrays() const { return {tets_.raw(), opposite_.raw()}; }
+  [[nodiscard]] std::span<const TetSlot> slots() const { return slots_; }
 
  private:
   // A facet of the horizon, the boundary of the conflict zone: its half-face in the tet
@@ -47,6 +53,21 @@ class Delaunay3Builder {
     HalfFaceId inner;
     TetId filler;
   };
+
+  // A point, and the number of its vertex among those of the current horizon. That number is
+  // a guess left by some earlier insertion wherever horizon_vertices_ does not confirm it, so
+  // that nothing needs to be cleared.
+  struct Vertex {
+    Point3 point;
+    std::uint32_t on_horizon = 0;
+  };
+
+  // What the current insertion knows of a tet. Between insertions all are unvisited.
+  enum class Mark : std::uint8_t { unvisited, in_conflict, outside };
+
+  // Cavities whose horizon has fewer vertices than this, the ghost apart, are glued by a table
+  // of its edges; a uniform set has 15.5 on average.
+  static constexpr std::size_t kTableSide = 64;
 
   void make_first_tets();
   // Adds vertex v near hint_. False when out of slots, nothing changed.
@@ -63,37 +84,52 @@ class Delaunay3Builder {
   [[nodiscard]] bool in_conflict(TetId t, const Point3& p) const;
   [[nodiscard]] bool in_ghost_conflict(TetId t, const Point3& p) const;
   [[nodiscard]] bool in_sphere(const TetVertices& tet, const Point3& p) const;
+  // As orient3d; for points of the set only.
+  [[nodiscard]] Sign orientation(const Point3& a, const Point3& b, const Point3& c,
+                                 const Point3& d) const;
   // Does p lie strictly beyond face i of the tet?
   [[nodiscard]] bool is_beyond(const TetVertices& tet, std::size_t i, const Point3& p) const;
 
   // Gives every facet of the horizon its filler, glued to the outer tet only.
   void create_fillers(VertexId v);
-  // Glues each two fillers that share an edge of the horizon.
+  // The number of vertex v of the horizon, a new one where it has none. Sets table_is_full_
+  // where there is none left.
+  std::size_t number_on_horizon(VertexId v);
+  // Glues each two fillers that share an edge of the horizon: by looking edges up in the
+  // table that create_fillers() filled, or, where the horizon has too many vertices for it,
+  // by turning around the edges through the conflict zone.
   void glue_fillers();
+  void glue_fillers_by_table();
+  void glue_fillers_by_turning();
   // The face of the filler across face i of `facet`'s filler.
   [[nodiscard]] HalfFaceId filler_across(const HorizonFacet& facet, std::size_t i) const;
-  TetId new_tet(const TetVertices& vertices);
+  // Takes a slot for every facet of the horizon.
+  void take_slots();
   void glue(HalfFaceId a, HalfFaceId b) {
-    opposite_[a] = b;
-    opposite_[b] = a;
+    opposite(a) = b;
+    opposite(b) = a;
   }
 
-  [[nodiscard]] bool is_ghost(TetId t) const { return tets_[t][0] == kGhost; }
-  // Marks of the current insertion: in or out of the conflict zone; anything else is older
-  // and means not visited.
-  [[nodiscard]] std::uint32_t mark_in() const { return 2 * epoch_ + 1; }
-  [[nodiscard]] std::uint32_t mark_out() const { return 2 * epoch_; }
+  [[nodiscard]] bool is_ghost(TetId t) const { return tet(t)[0] == kGhost; }
+  [[nodiscard]] const TetVertices& tet(TetId t) const { return slots_[t.index()].vertices; }
+  [[nodiscard]] HalfFaceId& opposite(HalfFaceId h) {
+    return slots_[h.index() >> 2].opposite[h.index() & 3];
+  }
+  [[nodiscard]] HalfFaceId opposite(HalfFaceId h) const {
+    return slots_[h.index() >> 2].opposite[h.index() & 3];
+  }
+  [[nodiscard]] const Point3& point(VertexId v) const { return vertices_[v.index()].point; }
+  [[nodiscard]] Mark& mark(TetId t) { return marks_[t.index()]; }
+  [[nodiscard]] Mark mark(TetId t) const { return marks_[t.index()]; }
 
-  IdVector<VertexId, Point3> points_;
+  std::vector<Vertex> vertices_;
   predicates::SetFilter filter_;
   // Positive; ghost tets would be with the ghost far beyond their hull facet. [3] is the
   // latest vertex. [0] is kGhost in ghost tets, invalid in dead slots after insert_all().
-  IdVector<TetId, TetVertices> tets_;
-  // opposite_[4 t + i]; valid in every live tet.
-  IdVector<HalfFaceId, HalfFaceId> opposite_;
-  // Epoch stamps: mark_in() or mark_out() of the insertion that last visited the tet.
-  IdVector<TetId, std::uint32_t> mark_;
-  std::uint32_t epoch_ = 0;
+  std::vector<TetSlot> slots_;
+  // Apart from the slots: one cache line of marks answers for many tets that were made
+  // together, most of them visited before.
+  std::vector<Mark> marks_;
   // Dead slots, last freed last.
   std::vector<TetId> free_;
   // A live finite tet where the next walk starts.
@@ -104,6 +140,14 @@ class Delaunay3Builder {
   // Scratch of one insertion.
   std::vector<TetId> conflict_;
   std::vector<HorizonFacet> horizon_;
+  // The vertices of the horizon by number, the ghost apart.
+  std::array<VertexId, kTableSide> horizon_vertices_;
+  std::size_t horizon_vertex_count_ = 0;
+  bool table_is_full_ = false;
+  // edge_table_[kTableSide * a + b]: the half-face of a filler on the horizon's edge from the
+  // vertex of number a to that of number b. Old entries remain: every edge of the horizon is
+  // written, in both directions, before one is read.
+  std::vector<HalfFaceId> edge_table_;
 };
 
 }  // namespace tetloft::delaunay3_detail

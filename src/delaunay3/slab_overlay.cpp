@@ -37,14 +37,13 @@ class SlabOverlay {
     }
   }
 
-  SlabTets run() {
+  std::vector<TetSlot> run() {
     start_type1();
     trace_upper_edges();
-    if (tets_.size() >= kMaxTets) return {};
-    opposite_.resize(4 * tets_.size());
+    if (slots_.size() >= kMaxTets) return {};
     chain_lower_edges();
     settle_lower_triangles();
-    return {std::move(tets_), std::move(opposite_)};
+    return std::move(slots_);
   }
 
  private:
@@ -66,9 +65,13 @@ class SlabOverlay {
     return VertexId(lower_.vertex_count() + v.index());
   }
   void glue(HalfFaceId a, HalfFaceId b) {
-    opposite_[a.index()] = b;
-    opposite_[b.index()] = a;
+    opposite(a) = b;
+    opposite(b) = a;
   }
+  [[nodiscard]] HalfFaceId& opposite(HalfFaceId h) {
+    return slots_[h.index() >> 2].opposite[h.index() & 3];
+  }
+  [[nodiscard]] TetVertices& tet(TetId t) { return slots_[t.index()].vertices; }
   // The face of a type-1 tet over half-edge h of its triangle.
   [[nodiscard]] HalfFaceId face_below(HalfEdgeId h) const {
     return half_face(tet_below(PlaneDiagram::triangle(h)), h.value() & 3U);
@@ -98,9 +101,8 @@ class SlabOverlay {
   CentresAndSites lower_centres_;
   CentresAndSites upper_centres_;
 
-  std::vector<TetVertices> tets_;
-  std::vector<HalfFaceId> opposite_;  // longer than needed while tets are added
-  std::vector<Crossing> crossings_;   // by type-2 tet
+  std::vector<TetSlot> slots_;
+  std::vector<Crossing> crossings_;  // by type-2 tet
   // On the representative of a lower edge: its list of type-2 tets.
   IdVector<HalfEdgeId, TetId> first_on_edge_;
 
@@ -121,20 +123,19 @@ class SlabOverlay {
 void SlabOverlay::start_type1() {
   const std::size_t vertices = lower_.vertex_count() + upper_.vertex_count();
   constexpr std::size_t kExpectedTetsPerVertex = 7;  // 6.9 on 110 real stacks
-  tets_.reserve(kExpectedTetsPerVertex * vertices);
+  slots_.reserve(kExpectedTetsPerVertex * vertices);
   crossings_.reserve(kExpectedTetsPerVertex * vertices - first_type2());
-  tets_.resize(first_type2());
-  opposite_.resize(4 * kExpectedTetsPerVertex * vertices);
+  slots_.resize(first_type2());
   for (std::size_t k = 0; k < lower_.finite_count(); ++k) {
     const TriangleId t(k);
     for (std::uint32_t i = 0; i < 3; ++i) {
-      tets_[tet_below(t).index()][i] = lower_.apex(PlaneDiagram::half_edge(t, i));
+      tet(tet_below(t))[i] = lower_.apex(PlaneDiagram::half_edge(t, i));
     }
   }
   for (std::size_t k = 0; k < upper_.finite_count(); ++k) {
     const TriangleId t(k);
     for (std::uint32_t i = 0; i < 3; ++i) {
-      tets_[tet_above(t).index()][i + 1] = upper_vertex(upper_.apex(PlaneDiagram::half_edge(t, i)));
+      tet(tet_above(t))[i + 1] = upper_vertex(upper_.apex(PlaneDiagram::half_edge(t, i)));
     }
   }
   first_on_edge_.resize(lower_.half_edge_slots());
@@ -152,7 +153,7 @@ void SlabOverlay::trace_upper_edges() {
     near = cell_of_[t];
     for (std::uint32_t i = 0; i < 3; ++i) {
       const HalfEdgeId h = PlaneDiagram::half_edge(t, i);
-      if (!opposite_[face_above(h).index()].valid()) trace(h);
+      if (!opposite(face_above(h)).valid()) trace(h);
     }
   }
 }
@@ -175,7 +176,7 @@ HalfEdgeId SlabOverlay::cell_from(HalfEdgeId start, TriangleId t) const {
 
 void SlabOverlay::enter(TriangleId t, HalfEdgeId cell) {
   cell_of_[t] = cell;
-  tets_[tet_above(t).index()][0] = lower_.origin(cell);
+  tet(tet_above(t))[0] = lower_.origin(cell);
 }
 
 // The edge by which an upper Voronoi edge, on the line between the site to its left and that to
@@ -218,9 +219,8 @@ void SlabOverlay::trace(HalfEdgeId upper) {
     const bool leaves = ahead != PlaneDiagram::kGhostVertex &&
                         (is_ray || Bisector(upper_centres_, ahead, behind).nearer_to_first(target));
     if (!leaves) break;
-    const TetId t(tets_.size());
-    tets_.push_back({behind, ahead, upper_vertex(left), upper_vertex(right)});
-    if (opposite_.size() < 4 * tets_.size()) opposite_.resize(2 * opposite_.size());
+    const TetId t(slots_.size());
+    slots_.push_back({{behind, ahead, upper_vertex(left), upper_vertex(right)}, {}});
     glue(last, half_face(t, kBehind));
     last = half_face(t, kAhead);
     TetId& first = first_on_edge_[representative(exit)];
@@ -253,7 +253,7 @@ void SlabOverlay::chain(HalfEdgeId edge) {
   const auto left_face = [&](TetId t) { return crossing(t).lower == edge ? kLeft : kRight; };
   const auto upper_of_face = [&](TetId t, std::uint32_t face) {
     // Opposite the vertex to one side, the face holds that to the other.
-    const VertexId v = tets_[t.index()][face == kLeft ? 2 : 3];
+    const VertexId v = tet(t)[face == kLeft ? 2 : 3];
     return VertexId(v.index() - lower_.vertex_count());
   };
   for (TetId t = first; t.valid(); t = crossing(t).next) {
@@ -271,7 +271,7 @@ void SlabOverlay::chain(HalfEdgeId edge) {
   }
   for (TetId t = first; t.valid(); t = crossing(t).next) {
     const std::uint32_t face = left_face(t);
-    if (opposite_[half_face(t, face).index()].valid()) continue;
+    if (opposite(half_face(t, face)).valid()) continue;
     settle(edge, half_face(t, face), upper_of_face(t, face));
     break;
   }
@@ -283,7 +283,7 @@ void SlabOverlay::settle(HalfEdgeId side, HalfFaceId face, VertexId nearest_abov
   const TriangleId t = lower_.left(side);
   if (lower_.is_ghost(t)) return;
   glue(face, face_below(side));
-  VertexId& apex = tets_[tet_below(t).index()][3];
+  VertexId& apex = tet(tet_below(t))[3];
   const VertexId v = upper_vertex(nearest_above);
   TETLOFT_CHECK(!apex.valid() || apex == v);
   if (apex.valid()) return;
@@ -297,7 +297,7 @@ void SlabOverlay::settle_lower_triangles() {
   while (!settled_.empty()) {
     const TriangleId t = settled_.back();
     settled_.pop_back();
-    const VertexId nearest_above(tets_[tet_below(t).index()][3].index() - lower_.vertex_count());
+    const VertexId nearest_above(tet(tet_below(t))[3].index() - lower_.vertex_count());
     for (std::uint32_t i = 0; i < 3; ++i) {
       const HalfEdgeId h = PlaneDiagram::half_edge(t, i);
       if (first_on_edge_[representative(h)].valid()) continue;
@@ -308,7 +308,7 @@ void SlabOverlay::settle_lower_triangles() {
 
 }  // namespace
 
-SlabTets slab_overlay(const Triangulation2& lower, const Triangulation2& upper) {
+std::vector<TetSlot> slab_overlay(const Triangulation2& lower, const Triangulation2& upper) {
   return SlabOverlay(lower, upper).run();
 }
 

@@ -14,26 +14,21 @@
 // the other and no Voronoi edges overlap, so the overlay has no special cases.
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
 #include <tetloft/delaunay.hpp>
 #include <tetloft/ids.hpp>
-#include <tetloft/tet_mesh.hpp>
+
+#include "delaunay3/tet_slot.hpp"
 
 namespace tetloft::delaunay3_detail {
 
-/// Tets of two planes; vertices are the lower plane's, then the upper's.
-struct SlabTets {
-  /// Positive if the upper plane is above. Type 1 below, type 1 above, then type 2.
-  std::vector<TetVertices> tets;
-  /// opposite[4 t + i]: the half-face across, or invalid on the hull.
-  std::vector<HalfFaceId> opposite;
-};
-
-/// The unique perturbed triangulation. Linear in vertices and tets but for turning around
-/// vertices of high degree. Requires two triangulations with triangles, vertices in canonical
-/// order, together fewer than 2^29 vertices. Empty where it would take 2^30 tets.
-[[nodiscard]] SlabTets slab_overlay(const Triangulation2& lower, const Triangulation2& upper);
+/// The unique perturbed triangulation of two planes: type 1 below, type 1 above, then type 2.
+/// Vertices are the lower plane's, then the upper's; tets are positive if the upper plane is
+/// above; opposite half-faces are invalid on the hull. Linear in vertices and tets but for turning
+/// around vertices of high degree. Requires two triangulations with triangles, vertices in
+/// canonical order, together fewer than 2^29 vertices. Empty where it would take 2^30 tets.
+[[nodiscard]] std::vector<TetSlot> slab_overlay(const Triangulation2& lower,
+                                                const Triangulation2& upper);
 
 }  // namespace tetloft::delaunay3_detail
