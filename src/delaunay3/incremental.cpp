@@ -141,6 +141,7 @@ void Delaunay3Builder::collect_conflict_zone(const Point3& p, TetId start) {
         if (in_conflict(neighbour, p)) {
           mark(neighbour) = Mark::in_conflict;
           conflict_.push_back(neighbour);
+          fetch_neighbours(neighbour);
           continue;
         }
         mark(neighbour) = Mark::outside;
@@ -148,6 +149,16 @@ void Delaunay3Builder::collect_conflict_zone(const Point3& p, TetId start) {
       horizon_.push_back({across, half_face(t, i), TetId()});
     }
   }
+}
+
+// Asks the processor for what the search will read when it comes to t.
+void Delaunay3Builder::fetch_neighbours(TetId t) const {
+#if defined(__GNUC__)
+  for (const HalfFaceId across : slots_[t.index()].opposite) {
+    __builtin_prefetch(&slots_[across.index() >> 2]);
+    __builtin_prefetch(&marks_[across.index() >> 2]);
+  }
+#endif
 }
 
 bool Delaunay3Builder::in_conflict(TetId t, const Point3& p) const {

@@ -77,6 +77,7 @@ class Delaunay3Builder {
   TetId locate(const Point3& p, TetId start);
   // Fills conflict_ and horizon_; marks the conflict zone with the current epoch.
   void collect_conflict_zone(const Point3& p, TetId start);
+  void fetch_neighbours(TetId t) const;
   // Replaces the conflict zone by the tets that join the horizon to v. Returns one of
   // them, finite.
   TetId star_cavity(VertexId v);
