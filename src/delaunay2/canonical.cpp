@@ -8,62 +8,93 @@ namespace tetloft::delaunay2_detail {
 
 namespace {
 
-/// A triangle of the plane, by its half-edge opposite the vertex that is lowest by name.
-/// The second vertex tells it apart from all others with the same lowest one.
+/// A real triangle. The second vertex tells it apart from all others with the same lowest one.
 struct Named {
   VertexId second;
-  HalfEdgeId base;
+  TriangleId triangle;
 };
 
-std::array<HalfEdgeId, 3> half_edges_from(HalfEdgeId base) {
-  const auto first = base.value() / 3 * 3;
-  const auto i = base.value() % 3;
-  return {base, HalfEdgeId(first + (i + 1) % 3), HalfEdgeId(first + (i + 2) % 3)};
+void sort_by_second(std::span<Named> same_lowest) {
+  constexpr std::size_t kFew = 16;
+  if (same_lowest.size() > kFew) {
+    std::sort(same_lowest.begin(), same_lowest.end(),
+              [](const Named& a, const Named& b) { return a.second < b.second; });
+    return;
+  }
+  for (std::size_t i = 1; i < same_lowest.size(); ++i) {
+    const Named moved = same_lowest[i];
+    std::size_t k = i;
+    for (; k > 0 && moved.second < same_lowest[k - 1].second; --k)
+      same_lowest[k] = same_lowest[k - 1];
+    same_lowest[k] = moved;
+  }
 }
+
+/// The vertices of a triangle by name, and the corner of the lowest.
+struct Names {
+  std::array<VertexId, 3> name;
+  std::uint32_t lowest;
+
+  Names(const std::array<VertexId, 3>& v, std::span<const VertexId> name_of)
+      : name{name_of[v[0].index()], name_of[v[1].index()], name_of[v[2].index()]},
+        lowest(name[0] < name[1] ? (name[0] < name[2] ? 0U : 2U) : (name[1] < name[2] ? 1U : 2U)) {}
+};
+
+constexpr std::array<std::uint32_t, 5> kCorner{0, 1, 2, 0, 1};
 
 }  // namespace
 
+// Triangles are visited in the order of `plane`, where neighbours are near in memory: what is
+// scattered is only written.
 Triangulation2 canonical_triangulation(const Incremental2& plane, std::span<const VertexId> name_of,
                                        std::vector<Point2> points) {
-  const auto name = [&](HalfEdgeId h) { return name_of[plane.apex(h).index()]; };
+  const std::size_t count = plane.triangle_count();
 
   // Counting sort by lowest vertex.
-  std::vector<HalfEdgeId> bases;
-  std::vector<std::uint32_t> bucket(points.size() + 1);
-  bases.reserve(plane.triangle_count());
-  for (std::uint32_t t = 0; t < plane.triangle_count(); ++t) {
+  std::vector<std::uint32_t> end(points.size());  // of the triangles of each lowest vertex
+  std::size_t real = 0;
+  for (std::uint32_t t = 0; t < count; ++t) {
     if (plane.is_ghost(TriangleId(t))) continue;
-    HalfEdgeId base(3 * t);
-    if (name(HalfEdgeId(3 * t + 1)) < name(base)) base = HalfEdgeId(3 * t + 1);
-    if (name(HalfEdgeId(3 * t + 2)) < name(base)) base = HalfEdgeId(3 * t + 2);
-    bases.push_back(base);
-    ++bucket[name(base).index() + 1];
+    const Names names(plane.vertices(TriangleId(t)), name_of);
+    ++end[names.name[names.lowest].index()];
+    ++real;
   }
-  for (std::size_t v = 1; v < bucket.size(); ++v) bucket[v] += bucket[v - 1];
-  std::vector<Named> sorted(bases.size());
-  std::vector<std::uint32_t> place(bucket.begin(), bucket.end() - 1);
-  for (const HalfEdgeId base : bases) {
-    sorted[place[name(base).index()]++] = {name(half_edges_from(base)[1]), base};
+  std::uint32_t sum = 0;
+  for (std::uint32_t& e : end) {
+    const std::uint32_t begin = sum;
+    sum += e;
+    e = begin;
   }
-  for (std::size_t v = 0; v + 1 < bucket.size(); ++v) {
-    std::sort(sorted.begin() + bucket[v], sorted.begin() + bucket[v + 1],
-              [](const Named& a, const Named& b) { return a.second < b.second; });
+  std::vector<Named> sorted(real);
+  for (std::uint32_t t = 0; t < count; ++t) {
+    if (plane.is_ghost(TriangleId(t))) continue;
+    const Names names(plane.vertices(TriangleId(t)), name_of);
+    sorted[end[names.name[names.lowest].index()]++] = {names.name[kCorner[names.lowest + 1]],
+                                                       TriangleId(t)};
   }
 
-  // Ghost triangles keep an invalid number.
-  std::vector<TriangleId> number(plane.triangle_count());
-  for (std::size_t i = 0; i < sorted.size(); ++i) {
-    number[sorted[i].base.index() / 3] = TriangleId(i);
+  std::vector<TriangleId> number(count);  // ghost triangles keep an invalid one
+  std::uint32_t begin = 0;
+  for (const std::uint32_t e : end) {
+    sort_by_second(std::span(sorted).subspan(begin, e - begin));
+    for (; begin < e; ++begin) number[sorted[begin].triangle.index()] = TriangleId(begin);
   }
+
   Triangulation2 result;
   result.points = IdVector<VertexId, Point2>(std::move(points));
-  result.triangles.resize(sorted.size());
-  result.neighbours.resize(sorted.size());
-  for (std::size_t i = 0; i < sorted.size(); ++i) {
-    const auto half_edges = half_edges_from(sorted[i].base);
-    for (std::size_t k = 0; k < 3; ++k) {
-      result.triangles[TriangleId(i)][k] = name(half_edges[k]);
-      result.neighbours[TriangleId(i)][k] = number[plane.opposite(half_edges[k]).index() / 3];
+  result.triangles.resize(real);
+  result.neighbours.resize(real);
+  for (std::uint32_t t = 0; t < count; ++t) {
+    const TriangleId n = number[t];
+    if (!n.valid()) continue;
+    const Names names(plane.vertices(TriangleId(t)), name_of);
+    TriangleVertices& vertices = result.triangles[n];
+    std::array<TriangleId, 3>& neighbours = result.neighbours[n];
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const std::uint32_t i = kCorner[names.lowest + k];
+      const HalfEdgeId across = plane.opposite(Incremental2::half_edge(TriangleId(t), i));
+      vertices[k] = names.name[i];
+      neighbours[k] = number[Incremental2::triangle(across).index()];
     }
   }
   return result;

@@ -1,49 +1,38 @@
 #include "delaunay2/incremental.hpp"
 
-#include <tetloft/predicates.hpp>
+#include <limits>
 
 #include "core/check.hpp"
-#include "predicates/filter.hpp"
 
 namespace tetloft::delaunay2_detail {
 
-namespace {
-
-// The predicates with their filters in line: most calls end there, and walks and zones are little
-// else.
-
-Sign orientation(const Point2& a, const Point2& b, const Point2& c) {
-  const int s = predicates::orient2d_filter(a, b, c);
-  return s != 0 ? static_cast<Sign>(s) : orient2d(a, b, c);
-}
-
-Sign circle(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
-  const int s = predicates::incircle_filter(a, b, c, d);
-  return s != 0 ? static_cast<Sign>(s) : incircle_perturbed(a, b, c, d);
-}
-
-}  // namespace
-
-Incremental2::Incremental2(const Point2& a, const Point2& b, const Point2& c,
-                           std::size_t expected) {
+Incremental2::Incremental2(const Point2& a, const Point2& b, const Point2& c, std::size_t expected,
+                           const predicates::PlaneFilter& filter)
+    : filter_(filter), last_(0) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   point_.reserve(expected + 1);
   out_.reserve(expected + 1);
-  vertex_.reserve(6 * expected);
-  opposite_.reserve(6 * expected);
-  point_ = {Point2{}, a, b, c};
-  out_.resize(4);
+  triangles_.reserve(2 * expected);
+  point_ = {Point2{nan, nan}, a, b, c};
   const VertexId v[] = {VertexId(1), VertexId(2), VertexId(3)};
-  for (int t = 0; t < 4; ++t) add_triangle();
-  set_triangle(TriangleId(0), v[0], v[1], v[2]);
+  // Vertex i of triangle 0 has ghost triangle i + 1 across.
+  triangles_.resize(4);
+  triangles_[0].apex = {v[0], v[1], v[2]};
   for (std::uint32_t i = 0; i < 3; ++i) {
-    const TriangleId ghost(i + 1);
-    set_triangle(ghost, kGhost, v[(i + 2) % 3], v[(i + 1) % 3]);
-    join(half_edge(TriangleId(0), i), half_edge(ghost, 0));
-    join(half_edge(ghost, 1), half_edge(TriangleId((i + 2) % 3 + 1), 2));
+    const std::uint32_t following = (i + 1) % 3;
+    const std::uint32_t preceding = (i + 2) % 3;
+    triangles_[0].opposite[i] = half_edge(TriangleId(i + 1), 0);
+    triangles_[i + 1] = {{kGhost, v[preceding], v[following]},
+                         {half_edge(TriangleId(0), i), half_edge(TriangleId(preceding + 1), 2),
+                          half_edge(TriangleId(following + 1), 1)}};
   }
+  out_ = {half_edge(TriangleId(1), 2), half_edge(TriangleId(0), 2), half_edge(TriangleId(0), 0),
+          half_edge(TriangleId(0), 1)};
+  for (const Point2& p : {a, b, c}) filter_.admit(p);
 }
 
-VertexId Incremental2::insert(const Point2& p, VertexId hint) {
+VertexId Incremental2::insert(const Point2& p, TriangleId hint) {
+  filter_.admit(p);
   const TriangleId at = locate(p, hint);
   if (const VertexId same = vertex_at(p, at); same.valid()) return same;
   TETLOFT_CHECK(point_.size() < kMostVertices);
@@ -55,59 +44,81 @@ VertexId Incremental2::insert(const Point2& p, VertexId hint) {
   return v;
 }
 
-bool Incremental2::is_ghost(TriangleId t) const {
-  const std::size_t h = 3 * t.index();
-  return vertex_[h] == kGhost || vertex_[h + 1] == kGhost || vertex_[h + 2] == kGhost;
+inline bool Incremental2::is_right_of(const Point2& p, VertexId from, VertexId to) const {
+  const int s = filter_.orient2d(point(from), point(to), p);
+  if (s != 0) [[likely]]
+    return s < 0;
+  return decide_right_of(p, from, to);
+}
+
+/// Where the filter does not answer. No point is to the right of an edge at the ghost: walks end
+/// in ghost triangles.
+bool Incremental2::decide_right_of(const Point2& p, VertexId from, VertexId to) const {
+  if (filter_.is_exact() || from == kGhost || to == kGhost) return false;
+  return orient2d(point(from), point(to), p) == Sign::negative;
 }
 
 /// A triangle that contains p, its boundary included, or a ghost triangle whose hull edge
 /// has p strictly outside. Either is in conflict with p, unless p is one of its vertices.
-TriangleId Incremental2::locate(const Point2& p, VertexId hint) const {
-  HalfEdgeId entry = out_[hint.index()];
+TriangleId Incremental2::locate(const Point2& p, TriangleId hint) const {
+  HalfEdgeId entry = half_edge(hint, 0);
   // The ghost triangle across a ghost triangle's hull edge is a real one.
   for (std::uint32_t i = 0; i < 3; ++i) {
-    const HalfEdgeId h = half_edge(triangle(entry), i);
-    if (apex(h) == kGhost) {
-      entry = opposite(h);
-      break;
-    }
+    if (vertices(hint)[i] == kGhost) entry = opposite(half_edge(hint, i));
   }
-  const auto is_outside = [&](HalfEdgeId h) {
-    return orientation(point(origin(h)), point(destination(h)), p) == Sign::negative;
-  };
-  HalfEdgeId exit = is_outside(entry) ? entry : HalfEdgeId();
+  if (is_right_of(p, origin(entry), destination(entry))) entry = opposite(entry);
   for (;;) {
-    if (!exit.valid() && is_outside(next(entry))) exit = next(entry);
-    if (!exit.valid() && is_outside(previous(entry))) exit = previous(entry);
-    if (!exit.valid()) return triangle(entry);
-    entry = opposite(exit);
-    exit = HalfEdgeId();
-    if (is_ghost(triangle(entry))) return triangle(entry);
+    // p is not to the right of the entry.
+    const Triangle& t = at(entry);
+    const HalfEdgeId second = next(entry);
+    const HalfEdgeId third = previous(entry);
+    const VertexId from = t.apex[second.value() & 3U];
+    const VertexId to = t.apex[third.value() & 3U];
+    const VertexId apex = t.apex[entry.value() & 3U];
+    if (is_right_of(p, to, apex)) {
+      entry = t.opposite[second.value() & 3U];
+    } else if (is_right_of(p, apex, from)) {
+      entry = t.opposite[third.value() & 3U];
+    } else {
+      return triangle(entry);
+    }
   }
 }
 
 VertexId Incremental2::vertex_at(const Point2& p, TriangleId t) const {
-  for (std::uint32_t i = 0; i < 3; ++i) {
-    const VertexId v = apex(half_edge(t, i));
-    if (v != kGhost && point(v) == p) return v;
+  for (const VertexId v : vertices(t)) {
+    if (point(v) == p) return v;  // the ghost's NaN equals nothing
   }
   return {};
 }
 
-bool Incremental2::in_conflict(TriangleId t, const Point2& p) const {
-  const VertexId* v = &vertex_[3 * t.index()];
+inline bool Incremental2::in_conflict(TriangleId t, const Point2& p) const {
+  const std::array<VertexId, 3>& v = vertices(t);
+  const int s = filter_.incircle(point(v[0]), point(v[1]), point(v[2]), p);
+  if (s != 0) [[likely]]
+    return s > 0;
+  return decide_conflict(t, p);
+}
+
+/// Where the filter does not answer.
+bool Incremental2::decide_conflict(TriangleId t, const Point2& p) const {
+  const std::array<VertexId, 3>& v = vertices(t);
   for (std::uint32_t i = 0; i < 3; ++i) {
     if (v[i] != kGhost) continue;
     // The circle of a ghost triangle is the half-plane outside its hull edge, closed by the
     // edge without its ends: there it agrees with the circle of the triangle inside.
     const Point2& a = point(v[(i + 1) % 3]);
     const Point2& b = point(v[(i + 2) % 3]);
-    const Sign side = orientation(a, b, p);
+    const int certain = filter_.orient2d(a, b, p);
+    const Sign side =
+        certain != 0 || filter_.is_exact() ? static_cast<Sign>(certain) : orient2d(a, b, p);
     if (side != Sign::zero) return side == Sign::positive;
     return canonical_less(a, b) ? canonical_less(a, p) && canonical_less(p, b)
                                 : canonical_less(b, p) && canonical_less(p, a);
   }
-  return circle(point(v[0]), point(v[1]), point(v[2]), p) == Sign::positive;
+  const Point2 &a = point(v[0]), &b = point(v[1]), &c = point(v[2]);
+  return (filter_.is_exact() ? predicates::perturbed_incircle_of_cocircular(a, b, c, p)
+                             : incircle_perturbed(a, b, c, p)) == Sign::positive;
 }
 
 /// Depth first from `first`, counter-clockwise: replacing an edge by the other two of the
@@ -134,42 +145,28 @@ void Incremental2::collect_conflict_zone(const Point2& p, TriangleId first) {
 }
 
 void Incremental2::star_cavity(VertexId v) {
-  zone_.push_back(add_triangle());
-  zone_.push_back(add_triangle());
+  const std::size_t first = triangles_.size();
+  zone_.emplace_back(first);
+  zone_.emplace_back(first + 1);
+  triangles_.resize(first + 2);
+  if (!label_.empty()) label_.resize(4 * triangles_.size());
+  TriangleId preceding = zone_.back();
   for (std::size_t i = 0; i < zone_.size(); ++i) {
     const HorizonEdge& edge = horizon_[i];
-    set_triangle(zone_[i], v, edge.from, edge.to);
-    join(half_edge(zone_[i], 0), edge.outer);
+    const TriangleId t = zone_[i];
     const TriangleId following = zone_[i + 1 < zone_.size() ? i + 1 : 0];
-    join(half_edge(zone_[i], 1), half_edge(following, 2));
+    triangles_[t.index()] = {{v, edge.from, edge.to},
+                             {edge.outer, half_edge(following, 2), half_edge(preceding, 1)}};
+    set_opposite(edge.outer, half_edge(t, 0));
+    out_[edge.from.index()] = half_edge(t, 0);
+    preceding = t;
     if (label_.empty()) continue;
-    label_[3 * zone_[i].index()] = edge.label;
-    label_[3 * zone_[i].index() + 1] = LabelId();
-    label_[3 * zone_[i].index() + 2] = LabelId();
+    label_[half_edge(t, 0).index()] = edge.label;
+    label_[half_edge(t, 1).index()] = LabelId();
+    label_[half_edge(t, 2).index()] = LabelId();
   }
-}
-
-TriangleId Incremental2::add_triangle() {
-  const TriangleId t(triangle_count());
-  vertex_.resize(vertex_.size() + 3);
-  opposite_.resize(opposite_.size() + 3);
-  if (!label_.empty()) label_.resize(label_.size() + 3);
-  return t;
-}
-
-void Incremental2::set_triangle(TriangleId t, VertexId a, VertexId b, VertexId c) {
-  const std::size_t h = 3 * t.index();
-  vertex_[h] = a;
-  vertex_[h + 1] = b;
-  vertex_[h + 2] = c;
-  out_[a.index()] = HalfEdgeId(h + 2);
-  out_[b.index()] = HalfEdgeId(h);
-  out_[c.index()] = HalfEdgeId(h + 1);
-}
-
-void Incremental2::join(HalfEdgeId a, HalfEdgeId b) {
-  opposite_[a.index()] = b;
-  opposite_[b.index()] = a;
+  last_ = preceding;
+  out_[v.index()] = half_edge(preceding, 2);
 }
 
 HalfEdgeId Incremental2::find_edge(VertexId a, VertexId b) const {
@@ -187,7 +184,7 @@ HalfEdgeId Incremental2::find_edge(VertexId a, VertexId b) const {
 }
 
 void Incremental2::set_label(HalfEdgeId h, LabelId label) {
-  if (label_.empty()) label_.resize(vertex_.size());
+  if (label_.empty()) label_.resize(4 * triangles_.size());
   label_[h.index()] = label;
   label_[opposite(h).index()] = label;
 }

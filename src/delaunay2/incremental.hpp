@@ -1,10 +1,10 @@
 // The Delaunay triangulation under insertion: walk, conflict zone, cavity.
 //
-// Flat arrays: half-edge h = 3 t + i is the edge of triangle t opposite its vertex i, directed
-// counter-clockwise around t. Vertex 0 is the ghost: it closes every hull edge with a ghost
-// triangle, so the surface is a sphere without boundary, with 2 n − 2 triangles for n
-// vertices besides the ghost; a cavity is always refilled by two triangles more than it lost,
-// so no triangle is ever deleted.
+// Half-edge h = 4 t + i, i < 3, is the edge of triangle t opposite its vertex i, directed
+// counter-clockwise around t; a triangle is a record of half a cache line. Vertex 0 is the ghost:
+// it closes every hull edge with a ghost triangle, so the surface is a sphere without boundary,
+// with 2 n − 2 triangles for n vertices besides the ghost; a cavity is always refilled by two
+// triangles more than it lost, so no triangle is ever deleted.
 //
 // Invariant between insertions: the unique triangulation of its points under
 // incircle_perturbed. The zone in conflict with a new point is a disc without interior
@@ -22,6 +22,9 @@
 
 #include <tetloft/ids.hpp>
 #include <tetloft/point.hpp>
+#include <tetloft/predicates.hpp>
+
+#include "predicates/plane_filter.hpp"
 
 namespace tetloft::delaunay2_detail {
 
@@ -32,29 +35,46 @@ using LabelId = Id<struct LabelTag>;
 class Incremental2 {
  public:
   static constexpr VertexId kGhost{0};
-  /// 6 n half-edges must have ids.
+  /// 2 n triangles of four ids each.
   static constexpr std::size_t kMostVertices = std::size_t{1} << 29;
 
   /// The triangulation of one triangle, with vertices 1, 2, 3 (and the ghost).
-  /// Requires a, b, c counter-clockwise. Memory is reserved for `expected` vertices.
-  Incremental2(const Point2& a, const Point2& b, const Point2& c, std::size_t expected);
+  /// Requires a, b, c counter-clockwise. Memory is reserved for `expected` vertices. `filter` is
+  /// one of a set that holds a, b, c; it lasts while points of that set are inserted.
+  Incremental2(const Point2& a, const Point2& b, const Point2& c, std::size_t expected,
+               const predicates::PlaneFilter& filter = {});
 
   /// Inserts p; walks there from a triangle at `hint`. Returns its vertex, a new one, or that
   /// which has the same point already. Ids are given in order of insertion.
-  VertexId insert(const Point2& p, VertexId hint);
+  VertexId insert(const Point2& p, VertexId hint) {
+    return insert(p, triangle(out_[hint.index()]));
+  }
+  /// The same from the triangle made last: for points near the one inserted before.
+  VertexId insert_nearby(const Point2& p) { return insert(p, last_); }
 
   /// All vertices, the ghost included.
   [[nodiscard]] std::size_t vertex_count() const { return point_.size(); }
   /// All triangles, ghost triangles included.
-  [[nodiscard]] std::size_t triangle_count() const { return vertex_.size() / 3; }
+  [[nodiscard]] std::size_t triangle_count() const { return triangles_.size(); }
   [[nodiscard]] const Point2& point(VertexId v) const { return point_[v.index()]; }
+  [[nodiscard]] static TriangleId triangle(HalfEdgeId h) { return TriangleId(h.value() / 4); }
+  [[nodiscard]] static HalfEdgeId half_edge(TriangleId t, std::uint32_t i) {
+    return HalfEdgeId(4 * t.value() + i);
+  }
+  /// The vertices of t, counter-clockwise.
+  [[nodiscard]] const std::array<VertexId, 3>& vertices(TriangleId t) const {
+    return triangles_[t.index()].apex;
+  }
   /// The vertex opposite half-edge h in its triangle.
-  [[nodiscard]] VertexId apex(HalfEdgeId h) const { return vertex_[h.index()]; }
-  [[nodiscard]] VertexId origin(HalfEdgeId h) const { return vertex_[next(h).index()]; }
-  [[nodiscard]] VertexId destination(HalfEdgeId h) const { return vertex_[previous(h).index()]; }
+  [[nodiscard]] VertexId apex(HalfEdgeId h) const { return at(h).apex[h.value() & 3U]; }
+  [[nodiscard]] VertexId origin(HalfEdgeId h) const { return apex(next(h)); }
+  [[nodiscard]] VertexId destination(HalfEdgeId h) const { return apex(previous(h)); }
   /// The same edge in the other triangle.
-  [[nodiscard]] HalfEdgeId opposite(HalfEdgeId h) const { return opposite_[h.index()]; }
-  [[nodiscard]] bool is_ghost(TriangleId t) const;
+  [[nodiscard]] HalfEdgeId opposite(HalfEdgeId h) const { return at(h).opposite[h.value() & 3U]; }
+  [[nodiscard]] bool is_ghost(TriangleId t) const {
+    const std::array<VertexId, 3>& v = vertices(t);
+    return v[0] == kGhost || v[1] == kGhost || v[2] == kGhost;
+  }
 
   /// The half-edge from a to b, or invalid. O(smaller degree).
   [[nodiscard]] HalfEdgeId find_edge(VertexId a, VertexId b) const;
@@ -66,6 +86,10 @@ class Incremental2 {
   [[nodiscard]] std::vector<LabelId> take_touched();
 
  private:
+  struct alignas(32) Triangle {
+    std::array<VertexId, 3> apex;        // the vertex that half-edge i is opposite to
+    std::array<HalfEdgeId, 3> opposite;  // the other side of half-edge i
+  };
   struct HorizonEdge {
     VertexId from;  // directed counter-clockwise around the cavity
     VertexId to;
@@ -74,35 +98,40 @@ class Incremental2 {
   };
 
   static HalfEdgeId next(HalfEdgeId h) {
-    return HalfEdgeId(h.value() % 3 == 2 ? h.value() - 2 : h.value() + 1);
+    return HalfEdgeId((h.value() & 3U) == 2 ? h.value() - 2 : h.value() + 1);
   }
   static HalfEdgeId previous(HalfEdgeId h) {
-    return HalfEdgeId(h.value() % 3 == 0 ? h.value() + 2 : h.value() - 1);
-  }
-  static TriangleId triangle(HalfEdgeId h) { return TriangleId(h.value() / 3); }
-  static HalfEdgeId half_edge(TriangleId t, std::uint32_t i) {
-    return HalfEdgeId(3 * t.value() + i);
+    return HalfEdgeId((h.value() & 3U) == 0 ? h.value() + 2 : h.value() - 1);
   }
   /// The next half-edge with the same origin, counter-clockwise.
   [[nodiscard]] HalfEdgeId rotate(HalfEdgeId h) const { return opposite(previous(h)); }
 
-  [[nodiscard]] TriangleId locate(const Point2& p, VertexId hint) const;
+  [[nodiscard]] const Triangle& at(HalfEdgeId h) const { return triangles_[triangle(h).index()]; }
+  void set_opposite(HalfEdgeId h, HalfEdgeId other) {
+    triangles_[triangle(h).index()].opposite[h.value() & 3U] = other;
+  }
+
+  VertexId insert(const Point2& p, TriangleId hint);
+  [[nodiscard]] bool is_right_of(const Point2& p, VertexId from, VertexId to) const;
+  [[nodiscard]] bool decide_right_of(const Point2& p, VertexId from, VertexId to) const;
+  [[nodiscard]] TriangleId locate(const Point2& p, TriangleId hint) const;
   [[nodiscard]] VertexId vertex_at(const Point2& p, TriangleId t) const;
   [[nodiscard]] bool in_conflict(TriangleId t, const Point2& p) const;
+  [[nodiscard]] bool decide_conflict(TriangleId t, const Point2& p) const;
   void collect_conflict_zone(const Point2& p, TriangleId first);
   void star_cavity(VertexId v);
-  TriangleId add_triangle();
-  void set_triangle(TriangleId t, VertexId a, VertexId b, VertexId c);
-  void join(HalfEdgeId a, HalfEdgeId b);
   [[nodiscard]] LabelId label(HalfEdgeId h) const {
     return label_.empty() ? LabelId() : label_[h.index()];
   }
 
-  std::vector<Point2> point_;         // by vertex; the ghost's means nothing
-  std::vector<HalfEdgeId> out_;       // by vertex: a half-edge that starts there
-  std::vector<VertexId> vertex_;      // by half-edge: the vertex it is opposite to
-  std::vector<HalfEdgeId> opposite_;  // by half-edge
-  std::vector<LabelId> label_;        // by half-edge, invalid without; empty before the first
+  // By vertex. The ghost's is NaN, so that filters do not answer where it takes part: the usual
+  // case needs no test for it.
+  std::vector<Point2> point_;
+  std::vector<HalfEdgeId> out_;  // by vertex: a half-edge that starts there
+  std::vector<Triangle> triangles_;
+  std::vector<LabelId> label_;  // by half-edge, invalid without; empty before the first
+  predicates::PlaneFilter filter_;
+  TriangleId last_;  // made last
 
   std::vector<TriangleId> zone_;      // scratch of insert()
   std::vector<HorizonEdge> horizon_;  // scratch of insert()

@@ -5,6 +5,7 @@
 #include <tetloft/predicates.hpp>
 
 #include "delaunay2/spatial_order.hpp"
+#include "predicates/plane_filter.hpp"
 
 namespace tetloft::delaunay2_detail {
 
@@ -38,16 +39,15 @@ Start triangulate(std::span<const Point2> points) {
   Start start;
   std::vector<std::uint32_t> order = insertion_order(points);
   if (!bring_triangle_to_front(points, order)) return start;
-  start.plane.emplace(points[order[0]], points[order[1]], points[order[2]], points.size());
+  start.plane.emplace(points[order[0]], points[order[1]], points[order[2]], points.size(),
+                      predicates::PlaneFilter(points));
   start.input_of.assign(1, VertexId());
   start.input_of.reserve(points.size() + 1);
   start.vertex_of.resize(points.size());
-  VertexId last{1};
   for (std::size_t i = 0; i < order.size(); ++i) {
-    const VertexId v = i < 3 ? VertexId(i + 1) : start.plane->insert(points[order[i]], last);
+    const VertexId v = i < 3 ? VertexId(i + 1) : start.plane->insert_nearby(points[order[i]]);
     if (v.index() == start.input_of.size()) start.input_of.emplace_back(order[i]);
     start.vertex_of[order[i]] = v;
-    last = v;
   }
   return start;
 }

@@ -40,8 +40,12 @@ inline constexpr double kTiny = 0x1p-400;
 /// k = 8 (difference, product, 2 × 2 difference, difference and product along the third
 /// axis, two sums: at most 3 + 1 + 2 + 2), 6 monomials.
 inline constexpr double kOrient3dError = (8 * 6 + 1) * kRounding;
-/// k = 11 (4 for a lift, 4 for a 2 × 2 minor, a product, two sums), 6 monomials xy·lift.
-inline constexpr double kIncircleError = (11 * 6 + 1) * kRounding;
+/// k = 11 (4 for a lift, 4 for a 2 × 2 minor, a product, two sums). By Cauchy and Schwarz the
+/// magnitudes |bx cy| + |by cx| of a minor are at most √(blift · clift) <= (blift + clift) / 2,
+/// so P <= alift · blift + blift · clift + clift · alift <= S² / 3, S the sum of the lifts: 11 / 3,
+/// raised by a third, a relative 1/11, for all terms of higher order and the roundings of S².
+/// The same inequality bounds every intermediate value: nothing overflows unless S² does.
+inline constexpr double kIncircleError = 4 * kRounding;
 /// k = 16 (5 for a lift, 8 for a 3 × 3 minor, a product, two sums), 24 monomials xyz·lift.
 inline constexpr double kInsphereError = (16 * 24 + 1) * kRounding;
 /// l − r of two products with three roundings each: the last subtraction keeps the sign of
@@ -51,6 +55,18 @@ inline constexpr double kOrient2dError = (3 + 32 * kRounding) * kRounding;
 /// Each product loses 2^-1075 at most by underflow. No limit from above: if a product
 /// overflows so does the bound.
 inline constexpr double kOrient2dTiny = 0x1p-1000;
+
+/// The error of a determinant: `relative` times a magnitude that its filter defines, and a rest.
+/// Both are zero where it is known to be computed without rounding.
+struct Bound {
+  double relative;
+  double absolute;
+};
+inline constexpr Bound kOrient2dBound{kOrient2dError, kOrient2dTiny};
+/// Underflow in the determinant: 2^-1075 for each product, times a lift or a minor at most for
+/// those within lifts and minors, in total less than 2^-1068 (S + 1): up to S = 1 less than kTiny,
+/// beyond less than the slack of u S².
+inline constexpr Bound kIncircleBound{kIncircleError, kTiny};
 
 /// Needs no branch: a comparison with a bound that is NaN is false.
 inline int certain_sign(double determinant, double bound) {
@@ -65,11 +81,12 @@ inline double largest(double a, double b, double c, double d) {
   return std::max(std::max(std::abs(a), std::abs(b)), std::max(std::abs(c), std::abs(d)));
 }
 
-inline int orient2d_filter(const Point2& a, const Point2& b, const Point2& c) {
+inline int orient2d_filter(const Point2& a, const Point2& b, const Point2& c,
+                           const Bound& bound = kOrient2dBound) {
   const double left = (b.x - a.x) * (c.y - a.y);
   const double right = (b.y - a.y) * (c.x - a.x);
-  const double bound = kOrient2dError * (std::abs(left) + std::abs(right)) + kOrient2dTiny;
-  return certain_sign(left - right, bound);
+  return certain_sign(left - right,
+                      bound.relative * (std::abs(left) + std::abs(right)) + bound.absolute);
 }
 
 inline int orient3d_filter(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
@@ -82,14 +99,14 @@ inline int orient3d_filter(const Point3& a, const Point3& b, const Point3& c, co
                       kOrient3dError * mx * my * mz + kTiny);
 }
 
-inline int incircle_filter(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
+inline int incircle_filter(const Point2& a, const Point2& b, const Point2& c, const Point2& d,
+                           const Bound& bound = kIncircleBound) {
   const double ax = a.x - d.x, ay = a.y - d.y;
   const double bx = b.x - d.x, by = b.y - d.y;
   const double cx = c.x - d.x, cy = c.y - d.y;
-  const double mx = largest(ax, bx, cx), my = largest(ay, by, cy);
-  if (!(std::max(mx, my) <= kLargest)) return 0;
+  const double lifts = (ax * ax + ay * ay) + ((bx * bx + by * by) + (cx * cx + cy * cy));
   return certain_sign(incircle_determinant(ax, ay, bx, by, cx, cy),
-                      kIncircleError * mx * my * (mx * mx + my * my) + kTiny);
+                      bound.relative * (lifts * lifts) + bound.absolute);
 }
 
 /// k = 11 (5 for a difference of lifts, 3 for a minor, a product, two sums). In the largest

@@ -22,6 +22,7 @@
 #include "predicates/counting.hpp"
 #include "predicates/exact.hpp"
 #include "predicates/filter.hpp"
+#include "predicates/plane_filter.hpp"
 #include "predicates/set_filter.hpp"
 
 namespace tetloft {
@@ -80,6 +81,28 @@ Sign predicates::perturbed_insphere_of_cospherical(const Point3& a, const Point3
   return perturbed_sign(std::array{a, b, c, d}, e);
 }
 
+// Most calls end at the first cofactor: no three of the points lie on a line unless two are
+// equal.
+Sign predicates::perturbed_incircle_of_cocircular(const Point2& a, const Point2& b, const Point2& c,
+                                                  const Point2& d) {
+  count(&PredicateCounters::incircle, &Stages::symbolic);
+  const std::array<Point2, 4> p{a, b, c, d};
+  std::size_t latest = 3;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (canonical_less(p[latest], p[i])) latest = i;
+  }
+  std::array<Point2, 3> cofactor{a, b, c};
+  if (latest < 3) cofactor[latest] = d;
+  // Where two points are equal the predicate is zero: left, as other zeros, to the general case.
+  // A cofactor other than zero shows its three points distinct.
+  bool tied = false;
+  for (std::size_t i = 0; i < 4; ++i) tied |= i != latest && p[i] == p[latest];
+  if (!tied) {
+    if (const Sign s = orientation(cofactor); s != Sign::zero) return latest < 3 ? s : -s;
+  }
+  return perturbed_sign(std::array{a, b, c}, d);
+}
+
 Sign incircle_perturbed(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
   if (const int s = predicates::incircle_filter(a, b, c, d); s != 0) {
     count(&PredicateCounters::incircle, &Stages::filter);
@@ -90,8 +113,7 @@ Sign incircle_perturbed(const Point2& a, const Point2& b, const Point2& c, const
     count(&PredicateCounters::incircle, exact.stage);
     return exact.sign;
   }
-  count(&PredicateCounters::incircle, &Stages::symbolic);
-  return perturbed_sign(std::array{a, b, c}, d);
+  return predicates::perturbed_incircle_of_cocircular(a, b, c, d);
 }
 
 Sign insphere_perturbed(const Point3& a, const Point3& b, const Point3& c, const Point3& d,

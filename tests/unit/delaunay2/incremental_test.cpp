@@ -29,7 +29,7 @@ TEST(Incremental2, OppositeIsAnInvolutionThatReversesEdges) {
     ASSERT_EQ(plane.triangle_count(), 2 * (plane.vertex_count() - 1) - 2);
   }
   for (std::uint32_t i = 0; i < 3 * plane.triangle_count(); ++i) {
-    const HalfEdgeId h(i);
+    const HalfEdgeId h = Incremental2::half_edge(TriangleId(i / 3), i % 3);
     ASSERT_EQ(plane.opposite(plane.opposite(h)), h);
     ASSERT_EQ(plane.origin(plane.opposite(h)), plane.destination(h));
     ASSERT_EQ(plane.find_edge(plane.origin(h), plane.destination(h)), h);
