@@ -5,7 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "core/hilbert.hpp"
 #include "core/prng.hpp"
+#include "core/sort_by_key.hpp"
 
 namespace tetloft::delaunay2_detail {
 
@@ -35,7 +37,8 @@ struct Grid {
   }
 
   [[nodiscard]] std::uint64_t place(const Point2& p) const {
-    return hilbert_index(cell(0.5 * p.x - origin_x), cell(0.5 * p.y - origin_y), kGridBits);
+    return core::hilbert_index<2>({cell(0.5 * p.x - origin_x), cell(0.5 * p.y - origin_y)},
+                                  kGridBits);
   }
 
   [[nodiscard]] std::uint32_t cell(double offset) const {
@@ -54,44 +57,18 @@ std::uint64_t draw_round(const Point2& p) {
   return kLastRound - static_cast<std::uint64_t>(zeros / 2);
 }
 
-struct Place {
-  std::uint64_t key;
-  std::uint32_t index;
-};
-
 }  // namespace
-
-std::uint64_t hilbert_index(std::uint32_t x, std::uint32_t y, int bits) {
-  // From one level to the next the curve is transposed, inverted in both axes, or both.
-  // These commute, so two flags hold the state.
-  std::uint32_t transposed = 0;
-  std::uint32_t inverted = 0;
-  std::uint64_t index = 0;
-  for (int level = bits - 1; level >= 0; --level) {
-    std::uint32_t bx = ((x >> level) & 1) ^ inverted;
-    std::uint32_t by = ((y >> level) & 1) ^ inverted;
-    const std::uint32_t difference = (bx ^ by) & transposed;
-    bx ^= difference;
-    by ^= difference;
-    index = index << 2 | ((3 * bx) ^ by);
-    inverted ^= bx & (by ^ 1);
-    transposed ^= by ^ 1;
-  }
-  return index;
-}
 
 std::vector<std::uint32_t> insertion_order(std::span<const Point2> points) {
   const Grid grid(points);
-  std::vector<Place> places(points.size());
+  std::vector<core::Keyed> places(points.size());
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     places[i] = {draw_round(points[i]) << (2 * kGridBits) | grid.place(points[i]), i};
   }
-  std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) {
-    return a.key != b.key ? a.key < b.key : a.index < b.index;
-  });
+  core::sort_by_key(places);
   std::vector<std::uint32_t> order(points.size());
   std::transform(places.begin(), places.end(), order.begin(),
-                 [](const Place& place) { return place.index; });
+                 [](const core::Keyed& entry) { return entry.place; });
   return order;
 }
 

@@ -24,8 +24,4 @@ namespace tetloft::delaunay2_detail {
 /// first.
 [[nodiscard]] std::vector<std::uint32_t> insertion_order(std::span<const Point2> points);
 
-/// The place of cell (x, y) along the Hilbert curve of a 2^bits × 2^bits grid.
-/// Requires bits ≤ 32. (1) Bijective. (2) Consecutive places are adjacent cells.
-[[nodiscard]] std::uint64_t hilbert_index(std::uint32_t x, std::uint32_t y, int bits);
-
 }  // namespace tetloft::delaunay2_detail

@@ -39,13 +39,16 @@ Start triangulate(std::span<const Point2> points) {
   Start start;
   std::vector<std::uint32_t> order = insertion_order(points);
   if (!bring_triangle_to_front(points, order)) return start;
-  start.plane.emplace(points[order[0]], points[order[1]], points[order[2]], points.size(),
+  // Reading the points out of order is done here, many at a time, not between insertions.
+  std::vector<Point2> ordered(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) ordered[i] = points[order[i]];
+  start.plane.emplace(ordered[0], ordered[1], ordered[2], points.size(),
                       predicates::PlaneFilter(points));
   start.input_of.assign(1, VertexId());
   start.input_of.reserve(points.size() + 1);
   start.vertex_of.resize(points.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
-    const VertexId v = i < 3 ? VertexId(i + 1) : start.plane->insert_nearby(points[order[i]]);
+    const VertexId v = i < 3 ? VertexId(i + 1) : start.plane->insert_nearby(ordered[i]);
     if (v.index() == start.input_of.size()) start.input_of.emplace_back(order[i]);
     start.vertex_of[order[i]] = v;
   }

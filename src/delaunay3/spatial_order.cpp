@@ -1,16 +1,18 @@
-// Hilbert indices by Skilling's transform ("Programming the Hilbert curve", AIP
-// Conference Proceedings 707, 2004); rounds by independent draws.
 #include "delaunay3/spatial_order.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 
+#include "core/hilbert.hpp"
 #include "core/prng.hpp"
+#include "core/sort_by_key.hpp"
 
 namespace tetloft::delaunay3_detail {
 
 namespace {
+
+using core::Keyed;
 
 // A sort key is the round (4 bits) above the Hilbert index (20 bits for each axis).
 constexpr int kAxisBits = 20;
@@ -30,45 +32,6 @@ std::uint64_t draw_round(Prng& prng) {
   for (; round > 0 && draw % kRoundRatio == 0; --round) draw /= kRoundRatio;
   return round;
 }
-
-using Cell = std::array<std::uint32_t, 3>;
-
-// Turns a cell into its transposed Hilbert index, whose bits are, from the highest, the
-// highest of cell[0], cell[1], cell[2], then the next of each.
-void transpose_hilbert(Cell& cell, int bits) {
-  const std::uint32_t top = std::uint32_t{1} << (bits - 1);
-  for (std::uint32_t q = top; q > 1; q >>= 1) {
-    const std::uint32_t below = q - 1;
-    for (std::size_t i = 0; i < 3; ++i) {
-      if ((cell[i] & q) != 0) {
-        cell[0] ^= below;
-      } else {
-        const std::uint32_t swapped = (cell[0] ^ cell[i]) & below;
-        cell[0] ^= swapped;
-        cell[i] ^= swapped;
-      }
-    }
-  }
-  for (std::size_t i = 1; i < 3; ++i) cell[i] ^= cell[i - 1];
-  std::uint32_t parity = 0;
-  for (std::uint32_t q = top; q > 1; q >>= 1) {
-    if ((cell[2] & q) != 0) parity ^= q - 1;
-  }
-  for (std::uint32_t& coordinate : cell) coordinate ^= parity;
-}
-
-std::uint64_t interleave(const Cell& cell, int bits) {
-  std::uint64_t index = 0;
-  for (int b = bits - 1; b >= 0; --b) {
-    for (const std::uint32_t coordinate : cell) index = (index << 1) | ((coordinate >> b) & 1U);
-  }
-  return index;
-}
-
-struct Keyed {
-  std::uint64_t key;
-  std::uint32_t place;
-};
 
 // Maps points to the cells of a grid over the bounding cube of some of them.
 class Grid {
@@ -99,7 +62,7 @@ class Grid {
     for (std::size_t k = 0; k < 3; ++k) {
       cell[k] = static_cast<std::uint32_t>((p[k] - low_[k]) / extent_ * kLastCell);
     }
-    return hilbert_index(cell[0], cell[1], cell[2], kAxisBits);
+    return core::hilbert_index<3>(cell, kAxisBits);
   }
 
  private:
@@ -121,9 +84,7 @@ bool sort_along_curve(std::span<const Point3> points, std::span<Keyed> run, bool
   for (Keyed& entry : run) {
     entry.key = (entry.key >> kHilbertBits << kHilbertBits) | grid.hilbert(points[entry.place]);
   }
-  std::sort(run.begin(), run.end(), [](const Keyed& a, const Keyed& b) {
-    return a.key != b.key ? a.key < b.key : a.place < b.place;
-  });
+  core::sort_by_key(run);
   return true;
 }
 
@@ -140,12 +101,6 @@ bool on_two_planes(std::span<const Point3> points) {
 }
 
 }  // namespace
-
-std::uint64_t hilbert_index(std::uint32_t x, std::uint32_t y, std::uint32_t z, int bits) {
-  Cell cell{x, y, z};
-  transpose_hilbert(cell, bits);
-  return interleave(cell, bits);
-}
 
 std::vector<std::uint32_t> insertion_order(std::span<const Point3> points) {
   const bool flat = on_two_planes(points);

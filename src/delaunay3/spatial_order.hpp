@@ -21,9 +21,4 @@ namespace tetloft::delaunay3_detail {
 /// (1) A permutation of 0 … n−1. (2) Depends on the points only.
 [[nodiscard]] std::vector<std::uint32_t> insertion_order(std::span<const Point3> points);
 
-/// The place along the Hilbert curve of the cell (x, y, z) of a 2^bits × 2^bits × 2^bits
-/// grid. Requires 1 ≤ bits ≤ 21.
-[[nodiscard]] std::uint64_t hilbert_index(std::uint32_t x, std::uint32_t y, std::uint32_t z,
-                                          int bits);
-
 }  // namespace tetloft::delaunay3_detail

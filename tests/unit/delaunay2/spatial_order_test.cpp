@@ -1,7 +1,6 @@
 #include "delaunay2/spatial_order.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <map>
 #include <numeric>
@@ -12,30 +11,6 @@
 
 namespace tetloft::delaunay2_detail {
 namespace {
-
-TEST(HilbertIndex, IsABijectionWhoseSuccessorsAreNeighbours) {
-  for (int bits = 1; bits <= 5; ++bits) {
-    const std::uint32_t side = 1U << bits;
-    std::vector<std::array<int, 2>> cell(std::size_t{side} * side, {-1, -1});
-    for (std::uint32_t x = 0; x < side; ++x) {
-      for (std::uint32_t y = 0; y < side; ++y) {
-        const std::uint64_t place = hilbert_index(x, y, bits);
-        ASSERT_LT(place, cell.size());
-        EXPECT_EQ(cell[place][0], -1);
-        cell[place] = {int(x), int(y)};
-      }
-    }
-    for (std::size_t i = 1; i < cell.size(); ++i) {
-      EXPECT_EQ(std::abs(cell[i][0] - cell[i - 1][0]) + std::abs(cell[i][1] - cell[i - 1][1]), 1);
-    }
-  }
-}
-
-TEST(HilbertIndex, UsesAllBits) {
-  EXPECT_NE(hilbert_index(0xFFFFFFFF, 0, 32), hilbert_index(0xFFFFFFFE, 0, 32));
-  EXPECT_EQ(hilbert_index(0, 0, 32), 0U);
-  EXPECT_EQ(hilbert_index(0xFFFFFFFF, 0, 32), 0xFFFFFFFFFFFFFFFFU);
-}
 
 TEST(InsertionOrder, IsAPermutation) {
   Prng prng(1);

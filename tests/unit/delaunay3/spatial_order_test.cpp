@@ -11,28 +11,7 @@
 namespace tetloft::test {
 namespace {
 
-using delaunay3_detail::hilbert_index;
 using delaunay3_detail::insertion_order;
-
-TEST(HilbertIndex, VisitsEveryCellOfACubeByUnitSteps) {
-  constexpr int kBits = 3;
-  std::vector<std::array<int, 3>> cell(512, {-1, -1, -1});
-  for (std::uint32_t x = 0; x < 8; ++x) {
-    for (std::uint32_t y = 0; y < 8; ++y) {
-      for (std::uint32_t z = 0; z < 8; ++z) {
-        const std::uint64_t i = hilbert_index(x, y, z, kBits);
-        ASSERT_LT(i, cell.size());
-        ASSERT_EQ(cell[i][0], -1);
-        cell[i] = {static_cast<int>(x), static_cast<int>(y), static_cast<int>(z)};
-      }
-    }
-  }
-  for (std::size_t i = 1; i < cell.size(); ++i) {
-    int distance = 0;
-    for (std::size_t k = 0; k < 3; ++k) distance += std::abs(cell[i][k] - cell[i - 1][k]);
-    EXPECT_EQ(distance, 1);
-  }
-}
 
 void expect_permutation(Points points) {
   std::sort(points.begin(), points.end(),
