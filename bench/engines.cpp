@@ -2,6 +2,7 @@
 #include "engines.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -10,6 +11,7 @@
 
 #include "delaunay2/start.hpp"
 #include "delaunay3/affine_basis.hpp"
+#include "delaunay3/canonical_order.hpp"
 #include "delaunay3/incremental.hpp"
 #include "delaunay3/slab_overlay.hpp"
 #include "delaunay3/spatial_order.hpp"
@@ -20,10 +22,11 @@ namespace tetloft::bench {
 namespace {
 
 std::vector<Point3> sorted(std::span<const Point3> points) {
-  std::vector<Point3> result(points.begin(), points.end());
-  std::sort(result.begin(), result.end(),
-            [](const Point3& a, const Point3& b) { return canonical_less(a, b); });
-  result.erase(std::unique(result.begin(), result.end()), result.end());
+  std::vector<Point3> result;
+  result.reserve(points.size());
+  for (const std::uint32_t place : delaunay3_detail::canonical_order(points)) {
+    if (result.empty() || result.back() != points[place]) result.push_back(points[place]);
+  }
   return result;
 }
 

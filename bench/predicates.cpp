@@ -77,48 +77,71 @@ const Named kPredicates[] = {
      }},
 };
 
-PredicateTime time_one(const Named& predicate, const std::vector<Arguments>& arguments,
-                       int rounds) {
-  PredicateTime time{predicate.name, "", 1e300, 0};
+constexpr std::pair<const char*, std::uint64_t PredicateCounters::Stages::*> kStages[] = {
+    {"filter", &PredicateCounters::Stages::filter},
+    {"lattice", &PredicateCounters::Stages::lattice},
+    {"expansion", &PredicateCounters::Stages::expansion},
+    {"integer", &PredicateCounters::Stages::integer},
+    {"symbolic", &PredicateCounters::Stages::symbolic}};
+
+// The best of the rounds, for one call.
+double nanoseconds(const Named& predicate, const std::vector<Arguments>& arguments, int rounds) {
+  double best = 1e300;
+  // Few calls are repeated, as a clock does not resolve them.
+  const std::size_t passes = 1 + kCalls / arguments.size();
   volatile int sink = 0;
   for (int round = 0; round < rounds; ++round) {
     const Clock clock;
     int sum = 0;
-    for (const Arguments& a : arguments) sum += predicate.call(a);
-    time.nanoseconds = std::min(time.nanoseconds, 1e9 * clock.seconds() / kCalls);
+    for (std::size_t pass = 0; pass < passes; ++pass) {
+      for (const Arguments& a : arguments) sum += predicate.call(a);
+    }
+    best = std::min(best, 1e9 * clock.seconds() / static_cast<double>(passes * arguments.size()));
     sink = sum;
   }
   (void)sink;
-  PredicateCounters counters;
-  {
-    const PredicateCounting counting(counters);
-    for (const Arguments& a : arguments) predicate.call(a);
+  return best;
+}
+
+void time_stages(const Named& predicate, const std::string& input,
+                 const std::vector<Arguments>& arguments, int rounds,
+                 std::vector<PredicateTime>& times) {
+  times.push_back({predicate.name, input, "all", nanoseconds(predicate, arguments, rounds), 1});
+  std::array<std::vector<Arguments>, std::size(kStages)> settled;
+  for (const Arguments& a : arguments) {
+    PredicateCounters counters;
+    {
+      const PredicateCounting counting(counters);
+      predicate.call(a);
+    }
+    // The symbolic stage comes after one that found zero: the last that counted has settled.
+    for (std::size_t k = std::size(kStages); k-- > 0;) {
+      if (counters.*predicate.counters.*kStages[k].second == 0) continue;
+      settled[k].push_back(a);
+      break;
+    }
   }
-  const PredicateCounters::Stages& s = counters.*predicate.counters;
-  const std::pair<std::uint64_t, const char*> stages[] = {{s.filter, "filter"},
-                                                          {s.lattice, "lattice"},
-                                                          {s.expansion, "expansion"},
-                                                          {s.integer, "integer"},
-                                                          {s.symbolic, "symbolic"}};
-  std::uint64_t total = 0;
-  std::pair<std::uint64_t, const char*> most{0, ""};
-  for (const auto& stage : stages) {
-    total += stage.first;
-    if (stage.first > most.first) most = stage;
+  for (std::size_t k = 0; k < std::size(kStages); ++k) {
+    if (settled[k].empty()) continue;
+    times.push_back(
+        {predicate.name, input, kStages[k].first, nanoseconds(predicate, settled[k], rounds),
+         static_cast<double>(settled[k].size()) / static_cast<double>(arguments.size())});
   }
-  time.stage = most.second;
-  time.share = total == 0 ? 0 : static_cast<double>(most.first) / static_cast<double>(total);
-  return time;
 }
 
 }  // namespace
 
 std::vector<PredicateTime> time_predicates(int rounds) {
-  const std::vector<std::vector<Arguments>> families{draw(unit), draw(pixel), draw(tenth),
-                                                     cubes<tenths>(), draw(huge)};
+  const std::pair<const char*, std::vector<Arguments>> families[] = {{"uniform", draw(unit)},
+                                                                     {"pixels", draw(pixel)},
+                                                                     {"tenths", draw(tenth)},
+                                                                     {"cubes", cubes<tenths>()},
+                                                                     {"huge", draw(huge)}};
   std::vector<PredicateTime> times;
   for (const Named& predicate : kPredicates) {
-    for (const auto& family : families) times.push_back(time_one(predicate, family, rounds));
+    for (const auto& [input, arguments] : families) {
+      time_stages(predicate, input, arguments, rounds, times);
+    }
   }
   return times;
 }

@@ -121,8 +121,8 @@ std::string text_of(const CaseReport& report) {
 std::string text_of(const std::vector<PredicateTime>& times) {
   std::string text = "predicates\n";
   for (const PredicateTime& t : times) {
-    text += format("  %-20s %-10s %8.1f ns a call (%.0f %% of them)\n", t.predicate.c_str(),
-                   t.stage.c_str(), t.nanoseconds, 100 * t.share);
+    text += format("  %-10s %-12s %-10s %8.1f ns a call, settles %3.0f %%\n", t.predicate.c_str(),
+                   t.input.c_str(), t.stage.c_str(), t.nanoseconds, 100 * t.share);
   }
   return text;
 }
@@ -163,7 +163,7 @@ std::string json_of(const Report& report) {
   for (std::size_t i = 0; i < report.predicates.size(); ++i) {
     const PredicateTime& t = report.predicates[i];
     json += (i == 0 ? "\n  " : ",\n  ") + ("{\"predicate\": " + quoted(t.predicate)) +
-            ", \"stage\": " + quoted(t.stage) +
+            ", \"input\": " + quoted(t.input) + ", \"stage\": " + quoted(t.stage) +
             format(", \"ns\": %.1f, \"share\": %.3f}", t.nanoseconds, t.share);
   }
   return json + "]}\n";
@@ -171,21 +171,35 @@ std::string json_of(const Report& report) {
 
 std::string markdown_of(const Report& report) {
   std::string text =
-      "| case | points | ours (s) | MB | others (s) | ratio |\n|---|---|---|---|---|---|\n";
+      "| case | points | who | best (s) | median (s) | MB | ratio of bests (of medians) |\n"
+      "|---|---|---|---|---|---|---|\n";
+  std::string details;
   for (const CaseReport& one : report.cases) {
-    if (one.own.empty() || !one.own.front().failure.empty()) continue;
-    const Measurement& own = one.own.front();
-    std::string others;
-    std::string ratios;
-    for (const Measurement& peer : one.peers) {
-      others += (others.empty() ? "" : ", ") + peer.name + ' ' +
-                (peer.valid() ? format("%.3f", peer.best()) : '(' + why_invalid(peer) + ')');
-      if (!peer.valid()) continue;
-      ratios += (ratios.empty() ? "" : ", ") + format("%.2f", own.best() / peer.best());
+    const auto row = [&](const Measurement& m, const std::string& ratio) {
+      text += "| " + one.name + " | " + std::to_string(one.points) + " | " + m.name + " | ";
+      text += m.valid() ? format("%.3f | %.3f | %.0f", m.best(), m.median(), m.peak_megabytes)
+                        : why_invalid(m) + " | | ";
+      text += " | " + ratio + " |\n";
+      if (!m.valid() || (m.steps.empty() && !m.counters)) return;
+      details += "- " + one.name + ", " + m.name + ":\n" + details_of(m);
+    };
+    for (const Measurement& own : one.own) {
+      std::string ratios;
+      for (const Measurement& peer : one.peers) {
+        if (!own.valid() || !peer.valid()) continue;
+        ratios += (ratios.empty() ? "" : ", ") + peer.name +
+                  format(" %.2f (%.2f)", own.best() / peer.best(), median_ratio(own, peer));
+      }
+      row(own, ratios);
     }
-    text += "| " + one.name + " | " + std::to_string(one.points) + " | " +
-            format("%.3f (%s)", own.best(), own.name.c_str()) +
-            format(" | %.0f | ", own.peak_megabytes) + others + " | " + ratios + " |\n";
+    for (const Measurement& peer : one.peers) row(peer, "");
+  }
+  if (!details.empty()) text += "\n" + details;
+  if (report.predicates.empty()) return text;
+  text += "\n| predicate | input | stage | ns a call | settled |\n|---|---|---|---|---|\n";
+  for (const PredicateTime& t : report.predicates) {
+    text += "| " + t.predicate + " | " + t.input + " | " + t.stage +
+            format(" | %.1f | %.0f %% |\n", t.nanoseconds, 100 * t.share);
   }
   return text;
 }

@@ -28,7 +28,7 @@ struct Report {
 [[nodiscard]] std::string text_of(const CaseReport& report);
 [[nodiscard]] std::string text_of(const std::vector<PredicateTime>& times);
 [[nodiscard]] std::string json_of(const Report& report);
-/// The best of our contestants against each peer.
+/// A row for each contestant, steps and stages below, and a table of predicates.
 [[nodiscard]] std::string markdown_of(const Report& report);
 
 }  // namespace tetloft::bench

@@ -14,6 +14,7 @@
 #include "core/check.hpp"
 #include "delaunay3/affine_basis.hpp"
 #include "delaunay3/canonical_mesh.hpp"
+#include "delaunay3/canonical_order.hpp"
 #include "delaunay3/incremental.hpp"
 #include "delaunay3/slab_overlay.hpp"
 #include "delaunay3/spatial_order.hpp"
@@ -49,25 +50,16 @@ struct RankedPoints {
 
 // Also fills the representatives and the number of duplicates of `out`.
 RankedPoints rank_points(std::span<const Point3> points, Delaunay3& out) {
-  struct Indexed {
-    Point3 point;
-    VertexId input;
-  };
-  std::vector<Indexed> sorted(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) sorted[i] = {points[i], VertexId(i)};
-  std::sort(sorted.begin(), sorted.end(), [](const Indexed& a, const Indexed& b) {
-    return a.point == b.point ? a.input < b.input : canonical_less(a.point, b.point);
-  });
   RankedPoints ranked;
   ranked.point.reserve(points.size());
   ranked.input_of.reserve(points.size());
   out.representative.resize(points.size());
-  for (const Indexed& s : sorted) {
-    if (ranked.point.empty() || ranked.point.back() != s.point) {
-      ranked.point.push_back(s.point);
-      ranked.input_of.push_back(s.input);
+  for (const std::uint32_t place : delaunay3_detail::canonical_order(points)) {
+    if (ranked.point.empty() || ranked.point.back() != points[place]) {
+      ranked.point.push_back(points[place]);
+      ranked.input_of.emplace_back(place);
     }
-    out.representative[s.input] = ranked.input_of.back();
+    out.representative[VertexId(place)] = ranked.input_of.back();
   }
   out.duplicates = points.size() - ranked.point.size();
   return ranked;

@@ -1,0 +1,47 @@
+#include "delaunay3/canonical_order.hpp"
+
+#include <bit>
+#include <cstddef>
+
+#include "core/sort_by_key.hpp"
+
+namespace tetloft::delaunay3_detail {
+
+namespace {
+
+using core::Keyed;
+using Coordinate = double Point3::*;
+
+/// Most significant first.
+constexpr Coordinate kSignificance[] = {&Point3::z, &Point3::x, &Point3::y};
+
+/// Ordered as the doubles are; the two zeros are one.
+std::uint64_t key_of(double value) {
+  const auto bits = std::bit_cast<std::uint64_t>(value + 0.0);
+  constexpr std::uint64_t sign = std::uint64_t{1} << 63;
+  return (bits & sign) != 0 ? ~bits : bits | sign;
+}
+
+/// Sorts points that agree in all coordinates before `coordinate`.
+void sort_from(std::size_t coordinate, std::span<const Point3> points, std::span<Keyed> run) {
+  for (Keyed& entry : run) entry.key = key_of(points[entry.place].*kSignificance[coordinate]);
+  core::sort_by_key(run);
+  if (coordinate + 1 == std::size(kSignificance)) return;
+  for (std::size_t begin = 0, end = 0; begin < run.size(); begin = end) {
+    while (end < run.size() && run[end].key == run[begin].key) ++end;
+    if (end - begin > 1) sort_from(coordinate + 1, points, run.subspan(begin, end - begin));
+  }
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> canonical_order(std::span<const Point3> points) {
+  std::vector<Keyed> entries(points.size());
+  for (std::uint32_t i = 0; i < points.size(); ++i) entries[i] = {0, i};
+  sort_from(0, points, entries);
+  std::vector<std::uint32_t> order(points.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = entries[i].place;
+  return order;
+}
+
+}  // namespace tetloft::delaunay3_detail
