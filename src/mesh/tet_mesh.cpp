@@ -76,11 +76,29 @@ void TetMesh::build_corner_lists() {
   std::fill(first_corner_.begin(), first_corner_.end(), HalfFaceId());
   next_corner_.assign(4 * tets_.size(), HalfFaceId());
   previous_corner_.assign(4 * tets_.size(), HalfFaceId());
-  for (std::size_t c = 0; c < 4 * tets_.size(); ++c) {
-    const HalfFaceId corner(c);
-    if (!is_live(tet_of(corner))) continue;
-    // Only an unvalidated from_adjacency() has vertices out of range; validate() says so.
-    if (corner_vertex(corner).index() < first_corner_.size()) insert_corner(corner);
+  // By id, as insert_corner() would, but the circles are closed at the end: each corner then
+  // touches one other.
+  std::vector<HalfFaceId> last(first_corner_.size());
+  for (std::size_t t = 0; t < tets_.size(); ++t) {
+    if (!is_live(TetId(t))) continue;
+    for (int i = 0; i < 4; ++i) {
+      const std::size_t v = tets_[t][static_cast<std::size_t>(i)].index();
+      // Only an unvalidated from_adjacency() has vertices out of range; validate() says so.
+      if (v >= first_corner_.size()) continue;
+      const HalfFaceId c = half_face(TetId(t), i);
+      if (last[v].valid()) {
+        next_corner_[last[v].index()] = c;
+        previous_corner_[c.index()] = last[v];
+      } else {
+        first_corner_[v] = c;
+      }
+      last[v] = c;
+    }
+  }
+  for (std::size_t v = 0; v < last.size(); ++v) {
+    if (!last[v].valid()) continue;
+    next_corner_[last[v].index()] = first_corner_[v];
+    previous_corner_[first_corner_[v].index()] = last[v];
   }
 }
 
