@@ -125,30 +125,39 @@ TetId Delaunay3Builder::locate(const Point3& p, TetId start) {
 }
 
 void Delaunay3Builder::collect_conflict_zone(const Point3& p, TetId start) {
-  conflict_.clear();
-  horizon_.clear();
-  conflict_.push_back(start);
+  // Whether a tet is in conflict is a coin toss for the processor: both outcomes are written
+  // where the next of their kind goes, and the counts, not a branch, tell which one stays.
+  conflict_.resize(kRoom);
+  horizon_.resize(kRoom);
+  std::size_t in_zone = 1;
+  std::size_t on_horizon = 0;
+  conflict_[0] = start;
   mark(start) = Mark::in_conflict;
   // The zone is its own queue: tets before `next` have all their neighbours decided.
-  for (std::size_t next = 0; next < conflict_.size(); ++next) {
+  for (std::size_t next = 0; next < in_zone; ++next) {
+    if (in_zone + 4 > conflict_.size()) conflict_.resize(2 * conflict_.size());
+    if (on_horizon + 4 > horizon_.size()) horizon_.resize(2 * horizon_.size());
     const TetId t = conflict_[next];
     for (std::size_t i = 0; i < 4; ++i) {
       const HalfFaceId across = slots_[t.index()].opposite[i];
       const TetId neighbour = TetMesh::tet_of(across);
       const Mark known = mark(neighbour);
       if (known == Mark::in_conflict) continue;
-      if (known == Mark::unvisited) {
-        if (in_conflict(neighbour, p)) {
-          mark(neighbour) = Mark::in_conflict;
-          conflict_.push_back(neighbour);
-          fetch_neighbours(neighbour);
-          continue;
-        }
-        mark(neighbour) = Mark::outside;
+      horizon_[on_horizon] = {across, half_face(t, i), TetId()};
+      if (known == Mark::outside) {
+        ++on_horizon;
+        continue;
       }
-      horizon_.push_back({across, half_face(t, i), TetId()});
+      const auto in = static_cast<std::size_t>(in_conflict(neighbour, p));
+      mark(neighbour) = static_cast<Mark>(2 - in);
+      conflict_[in_zone] = neighbour;
+      fetch_neighbours(neighbour);
+      in_zone += in;
+      on_horizon += 1 - in;
     }
   }
+  conflict_.resize(in_zone);
+  horizon_.resize(on_horizon);
 }
 
 // Asks the processor for what the search will read when it comes to t.

@@ -62,12 +62,15 @@ class Delaunay3Builder {
     std::uint32_t on_horizon = 0;
   };
 
-  // What the current insertion knows of a tet. Between insertions all are unvisited.
-  enum class Mark : std::uint8_t { unvisited, in_conflict, outside };
+  // What the current insertion knows of a tet. Between insertions all are unvisited. A visited
+  // one has 2 − (whether it is in conflict).
+  enum class Mark : std::uint8_t { unvisited = 0, in_conflict = 1, outside = 2 };
 
   // Cavities whose horizon has fewer vertices than this, the ghost apart, are glued by a table
   // of its edges; a uniform set has 15.5 on average.
   static constexpr std::size_t kTableSide = 64;
+  // For so many tets of a zone, and facets of its horizon, there is room from the start.
+  static constexpr std::size_t kRoom = 64;
 
   void make_first_tets();
   // Adds vertex v near hint_. False when out of slots, nothing changed.
