@@ -1,6 +1,5 @@
 #include "delaunay2/incremental.hpp"
 
-#include <algorithm>
 #include <limits>
 
 #include "core/check.hpp"
@@ -125,37 +124,24 @@ bool Incremental2::decide_conflict(TriangleId t, const Point2& p) const {
 /// Depth first from `first`, counter-clockwise: replacing an edge by the other two of the
 /// triangle behind it keeps the boundary in order.
 void Incremental2::collect_conflict_zone(const Point2& p, TriangleId first) {
-  // Whether a triangle is in conflict is a coin toss for the processor: both outcomes are
-  // written where the next of their kind goes, and the counts, not a branch, tell which stays.
-  constexpr std::size_t kRoom = 32;
-  zone_.resize(std::max(zone_.size(), kRoom));
-  horizon_.resize(std::max(horizon_.size(), kRoom));
-  stack_.resize(std::max(stack_.size(), kRoom));
-  zone_[0] = first;
-  for (std::uint32_t i = 0; i < 3; ++i) stack_[i] = half_edge(first, 2 - i);
-  std::size_t in_zone = 1;
-  std::size_t on_horizon = 0;
-  std::size_t waiting = 3;
-  while (waiting != 0) {
-    if (in_zone == zone_.size()) zone_.resize(2 * in_zone);
-    if (on_horizon == horizon_.size()) horizon_.resize(2 * on_horizon);
-    if (waiting + 2 > stack_.size()) stack_.resize(2 * stack_.size());
-    const HalfEdgeId h = stack_[--waiting];
+  zone_.assign(1, first);
+  horizon_.clear();
+  stack_ = {half_edge(first, 2), half_edge(first, 1), half_edge(first, 0)};
+  while (!stack_.empty()) {
+    const HalfEdgeId h = stack_.back();
+    stack_.pop_back();
     const HalfEdgeId outer = opposite(h);
     if (label(h).valid()) touched_.push_back(label(h));
-    const auto in = static_cast<std::size_t>(in_conflict(triangle(outer), p));
-    zone_[in_zone] = triangle(outer);
-    stack_[waiting] = previous(outer);
-    stack_[waiting + 1] = next(outer);
-    horizon_[on_horizon] = {origin(h), destination(h), outer, label(h)};
-    in_zone += in;
-    waiting += 2 * in;
-    on_horizon += 1 - in;
-    TETLOFT_CHECK(in_zone < triangle_count());
+    if (in_conflict(triangle(outer), p)) {
+      zone_.push_back(triangle(outer));
+      TETLOFT_CHECK(zone_.size() < triangle_count());
+      stack_.push_back(previous(outer));
+      stack_.push_back(next(outer));
+    } else {
+      horizon_.push_back({origin(h), destination(h), outer, label(h)});
+    }
   }
-  TETLOFT_CHECK(on_horizon == in_zone + 2);
-  zone_.resize(in_zone);
-  horizon_.resize(on_horizon);
+  TETLOFT_CHECK(horizon_.size() == zone_.size() + 2);
 }
 
 void Incremental2::star_cavity(VertexId v) {
