@@ -122,9 +122,12 @@ class SlabOverlay {
 // {apex, t0, t1, t2}; both are positive.
 void SlabOverlay::start_type1() {
   const std::size_t vertices = lower_.vertex_count() + upper_.vertex_count();
-  constexpr std::size_t kExpectedTetsPerVertex = 7;  // 6.9 on 110 real stacks
-  slots_.reserve(kExpectedTetsPerVertex * vertices);
-  crossings_.reserve(kExpectedTetsPerVertex * vertices - first_type2());
+  // 6.9 on 110 real stacks, up to 20 between large curves that wind around each other. Of a large
+  // array the part that is not used costs no memory, but growing would copy the rest.
+  constexpr std::size_t kManyVertices = 20000;
+  const std::size_t expected = (vertices < kManyVertices ? 7 : 20) * vertices;
+  slots_.reserve(expected);
+  crossings_.reserve(expected - first_type2());
   slots_.resize(first_type2());
   for (std::size_t k = 0; k < lower_.finite_count(); ++k) {
     const TriangleId t(k);
