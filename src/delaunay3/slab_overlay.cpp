@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 #include "core/check.hpp"
 #include "delaunay3/nearer.hpp"
@@ -47,12 +48,6 @@ class SlabOverlay {
   }
 
  private:
-  // A type-2 tet cuts a lower edge, whose others are a list.
-  struct Crossing {
-    HalfEdgeId lower;  // from the vertex behind to that ahead
-    TetId next;        // the next tet on the same lower edge, in no order
-  };
-
   [[nodiscard]] TetId tet_below(TriangleId t) const { return TetId(t.value()); }
   [[nodiscard]] TetId tet_above(TriangleId t) const {
     return TetId(lower_.finite_count() + t.index());
@@ -60,7 +55,11 @@ class SlabOverlay {
   [[nodiscard]] std::size_t first_type2() const {
     return lower_.finite_count() + upper_.finite_count();
   }
-  [[nodiscard]] Crossing& crossing(TetId t) { return crossings_[t.index() - first_type2()]; }
+  // The type-2 tets on a lower edge, given by its representative, once they are sorted.
+  [[nodiscard]] std::span<const TetId> tets_on(HalfEdgeId edge) const {
+    const std::uint32_t begin = edge.index() == 0 ? 0 : end_on_edge_[HalfEdgeId(edge.index() - 1)];
+    return std::span(on_edge_).subspan(begin, end_on_edge_[edge] - begin);
+  }
   [[nodiscard]] VertexId upper_vertex(VertexId v) const {
     return VertexId(lower_.vertex_count() + v.index());
   }
@@ -91,6 +90,7 @@ class SlabOverlay {
   void enter(TriangleId t, HalfEdgeId cell);
   [[nodiscard]] HalfEdgeId exit_from(HalfEdgeId lower, const Bisector& line) const;
   [[nodiscard]] HalfEdgeId first_exit(HalfEdgeId lower, const Bisector& line) const;
+  void sort_by_lower_edge();
   void chain_lower_edges();
   void chain(HalfEdgeId edge);
   void settle_lower_triangles();
@@ -102,9 +102,11 @@ class SlabOverlay {
   CentresAndSites upper_centres_;
 
   std::vector<TetSlot> slots_;
-  std::vector<Crossing> crossings_;  // by type-2 tet
-  // On the representative of a lower edge: its list of type-2 tets.
-  IdVector<HalfEdgeId, TetId> first_on_edge_;
+  std::vector<HalfEdgeId> edge_of_;  // by type-2 tet: the lower edge it cuts
+  // By lower edge, its representative: how many type-2 tets cut it; once these are sorted, where
+  // they end in on_edge_.
+  IdVector<HalfEdgeId, std::uint32_t> end_on_edge_;
+  std::vector<TetId> on_edge_;
 
   // By finite upper triangle: a half-edge from the lower vertex nearest to its circumcentre.
   IdVector<TriangleId, HalfEdgeId> cell_of_;
@@ -127,7 +129,7 @@ void SlabOverlay::start_type1() {
   constexpr std::size_t kManyVertices = 20000;
   const std::size_t expected = (vertices < kManyVertices ? 7 : 20) * vertices;
   slots_.reserve(expected);
-  crossings_.reserve(expected - first_type2());
+  edge_of_.reserve(expected - first_type2());
   slots_.resize(first_type2());
   for (std::size_t k = 0; k < lower_.finite_count(); ++k) {
     const TriangleId t(k);
@@ -141,7 +143,7 @@ void SlabOverlay::start_type1() {
       tet(tet_above(t))[i + 1] = upper_vertex(upper_.apex(PlaneDiagram::half_edge(t, i)));
     }
   }
-  first_on_edge_.resize(lower_.half_edge_slots());
+  end_on_edge_.resize(lower_.half_edge_slots());
   cell_of_.resize(upper_.finite_count());
 }
 
@@ -226,9 +228,8 @@ void SlabOverlay::trace(HalfEdgeId upper) {
     slots_.push_back({{behind, ahead, upper_vertex(left), upper_vertex(right)}, {}});
     glue(last, half_face(t, kBehind));
     last = half_face(t, kAhead);
-    TetId& first = first_on_edge_[representative(exit)];
-    crossings_.push_back({exit, first});
-    first = t;
+    edge_of_.push_back(representative(exit));
+    ++end_on_edge_[edge_of_.back()];
     exit = exit_from(lower_.opposite(exit), line);
   }
   if (is_ray) return;
@@ -240,29 +241,45 @@ void SlabOverlay::trace(HalfEdgeId upper) {
   enter(target, exit);
 }
 
+void SlabOverlay::sort_by_lower_edge() {
+  std::uint32_t sum = 0;
+  for (std::uint32_t& end : end_on_edge_) {
+    const std::uint32_t begin = sum;
+    sum += end;
+    end = begin;
+  }
+  on_edge_.resize(edge_of_.size());
+  for (std::size_t k = 0; k < edge_of_.size(); ++k) {
+    on_edge_[end_on_edge_[edge_of_[k]]++] = TetId(first_type2() + k);
+  }
+  edge_of_ = {};
+}
+
 // Glues the type-2 tets of every lower edge along it, and with the type-1 tets at its ends.
 void SlabOverlay::chain_lower_edges() {
+  sort_by_lower_edge();
   cells_.resize(upper_.vertex_count());
   for (std::size_t k = 0; k < lower_.half_edge_slots(); ++k) {
-    if (first_on_edge_[HalfEdgeId(k)].valid()) chain(HalfEdgeId(k));
+    if (!tets_on(HalfEdgeId(k)).empty()) chain(HalfEdgeId(k));
   }
 }
 
 // The Voronoi edge passes each upper cell in one piece: of two tets in a row the first has to
 // its right what the second has to its left.
 void SlabOverlay::chain(HalfEdgeId edge) {
-  const TetId first = first_on_edge_[edge];
+  const std::span<const TetId> tets = tets_on(edge);
   // Seen along `edge`, which a tet's upper edge may cross either way.
-  const auto left_face = [&](TetId t) { return crossing(t).lower == edge ? kLeft : kRight; };
+  const VertexId origin = lower_.origin(edge);
+  const auto left_face = [&](TetId t) { return tet(t)[0] == origin ? kLeft : kRight; };
   const auto upper_of_face = [&](TetId t, std::uint32_t face) {
     // Opposite the vertex to one side, the face holds that to the other.
     const VertexId v = tet(t)[face == kLeft ? 2 : 3];
     return VertexId(v.index() - lower_.vertex_count());
   };
-  for (TetId t = first; t.valid(); t = crossing(t).next) {
+  for (const TetId t : tets) {
     cells_[upper_of_face(t, left_face(t))] = {edge, t};
   }
-  for (TetId t = first; t.valid(); t = crossing(t).next) {
+  for (const TetId t : tets) {
     const std::uint32_t face = left_face(t) == kLeft ? kRight : kLeft;
     const VertexId cell = upper_of_face(t, face);
     if (cells_[cell].edge == edge) {
@@ -272,7 +289,7 @@ void SlabOverlay::chain(HalfEdgeId edge) {
       settle(lower_.opposite(edge), half_face(t, face), cell);
     }
   }
-  for (TetId t = first; t.valid(); t = crossing(t).next) {
+  for (const TetId t : tets) {
     const std::uint32_t face = left_face(t);
     if (opposite(half_face(t, face)).valid()) continue;
     settle(edge, half_face(t, face), upper_of_face(t, face));
@@ -303,7 +320,7 @@ void SlabOverlay::settle_lower_triangles() {
     const VertexId nearest_above(tet(tet_below(t))[3].index() - lower_.vertex_count());
     for (std::uint32_t i = 0; i < 3; ++i) {
       const HalfEdgeId h = PlaneDiagram::half_edge(t, i);
-      if (first_on_edge_[representative(h)].valid()) continue;
+      if (!tets_on(representative(h)).empty()) continue;
       settle(lower_.opposite(h), face_below(h), nearest_above);
     }
   }
