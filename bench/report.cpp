@@ -121,7 +121,7 @@ std::string text_of(const CaseReport& report) {
 std::string text_of(const std::vector<PredicateTime>& times) {
   std::string text = "predicates\n";
   for (const PredicateTime& t : times) {
-    text += format("  %-10s %-12s %-10s %8.1f ns a call, settles %3.0f %%\n", t.predicate.c_str(),
+    text += format("  %-18s %-8s %-10s %8.1f ns a call, settles %3.0f %%\n", t.predicate.c_str(),
                    t.input.c_str(), t.stage.c_str(), t.nanoseconds, 100 * t.share);
   }
   return text;
@@ -171,7 +171,7 @@ std::string json_of(const Report& report) {
 
 std::string markdown_of(const Report& report) {
   std::string text =
-      "| case | points | who | best (s) | median (s) | MB | ratio of bests (of medians) |\n"
+      "| case | points | who | best (s) | median (s) | MB | ratio of bests (median of rounds) |\n"
       "|---|---|---|---|---|---|---|\n";
   std::string details;
   for (const CaseReport& one : report.cases) {

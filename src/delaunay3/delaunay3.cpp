@@ -23,8 +23,7 @@ namespace tetloft {
 
 namespace {
 
-// Of 32-bit vertex ids two values are reserved, and marks take two values for each
-// insertion. The limit of 2^30 tets comes first for all but degenerate input.
+// 32-bit ids hold many more; the limit of 2^30 tets comes first for all but degenerate input.
 constexpr std::size_t kMaxPoints = std::size_t{1} << 30;
 
 Result<void> check_points(std::span<const Point3> points) {

@@ -8,6 +8,7 @@
 #include <tetloft/predicates.hpp>
 
 #include "core/check.hpp"
+#include "core/prefetch.hpp"
 
 namespace tetloft::delaunay3_detail {
 
@@ -162,12 +163,10 @@ void Delaunay3Builder::collect_conflict_zone(const Point3& p, TetId start) {
 
 // Asks the processor for what the search will read when it comes to t.
 void Delaunay3Builder::fetch_neighbours(TetId t) const {
-#if defined(__GNUC__)
   for (const HalfFaceId across : slots_[t.index()].opposite) {
-    __builtin_prefetch(&slots_[across.index() >> 2]);
-    __builtin_prefetch(&marks_[across.index() >> 2]);
+    core::prefetch(&slots_[across.index() >> 2]);
+    core::prefetch(&marks_[across.index() >> 2]);
   }
-#endif
 }
 
 bool Delaunay3Builder::in_conflict(TetId t, const Point3& p) const {

@@ -78,7 +78,7 @@ class Delaunay3Builder {
   // A tet whose closure contains p, or a ghost tet whose hull facet p lies strictly
   // beyond: in either case one that is in conflict with p.
   TetId locate(const Point3& p, TetId start);
-  // Fills conflict_ and horizon_; marks the conflict zone with the current epoch.
+  // Fills conflict_ and horizon_, and marks their tets.
   void collect_conflict_zone(const Point3& p, TetId start);
   void fetch_neighbours(TetId t) const;
   // Replaces the conflict zone by the tets that join the horizon to v. Returns one of

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "core/check.hpp"
+#include "core/prefetch.hpp"
 #include "delaunay3/nearer.hpp"
 #include "delaunay3/plane_diagram.hpp"
 
@@ -15,6 +16,9 @@ namespace tetloft::delaunay3_detail {
 namespace {
 
 constexpr std::size_t kMaxTets = std::size_t{1} << 30;
+
+// chain() asks for the slots of this many tets before it comes to them.
+constexpr std::size_t kFetchedAhead = 16;
 
 HalfFaceId half_face(TetId t, std::uint32_t i) { return HalfFaceId(4 * t.value() + i); }
 
@@ -93,7 +97,7 @@ class SlabOverlay {
   [[nodiscard]] HalfEdgeId first_exit(HalfEdgeId lower, const Bisector& line) const;
   void sort_by_lower_edge();
   void chain_lower_edges();
-  void fetch_ahead(const TetId& at) const;
+  void fetch(std::size_t place) const;
   void chain(HalfEdgeId edge);
   void settle_lower_triangles();
   void settle(HalfEdgeId side, HalfFaceId face, VertexId nearest_above);
@@ -266,16 +270,9 @@ void SlabOverlay::chain_lower_edges() {
   }
 }
 
-// Asks the processor for the slot of a tet some places after `at`, an element of on_edge_, as
-// chain() will come to it soon: tets of one edge lie apart.
-void SlabOverlay::fetch_ahead(const TetId& at) const {
-#if defined(__GNUC__)
-  constexpr std::ptrdiff_t kAway = 16;
-  if (on_edge_.data() + on_edge_.size() - &at <= kAway) return;
-  __builtin_prefetch(&slots_[(&at)[kAway].index()], 1);
-#else
-  (void)at;
-#endif
+// Asks for the slot of the tet at a place of on_edge_: tets of one edge lie apart.
+void SlabOverlay::fetch(std::size_t place) const {
+  if (place < on_edge_.size()) core::prefetch(&slots_[on_edge_[place].index()]);
 }
 
 // The Voronoi edge passes each upper cell in one piece: of two tets in a row the first has to
@@ -290,9 +287,10 @@ void SlabOverlay::chain(HalfEdgeId edge) {
     const VertexId v = tet(t)[face == kLeft ? 2 : 3];
     return VertexId(v.index() - lower_.vertex_count());
   };
-  for (const TetId& t : tets) {
-    fetch_ahead(t);
-    cells_[upper_of_face(t, left_face(t))] = {edge, t};
+  const auto begin = static_cast<std::size_t>(tets.data() - on_edge_.data());
+  for (std::size_t i = 0; i < tets.size(); ++i) {
+    fetch(begin + i + kFetchedAhead);
+    cells_[upper_of_face(tets[i], left_face(tets[i]))] = {edge, tets[i]};
   }
   for (const TetId t : tets) {
     const std::uint32_t face = left_face(t) == kLeft ? kRight : kLeft;
