@@ -26,6 +26,9 @@ enum class DelaunayEngine : std::uint8_t {
 
 struct Delaunay3Options {
   DelaunayEngine engine = DelaunayEngine::automatic;
+  /// 0: as many as the machine offers. The slab engine triangulates its two planes at the same
+  /// time; the incremental engine runs on one thread. The result is the same.
+  unsigned threads = 1;
 };
 
 /// The 3D Delaunay triangulation of a point set.

@@ -10,19 +10,22 @@ namespace tetloft::cli {
 namespace {
 
 Usage usage() {
-  return {"delaunay",
-          "The Delaunay triangulation of points in space.",
-          {"POINTS"},
-          {{"--output", "OUT.vtu", "write the tets, a VTK XML file", "-o"},
-           {"--engine", "NAME",
-            "auto (default): slab where all points lie on two planes of constant z, else "
-            "incremental; or one of these. The tets are the same"},
-           {"--threads", "N", "0 to 1024; taken for later: the engine runs on one thread"},
-           kJsonOption,
-           kQuietOption,
-           kHelpOption},
-          "POINTS holds lines \"x y z\" with # comments, or little-endian float64 triples if its "
-          "name ends in .bin. The seconds told are those of the triangulation alone."};
+  return {
+      "delaunay",
+      "The Delaunay triangulation of points in space.",
+      {"POINTS"},
+      {{"--output", "OUT.vtu", "write the tets, a VTK XML file", "-o"},
+       {"--engine", "NAME",
+        "auto (default): slab where all points lie on two planes of constant z, else "
+        "incremental; or one of these. The tets are the same"},
+       {"--threads", "N",
+        "0 (default: all processors) to 1024; the slab engine uses two at most, the incremental "
+        "one; the result is the same"},
+       kJsonOption,
+       kQuietOption,
+       kHelpOption},
+      "POINTS holds lines \"x y z\" with # comments, or little-endian float64 triples if its "
+      "name ends in .bin. The seconds told are those of the triangulation alone."};
 }
 
 void warn_if_flat(const Delaunay3& delaunay, Console& console) {
@@ -44,9 +47,8 @@ std::vector<TetVertices> tets_of(const TetMesh& mesh) {
 }
 
 Result<int> run(const Arguments& arguments, Console& console) {
-  if (const auto threads = arguments.integer("--threads", 0, 1024); !threads) {
-    return threads.error();
-  }
+  const auto threads = arguments.integer("--threads", 0, 1024);
+  if (!threads) return threads.error();
   const auto engine = engine_option(arguments, "--engine");
   if (!engine) return engine.error();
   const auto output = arguments.text("--output");
@@ -57,7 +59,8 @@ Result<int> run(const Arguments& arguments, Console& console) {
   const auto points = read_points(arguments.operand(0));
   if (!points) return points.error();
   const Stopwatch triangulating;
-  const Result<Delaunay3> delaunay = delaunay3(*points, {.engine = *engine});
+  const Result<Delaunay3> delaunay = delaunay3(
+      *points, {.engine = *engine, .threads = static_cast<unsigned>(threads->value_or(0))});
   const double seconds = triangulating.seconds();
   if (!delaunay) {
     Error error = delaunay.error();

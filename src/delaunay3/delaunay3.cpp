@@ -12,6 +12,7 @@
 #include <tetloft/predicates.hpp>
 
 #include "core/check.hpp"
+#include "core/parallel.hpp"
 #include "delaunay3/affine_basis.hpp"
 #include "delaunay3/canonical_mesh.hpp"
 #include "delaunay3/canonical_order.hpp"
@@ -111,13 +112,17 @@ Error too_many_tets() {
 
 // By the overlay of the two planes' Voronoi diagrams. Nothing where the points are not on two
 // planes, or one of them has no triangles.
-Result<bool> overlay_planes(const RankedPoints& ranked, Delaunay3& out) {
+Result<bool> overlay_planes(const RankedPoints& ranked, unsigned threads, Delaunay3& out) {
   const std::span<const Point3> points(ranked.point);
   const std::size_t below = count_below(points);
   if (below < 3 || points.size() - below < 3) return false;
-  const Result<Triangulation2> lower = triangulate_plane(points.first(below));
+  Result<Triangulation2> lower = Triangulation2{};
+  Result<Triangulation2> upper = Triangulation2{};
+  parallel_for(2, threads, [&](std::size_t plane) {
+    if (plane == 0) lower = triangulate_plane(points.first(below));
+    if (plane == 1) upper = triangulate_plane(points.subspan(below));
+  });
   if (!lower) return lower.error();
-  const Result<Triangulation2> upper = triangulate_plane(points.subspan(below));
   if (!upper) return upper.error();
   if (lower->triangles.empty() || upper->triangles.empty()) return false;
   const std::vector<delaunay3_detail::TetSlot> slab =
@@ -155,13 +160,14 @@ Result<bool> insert_points(RankedPoints& ranked, Delaunay3& out) {
   return true;
 }
 
-Result<Delaunay3> triangulate(std::span<const Point3> points, DelaunayEngine engine) {
+Result<Delaunay3> triangulate(std::span<const Point3> points, const Delaunay3Options& options) {
+  const DelaunayEngine engine = options.engine;
   if (Result<void> checked = fp_self_check(); !checked) return checked.error();
   if (Result<void> checked = check_points(points); !checked) return checked.error();
   Delaunay3 out;
   RankedPoints ranked = rank_points(points, out);
   Result<bool> done = false;
-  if (engine != DelaunayEngine::incremental) done = overlay_planes(ranked, out);
+  if (engine != DelaunayEngine::incremental) done = overlay_planes(ranked, options.threads, out);
   if (done && !*done) {
     if (engine == DelaunayEngine::slab) {
       return Error{ErrorCode::invalid_input,
@@ -223,7 +229,7 @@ const char* name_of(DelaunayEngine engine) {
 }
 
 Result<Delaunay3> delaunay3(std::span<const Point3> points, const Delaunay3Options& options) {
-  return guard_internal([&] { return triangulate(points, options.engine); });
+  return guard_internal([&] { return triangulate(points, options); });
 }
 
 Result<TetMesh> slab_delaunay3(const Triangulation2& lower, const Triangulation2& upper) {

@@ -5,10 +5,14 @@
 // glue to a disc or sphere.
 #pragma once
 
+#include <cstddef>
+#include <map>
+#include <mutex>
 #include <vector>
 
 #include <tetloft/model.hpp>
 
+#include "reconstruct/correspondence.hpp"
 #include "reconstruct/slab_solid.hpp"
 
 namespace tetloft {
@@ -21,9 +25,45 @@ struct Part {
   SlabSolid solid;
 };
 
-/// Glues parts in the given order. Vertices are numbered by section (canonical order in
-/// each), then constructed ones by part; those that no tet uses are left out.
-[[nodiscard]] Model assemble(const IdVector<SectionId, ConformingSection>& sections,
-                             const Correspondence& correspondence, const std::vector<Part>& parts);
+/// What the parts of a model did, in sum.
+struct PartTally {
+  RuleCounts rules{};
+  std::array<double, kSteps> seconds{};
+  double smallest_lift = 1;
+};
+
+/// A model that grows part by part, so that a part is held no longer than those below it take.
+/// Vertices are numbered by section (canonical order in each), then constructed ones by part;
+/// those that no tet uses are left out.
+class Assembly {
+ public:
+  /// Both must outlive the assembly and not change.
+  Assembly(const IdVector<SectionId, ConformingSection>& sections,
+           const Correspondence& correspondence);
+
+  /// Glues the part that is the place-th from below, counted from 0; each place comes once.
+  /// May be called from several threads, places in any order: a part that comes early waits.
+  void add(std::size_t place, Part part);
+
+  [[nodiscard]] const PartTally& tally() const { return tally_; }
+  /// The model, handed out; requires that no part waits.
+  [[nodiscard]] Model take();
+
+ private:
+  void add_section_vertices();
+  VertexId add_point(const Point3& p, std::int32_t section, std::int32_t contour,
+                     PointOrigin origin);
+  [[nodiscard]] ComponentId component_of(const Part& part, SlabRegionId region) const;
+  void glue(const Part& part);
+
+  const IdVector<SectionId, ConformingSection>& sections_;
+  const Correspondence& correspondence_;
+  std::mutex mutex_;                       // of all below
+  std::vector<std::size_t> first_vertex_;  // of each section, in the model
+  std::size_t next_ = 0;                   // the place to be glued next
+  std::map<std::size_t, Part> waiting_;    // by place
+  PartTally tally_;
+  Model model_;
+};
 
 }  // namespace tetloft

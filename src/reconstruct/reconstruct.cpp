@@ -45,29 +45,34 @@ class Reconstructor {
     const auto start = Clock::now();
     if (auto error = check_options()) return *error;
     if (auto error = prepare_sections()) return *error;
+    if (auto error = place_ends()) return *error;
 
     // Usually once; again when a class needs Gabriel edges to be connectable.
     for (;;) {
       if (auto error = find_correspondence()) return *error;
-      if (auto error = build_slabs()) return *error;
-      const std::optional<Unconnected> unconnected = first_unconnected();
-      if (!unconnected) break;
-      if (auto error = refine(*unconnected)) return *error;
+      Assembly assembly(sections_, correspondence_);
+      Result<std::optional<Unconnected>> built = build_parts(assembly);
+      if (!built) return built.error();
+      if (*built) {
+        if (auto error = refine(**built)) return *error;
+        continue;
+      }
+      result_.model = assembly.take();
+      result_.partition = std::move(correspondence_.partition);
+      report(assembly.tally(), seconds_since(start));
+      return std::move(result_);
     }
-    if (auto error = add_ends()) return *error;
-
-    const auto assembling = Clock::now();
-    result_.model = assemble(sections_, correspondence_, parts_);
-    result_.partition = correspondence_.partition;
-    add_seconds(Step::assembly, seconds_since(assembling));
-    report(seconds_since(start));
-    return std::move(result_);
   }
 
  private:
   struct Unconnected {
     SlabId slab;
     std::vector<SlabRegionId> regions;
+  };
+  // Where the prisms beyond the first and last section end.
+  struct EndPlanes {
+    double below;
+    double above;
   };
 
   [[nodiscard]] std::size_t section_count() const { return stack_.sections.size(); }
@@ -149,29 +154,41 @@ class Reconstructor {
     return std::nullopt;
   }
 
-  std::optional<Error> build_slabs() {
-    parts_.assign(slab_count(), {});
-    return parallel_errors(
-        slab_count(), options_.threads, [&](std::size_t k) -> std::optional<Error> {
+  // Builds all parts, each glued as soon as those below it are; or the lowest class that is
+  // not connectable.
+  Result<std::optional<Unconnected>> build_parts(Assembly& assembly) {
+    const std::size_t ends_below = ends_ ? 1 : 0;
+    if (ends_) {
+      const SectionId first(0);
+      assembly.add(0, {SlabId(0), SectionId(), first, build_end(sections_[first], ends_->below)});
+    }
+    IdVector<SlabId, std::vector<Unconnectable>> unconnectable(slab_count());
+    auto error =
+        parallel_errors(slab_count(), options_.threads, [&](std::size_t k) -> std::optional<Error> {
           const SectionId below(k);
           const SectionId above(k + 1);
           Result<SlabSolid> solid =
               build_slab_solid(SlabId(k), sections_[below], sections_[above],
                                correspondence_.links[SlabId(k)], options_.delaunay);
           if (!solid) return solid.error();
-          parts_[k] = {SlabId(k), below, above, std::move(solid.value())};
+          unconnectable[SlabId(k)] = std::move(solid->unconnectable);
+          assembly.add(ends_below + k, {SlabId(k), below, above, std::move(solid.value())});
           if (refinements_ == 0) step_done();  // each slab counts once
           return std::nullopt;
         });
-  }
-
-  [[nodiscard]] std::optional<Unconnected> first_unconnected() const {
-    for (const Part& part : parts_) {
-      if (!part.solid.unconnectable.empty()) {
-        return Unconnected{part.slab, part.solid.unconnectable.front().regions};
-      }
+    if (error) return *error;
+    for (std::size_t k = 0; k < slab_count(); ++k) {
+      const SlabId slab(k);
+      if (unconnectable[slab].empty()) continue;
+      return std::optional(Unconnected{slab, unconnectable[slab].front().regions});
     }
-    return std::nullopt;
+    if (ends_) {
+      const SectionId last(section_count() - 1);
+      const SlabId last_slab(section_count() == 1 ? 0 : slab_count() - 1);
+      assembly.add(ends_below + slab_count(),
+                   {last_slab, last, SectionId(), build_end(sections_[last], ends_->above)});
+    }
+    return std::optional<Unconnected>();
   }
 
   // Refines the contours of a class to Gabriel edges, after which overlapping regions have
@@ -218,31 +235,26 @@ class Reconstructor {
   }
 
   // Prisms beyond the first and last section.
-  std::optional<Error> add_ends() {
+  std::optional<Error> place_ends() {
     const SectionId first(0);
     const SectionId last(section_count() - 1);
     const double z0 = sections_[first].z;
     const double z1 = sections_[last].z;
-    double below = 0;
-    double above = 0;
     if (section_count() == 1) {
-      below = above = 0.5 * single_thickness();
+      const double half = 0.5 * single_thickness();
+      ends_ = {z0 - half, z1 + half};
     } else if (options_.ends == Ends::half) {
-      below = 0.5 * (sections_[SectionId(1)].z - z0);
-      above = 0.5 * (z1 - sections_[SectionId(section_count() - 2)].z);
+      ends_ = {z0 - 0.5 * (sections_[SectionId(1)].z - z0),
+               z1 + 0.5 * (z1 - sections_[SectionId(section_count() - 2)].z)};
     } else {
       return std::nullopt;
     }
-    const SlabId last_slab(section_count() == 1 ? 0 : slab_count() - 1);
-    if (!(z0 - below < z0) || !(z1 + above > z1)) {
+    if (!(ends_->below < z0) || !(ends_->above > z1)) {
       Place place;
-      place.section = z0 - below < z0 ? last.index() : 0;
+      place.section = ends_->below < z0 ? last.index() : 0;
       return Error{ErrorCode::unrepresentable,
                    "the end is too thin for a double beside the section's z", place};
     }
-    parts_.insert(parts_.begin(),
-                  {SlabId(0), SectionId(), first, build_end(sections_[first], z0 - below)});
-    parts_.push_back({last_slab, last, SectionId(), build_end(sections_[last], z1 + above)});
     return std::nullopt;
   }
 
@@ -269,7 +281,7 @@ class Reconstructor {
     return thickness;
   }
 
-  void report(double seconds_total) {
+  void report(const PartTally& tally, double seconds_total) {
     ReconstructReport& report = result_.report;
     report.slices = section_count();
     report.contours = stack_.contour_count();
@@ -281,11 +293,9 @@ class Reconstructor {
     for (const PointOrigin origin : result_.model.origin) {
       report.split_vertices += origin == PointOrigin::contour_split ? 1 : 0;
     }
-    for (const Part& part : parts_) {
-      for (std::size_t r = 0; r < kRules; ++r) report.rules[r] += part.solid.rules[r];
-      for (std::size_t s = 0; s < kSteps; ++s) report.seconds[s] += part.solid.seconds[s];
-      report.smallest_lift = std::min(report.smallest_lift, part.solid.smallest_lift);
-    }
+    report.rules = tally.rules;
+    for (std::size_t s = 0; s < kSteps; ++s) report.seconds[s] += tally.seconds[s];
+    report.smallest_lift = tally.smallest_lift;
     report.rules[static_cast<std::size_t>(Rule::gabriel_refinement)] = refinements_;
     for (std::size_t s = 1; s + 1 < section_count(); ++s) {
       const auto& internal = sections_[SectionId(s)].internal;
@@ -301,7 +311,7 @@ class Reconstructor {
   IdVector<SectionId, ConformingSection> sections_;
   IdVector<SectionId, IdVector<ContourId, bool>> gabriel_;  // empty: none
   Correspondence correspondence_;
-  std::vector<Part> parts_;
+  std::optional<EndPlanes> ends_;
   std::uint64_t refinements_ = 0;
   std::mutex progress_mutex_;
   std::size_t done_ = 0;
