@@ -39,6 +39,9 @@ struct ReadStack {
 /// Text lines "x y z" (# comments), or little-endian float64 triples if the name ends in
 /// ".bin".
 [[nodiscard]] Result<std::vector<Point3>> read_points(const std::string& path);
+/// The same from bytes; `name` stands for the file in messages, and its extension decides.
+[[nodiscard]] Result<std::vector<Point3>> parse_points(std::string_view bytes,
+                                                       const std::string& name);
 
 enum class Encoding { binary, ascii };
 

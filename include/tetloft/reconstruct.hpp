@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -33,7 +34,11 @@ struct ReconstructOptions {
   std::optional<double> thickness;
   /// Threads for the slabs; 0: as many as the machine offers. The result is the same.
   unsigned threads = 0;
-  /// Called from any thread, one call at a time, with steps done and steps in all.
+  /// Once a stop is requested (from any thread), reconstruct ends with ErrorCode::cancelled
+  /// as soon as the sections and slabs in work are done.
+  std::stop_token stop;
+  /// Called from any thread, one call at a time, with steps done and steps in all. What it
+  /// throws ends the reconstruction with ErrorCode::cancelled.
   std::function<void(std::size_t done, std::size_t all)> progress;
 };
 
@@ -99,7 +104,8 @@ struct Reconstruction {
 
 /// Reconstructs a solid that keeps the four guarantees (README), or refuses: invalid_input
 /// for an invalid stack or labels, unrepresentable where double precision holds no valid
-/// model, naming the place, usage for options out of range.
+/// model, naming the place, usage for options out of range, cancelled if it was stopped.
+/// May be called from many threads at once.
 [[nodiscard]] Result<Reconstruction> reconstruct(const SectionStack& stack,
                                                  const ReconstructOptions& options = {});
 

@@ -22,6 +22,7 @@ enum class ErrorCode : int {
   invalid_input = 3,    ///< the input is not a valid stack, mesh, label or point set
   io = 4,               ///< a file cannot be read or written
   unrepresentable = 5,  ///< double precision holds no valid model of this input
+  cancelled = 6,        ///< stopped at the caller's wish, or by an exception of a callback
   internal = 70,        ///< a defect of the library
 };
 

@@ -19,6 +19,12 @@ class InternalError : public std::logic_error {
 /// Throws InternalError naming the violated condition and its place in the source.
 [[noreturn]] void fail_check(const char* condition, const char* file, int line);
 
+/// Ends an API function with ErrorCode::cancelled.
+class Cancelled : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 /// Runs an API function's body: returns its Result, and turns anything thrown inside
 /// into an Error.
 template <class Body>
@@ -27,8 +33,12 @@ auto guard_internal(Body&& body) -> decltype(body()) {
     return body();
   } catch (const std::bad_alloc&) {
     return Error{ErrorCode::internal, "out of memory", {}};
+  } catch (const Cancelled& e) {
+    return Error{ErrorCode::cancelled, e.what(), {}};
   } catch (const std::exception& e) {
     return Error{ErrorCode::internal, e.what(), {}};
+  } catch (...) {
+    return Error{ErrorCode::internal, "unknown exception", {}};
   }
 }
 

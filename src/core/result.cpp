@@ -13,6 +13,7 @@ const char* name_of(ErrorCode code) {
     case ErrorCode::invalid_input: return "invalid_input";
     case ErrorCode::io: return "io";
     case ErrorCode::unrepresentable: return "unrepresentable";
+    case ErrorCode::cancelled: return "cancelled";
     case ErrorCode::internal: return "internal";
   }
   return "internal";

@@ -53,7 +53,7 @@ Result<void> for_each_row(std::string_view text, const std::string& name, const 
 // Largest value of a section, contour or label: one less than an invalid id.
 constexpr std::int64_t kLargestIndex = std::numeric_limits<std::uint32_t>::max() - 1;
 
-Result<std::vector<Point3>> parse_points(std::string_view text, const std::string& name) {
+Result<std::vector<Point3>> points_of_lines(std::string_view text, const std::string& name) {
   std::vector<Point3> points;
   const auto take = [&](std::size_t line,
                         const std::array<std::string_view, 3>& fields) -> Result<void> {
@@ -134,12 +134,18 @@ Result<std::vector<Label>> read_labels(const std::string& path) {
   });
 }
 
+Result<std::vector<Point3>> parse_points(std::string_view bytes, const std::string& name) {
+  return guard_internal([&] {
+    return io::extension_of(name) == ".bin" ? decode_points(bytes, name)
+                                            : points_of_lines(bytes, name);
+  });
+}
+
 Result<std::vector<Point3>> read_points(const std::string& path) {
   return guard_internal([&]() -> Result<std::vector<Point3>> {
     const Result<std::string> bytes = io::read_file(path);
     if (!bytes) return bytes.error();
-    return io::extension_of(path) == ".bin" ? decode_points(*bytes, path)
-                                            : parse_points(*bytes, path);
+    return parse_points(*bytes, path);
   });
 }
 

@@ -25,17 +25,6 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// Runs body(i) -> std::optional<Error> in parallel; the error of the lowest index, if any.
-template <class Body>
-std::optional<Error> parallel_errors(std::size_t n, unsigned threads, const Body& body) {
-  std::vector<std::optional<Error>> errors(n);
-  parallel_for(n, threads, [&](std::size_t i) { errors[i] = body(i); });
-  for (std::optional<Error>& error : errors) {
-    if (error) return std::move(error);
-  }
-  return std::nullopt;
-}
-
 class Reconstructor {
  public:
   Reconstructor(const SectionStack& stack, const ReconstructOptions& options)
@@ -85,7 +74,27 @@ class Reconstructor {
   void step_done() {
     if (!options_.progress) return;
     const std::scoped_lock lock(progress_mutex_);
-    options_.progress(++done_, section_count() + slab_count());
+    try {
+      options_.progress(++done_, section_count() + slab_count());
+    } catch (const std::exception& e) {
+      throw Cancelled(std::string("the progress callback threw: ") + e.what());
+    } catch (...) {
+      throw Cancelled("the progress callback threw");
+    }
+  }
+
+  // Runs body(i) -> std::optional<Error> in parallel; the error of the lowest index, if any.
+  template <class Body>
+  std::optional<Error> parallel_errors(std::size_t n, const Body& body) const {
+    std::vector<std::optional<Error>> errors(n);
+    parallel_for(n, options_.threads, [&](std::size_t i) {
+      if (options_.stop.stop_requested()) throw Cancelled("stopped");
+      errors[i] = body(i);
+    });
+    for (std::optional<Error>& error : errors) {
+      if (error) return std::move(error);
+    }
+    return std::nullopt;
   }
 
   [[nodiscard]] std::optional<Error> check_options() const {
@@ -105,7 +114,7 @@ class Reconstructor {
     nestings_.resize(section_count());
     sections_.resize(section_count());
     gabriel_.resize(section_count());
-    auto error = parallel_errors(section_count(), options_.threads, [&](std::size_t s) {
+    auto error = parallel_errors(section_count(), [&](std::size_t s) {
       nestings_[SectionId(s)] = nest(stack_.sections[SectionId(s)]);
       auto failed = conform_section(SectionId(s));
       step_done();
@@ -125,7 +134,7 @@ class Reconstructor {
   std::optional<Error> find_correspondence() {
     const auto start = Clock::now();
     IdVector<SlabId, std::vector<Link>> candidates(slab_count());
-    auto error = parallel_errors(slab_count(), options_.threads, [&](std::size_t k) {
+    auto error = parallel_errors(slab_count(), [&](std::size_t k) {
       return find_candidates(SlabId(k), candidates[SlabId(k)]);
     });
     if (error) return error;
@@ -163,19 +172,18 @@ class Reconstructor {
       assembly.add(0, {SlabId(0), SectionId(), first, build_end(sections_[first], ends_->below)});
     }
     IdVector<SlabId, std::vector<Unconnectable>> unconnectable(slab_count());
-    auto error =
-        parallel_errors(slab_count(), options_.threads, [&](std::size_t k) -> std::optional<Error> {
-          const SectionId below(k);
-          const SectionId above(k + 1);
-          Result<SlabSolid> solid =
-              build_slab_solid(SlabId(k), sections_[below], sections_[above],
-                               correspondence_.links[SlabId(k)], options_.delaunay);
-          if (!solid) return solid.error();
-          unconnectable[SlabId(k)] = std::move(solid->unconnectable);
-          assembly.add(ends_below + k, {SlabId(k), below, above, std::move(solid.value())});
-          if (refinements_ == 0) step_done();  // each slab counts once
-          return std::nullopt;
-        });
+    auto error = parallel_errors(slab_count(), [&](std::size_t k) -> std::optional<Error> {
+      const SectionId below(k);
+      const SectionId above(k + 1);
+      Result<SlabSolid> solid =
+          build_slab_solid(SlabId(k), sections_[below], sections_[above],
+                           correspondence_.links[SlabId(k)], options_.delaunay);
+      if (!solid) return solid.error();
+      unconnectable[SlabId(k)] = std::move(solid->unconnectable);
+      assembly.add(ends_below + k, {SlabId(k), below, above, std::move(solid.value())});
+      if (refinements_ == 0) step_done();  // each slab counts once
+      return std::nullopt;
+    });
     if (error) return *error;
     for (std::size_t k = 0; k < slab_count(); ++k) {
       const SlabId slab(k);

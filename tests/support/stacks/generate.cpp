@@ -57,6 +57,9 @@ constexpr std::array kKinds{
     Kind{StackKind::few_ulps, "few_ulps", draft_few_ulps, true},
     Kind{StackKind::oblique, "oblique", draft_oblique},
     Kind{StackKind::random_labels, "random_labels", draft_for_labels},
+    Kind{StackKind::complementary_sections, "complementary_sections", draft_complementary_sections},
+    Kind{StackKind::changing_classes, "changing_classes", draft_changing_classes},
+    Kind{StackKind::large_contours, "large_contours", draft_large_contours},
 };
 
 constexpr auto kAllKinds = [] {

@@ -43,6 +43,9 @@ enum class StackKind : std::uint8_t {
   few_ulps,         ///< so far from the origin that shapes are some hundred ulps wide or less
   oblique,          ///< columns that drift by up to more than their width
   random_labels,    ///< any of some kinds, with realisable labels
+  complementary_sections,  ///< each section the complement of the one before, in a frame
+  changing_classes,        ///< regions that are one class below a section, several above it
+  large_contours,          ///< up to 20,000 vertices
 };
 
 [[nodiscard]] std::span<const StackKind> all_kinds();

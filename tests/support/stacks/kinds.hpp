@@ -17,6 +17,8 @@ SectionStack draft_small_grid(Prng& prng);
 SectionStack draft_checkerboard(Prng& prng);
 SectionStack draft_identical_sections(Prng& prng);
 
+SectionStack draft_complementary_sections(Prng& prng);
+
 // kinds_branching.cpp
 SectionStack draft_nesting(Prng& prng);
 SectionStack draft_branching_one_to_many(Prng& prng);
@@ -25,6 +27,7 @@ SectionStack draft_holes(Prng& prng);
 SectionStack draft_triangular_holes(Prng& prng);
 SectionStack draft_isolated_contours(Prng& prng);
 SectionStack draft_empty_sections(Prng& prng);
+SectionStack draft_changing_classes(Prng& prng);
 
 // kinds_degenerate.cpp
 SectionStack draft_far_apart(Prng& prng);
@@ -39,6 +42,7 @@ SectionStack draft_stars_combs(Prng& prng);
 SectionStack draft_u_over_blobs(Prng& prng);
 SectionStack draft_crossing_bars(Prng& prng);
 SectionStack draft_oblique(Prng& prng);
+SectionStack draft_large_contours(Prng& prng);
 
 // kinds_rare.cpp
 SectionStack draft_interlocking(Prng& prng);

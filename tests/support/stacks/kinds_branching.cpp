@@ -174,4 +174,27 @@ SectionStack draft_empty_sections(Prng& prng) {
   return stack_of(layers, heights(prng, layers.size()));
 }
 
+SectionStack draft_changing_classes(Prng& prng) {
+  const std::size_t columns = number(prng, 2, 4);
+  const double shift = prng.chance(0.5) ? 0 : prng.between(-0.3, 0.3);
+  std::vector<Layer> layers(number(prng, 3, 4));
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    const double dx = i % 2 == 0 ? 0 : shift;
+    const std::size_t form = number(prng, 0, 2);
+    const double last = 2 * static_cast<double>(columns) - 1;
+    if (form == 0) {
+      layers[i].push_back(rectangle({dx, 0}, {last + dx, 1}));  // joins all
+      continue;
+    }
+    for (std::size_t k = 0; k < columns; ++k) {
+      const double x = 2 * static_cast<double>(k) + dx;
+      // Joins two where there is room for one.
+      const bool wide = form == 2 && k + 1 < columns && prng.chance(0.5);
+      layers[i].push_back(rectangle({x, 0}, {x + (wide ? 3 : 1), 1}));
+      if (wide) ++k;
+    }
+  }
+  return stack_of(layers, heights(prng, layers.size()));
+}
+
 }  // namespace tetloft::testing

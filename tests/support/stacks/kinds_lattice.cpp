@@ -130,4 +130,20 @@ SectionStack draft_identical_sections(Prng& prng) {
   return stack_of(layers, z);
 }
 
+SectionStack draft_complementary_sections(Prng& prng) {
+  const int side = static_cast<int>(number(prng, 3, 7));
+  const Bitmap bitmap = random_bitmap(prng, side, side, 0.5, static_cast<int>(number(prng, 0, 1)));
+  Bitmap complement(side, side);
+  for (int y = 0; y < side; ++y) {
+    for (int x = 0; x < side; ++x) complement.set(x, y, !bitmap.at(x, y));
+  }
+  // What joins pixels of the one parts those of the other: inner outlines are the same.
+  const bool join = prng.chance(0.5);
+  std::vector<Layer> layers(number(prng, 2, 3));
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    layers[i] = i % 2 == 0 ? marching_squares(bitmap, join) : marching_squares(complement, !join);
+  }
+  return stack_of(layers, heights(prng, layers.size()));
+}
+
 }  // namespace tetloft::testing

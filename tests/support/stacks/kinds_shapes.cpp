@@ -104,4 +104,21 @@ SectionStack draft_oblique(Prng& prng) {
   return stack_of(layers, heights(prng, layers.size()));
 }
 
+SectionStack draft_large_contours(Prng& prng) {
+  // Most are of medium size, or a campaign would do nothing else.
+  const std::size_t most = prng.chance(0.02) ? 20000 : 600;
+  std::vector<Layer> layers(2);
+  for (Layer& layer : layers) {
+    const std::size_t n = number(prng, most / 3, most);
+    const Point2 centre = displaced(prng, {0, 0}, 0.2);
+    if (prng.chance(0.5)) {
+      layer.push_back(regular_polygon(centre, 1, n, 0));
+    } else {
+      layer.push_back(blob(prng, centre, 0.9, 1.1, n));
+    }
+    if (prng.chance(0.3)) layer.push_back(regular_polygon(centre, 0.5, n, 0));
+  }
+  return stack_of(layers, heights(prng, layers.size()));
+}
+
 }  // namespace tetloft::testing

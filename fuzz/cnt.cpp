@@ -1,0 +1,35 @@
+// The .cnt reader: any bytes give a valid stack or a clean error, and what was read is the same
+// after mending, snapping and validating again.
+#include <tetloft/io.hpp>
+#include <tetloft/sections.hpp>
+
+#include "fuzz/target.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace tetloft;
+  using namespace tetloft::fuzz;
+  const auto read = parse_cnt(text_of(data, size), "fuzz.cnt");
+  if (!read) {
+    require_clean(read.error());
+    require(!read.error().where.file.empty(), "an error without the file's name");
+    return 0;
+  }
+  require(validate(read->stack).ok(), "the reader hands out a stack that is not valid");
+  SectionStack mended = read->stack;
+  require(mend(mended).empty(), "the reader leaves something to mend");
+  for (std::size_t s = 0; s < read->stack.sections.size(); ++s) {
+    require(read->lines[SectionId(s)].size() == read->stack.sections[SectionId(s)].contours.size(),
+            "lines for each contour");
+    const Nesting nesting = nest(read->stack.sections[SectionId(s)]);
+    for (const ContourId outer : nesting.outer) {
+      require(nesting.depth[outer] % 2 == 0, "an outer contour at an odd depth");
+    }
+  }
+  const auto snapped = snap(read->stack, 20);
+  if (!snapped) {
+    require_clean(snapped.error());
+  } else {
+    require(validate(snapped->stack).ok(), "snapping breaks a stack");
+  }
+  return 0;
+}

@@ -1,0 +1,44 @@
+// The model reader, and check() on whatever model it reads.
+#include <tetloft/check.hpp>
+#include <tetloft/io.hpp>
+
+#include "fuzz/target.hpp"
+
+namespace tetloft::fuzz {
+namespace {
+
+// A square over a square.
+SectionStack tube() {
+  SectionStack stack;
+  for (const double z : {0.0, 1.0}) {
+    Section section;
+    section.z = z;
+    section.contours.push_back({{{0, 0}, {2, 0}, {2, 2}, {0, 2}}});
+    stack.sections.push_back(section);
+  }
+  return stack;
+}
+
+}  // namespace
+}  // namespace tetloft::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace tetloft;
+  using namespace tetloft::fuzz;
+  const auto model = parse_vtu(text_of(data, size), "fuzz.vtu");
+  if (!model) {
+    require_clean(model.error());
+    require(!model.error().where.file.empty(), "an error without the file's name");
+    return 0;
+  }
+  const auto report = check(*model, tube());
+  if (!report) {
+    require_clean(report.error());
+    return 0;
+  }
+  require(report->guarantees.size() == 4, "four guarantees");
+  for (const GuaranteeVerdict& verdict : report->guarantees) {
+    require(verdict.pass == verdict.failures.empty(), "a verdict without a reason");
+  }
+  return 0;
+}

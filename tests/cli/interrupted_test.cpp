@@ -1,0 +1,108 @@
+// Killed midway, or the disk full: the earlier file is still whole.
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cmath>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <tetloft/io.hpp>
+
+#include "cli/runner.hpp"
+
+extern char** environ;
+
+namespace tetloft {
+namespace {
+
+using test::run;
+
+// Columns of many vertices, so that there is time to be killed in every phase.
+std::string large_stack() {
+  std::string text = "S 6\n";
+  constexpr int kVertices = 600;
+  for (int s = 0; s < 6; ++s) {
+    text += "v 600 z " + std::to_string(s) + "\n{\n";
+    for (int v = 0; v < kVertices; ++v) {
+      const double angle = 6.283185307179586 * v / kVertices;
+      const double r = 10 + std::sin(7 * angle + s);
+      text +=
+          std::to_string(r * std::cos(angle)) + ' ' + std::to_string(r * std::sin(angle)) + '\n';
+    }
+    text += "}\n";
+  }
+  return text;
+}
+
+class Interrupted : public ::testing::Test {
+ protected:
+  Interrupted() {
+    test::put(in_, large_stack());
+    EXPECT_EQ(run({"reconstruct", in_, "-o", out_, "--ascii"}).code, 0);
+    // The earlier file differs from what is written next.
+    earlier_ = test::get(out_);
+    EXPECT_EQ(run({"reconstruct", in_, "-o", folder_.file("new.vtu")}).code, 0);
+    later_ = test::get(folder_.file("new.vtu"));
+    EXPECT_NE(earlier_, later_);
+  }
+
+  test::TempFolder folder_;
+  std::string in_ = folder_.file("in.cnt");
+  std::string out_ = folder_.file("out.vtu");
+  std::string earlier_;
+  std::string later_;
+};
+
+TEST_F(Interrupted, KilledAtAnyTimeItLeavesAWholeFile) {
+  int killed = 0;
+  for (const int number : {SIGKILL, SIGTERM, SIGINT}) {
+    for (int milliseconds = 0; milliseconds < 60; milliseconds += 3) {
+      test::put(out_, earlier_);
+      std::vector<std::string> words{TETLOFT_EXECUTABLE, "reconstruct", in_, "-o", out_, "--quiet"};
+      std::vector<char*> argv;
+      for (std::string& word : words) argv.push_back(word.data());
+      argv.push_back(nullptr);
+      pid_t child = 0;
+      ASSERT_EQ(posix_spawn(&child, TETLOFT_EXECUTABLE, nullptr, nullptr, argv.data(), environ), 0);
+      std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+      kill(child, number);
+      int status = 0;
+      waitpid(child, &status, 0);
+      if (WIFSIGNALED(status)) ++killed;
+      const std::string now = test::get(out_);
+      EXPECT_TRUE(now == earlier_ || now == later_)
+          << "signal " << number << " after " << milliseconds << " ms: " << now.size();
+    }
+  }
+  EXPECT_GT(killed, 0);
+  // What a killed run left beside the file does not keep the next from writing.
+  EXPECT_EQ(run({"reconstruct", in_, "-o", out_}).code, 0);
+  EXPECT_EQ(test::get(out_), later_);
+}
+
+TEST_F(Interrupted, WithoutRoomForTheFileItSaysSoAndLeavesTheEarlierOne) {
+  // A limit of the size of files stands for a full disk; with its signal ignored a write fails
+  // in the same way. Both are handed down to the program.
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  const rlimit small{20000, before.rlim_max};
+  ASSERT_LT(small.rlim_cur, later_.size());
+  const auto handler = ::signal(SIGXFSZ, SIG_IGN);
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+  const test::Outcome outcome = run({"reconstruct", in_, "-o", out_});
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
+  ::signal(SIGXFSZ, handler);
+  EXPECT_EQ(outcome.code, 4) << outcome.err;
+  EXPECT_NE(outcome.err.find("cannot be written"), std::string::npos) << outcome.err;
+  EXPECT_EQ(test::get(out_), earlier_);
+  EXPECT_EQ(folder_.names().size(), 3U);
+}
+
+}  // namespace
+}  // namespace tetloft
