@@ -22,13 +22,18 @@ struct ReadStack {
   IdVector<SectionId, IdVector<ContourId, std::size_t>> lines;
 };
 
+/// Whether a reader validates what it read, or leaves that to the caller, who may repair() first.
+enum class Validity { required, unchecked };
+
 /// Reads NUAGES .cnt: "S n", then for each section "v n z z" and contours "{ x y … }". Header
 /// letters in either case, any white space, LF or CRLF, any numeric form that strtod of the
 /// C locale accepts for finite numbers. Mends harmless slips (mend() in sections.hpp, wrong
 /// counts) and validates; errors name file and line.
-[[nodiscard]] Result<ReadStack> read_cnt(const std::string& path);
+[[nodiscard]] Result<ReadStack> read_cnt(const std::string& path,
+                                         Validity validity = Validity::required);
 /// The same from text; `name` stands for the file in messages.
-[[nodiscard]] Result<ReadStack> parse_cnt(std::string_view text, const std::string& name);
+[[nodiscard]] Result<ReadStack> parse_cnt(std::string_view text, const std::string& name,
+                                          Validity validity = Validity::required);
 [[nodiscard]] Result<void> write_cnt(const std::string& path, const SectionStack& stack);
 
 /// Lines "section contour label", zero-based; # starts a comment.

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -54,6 +55,31 @@ inline constexpr double kLargestCoordinate = 0x1p1000;
 /// duplicate vertices. Returns one warning for each contour changed. Contours left with
 /// fewer than three vertices stay as they are, for validate() to name.
 std::vector<Warning> mend(SectionStack& stack);
+
+struct RepairOptions {
+  /// How far the boundary may move; without it 2^-20 of the section's largest coordinate.
+  std::optional<double> distance;
+};
+
+struct Repaired {
+  SectionStack stack;            ///< valid
+  std::vector<Warning> changes;  ///< all of them, with their places
+  double moved = 0;              ///< how far the boundary moved at most
+};
+
+/// Repairs sections as they come from other tools: spikes, contours without area, crossings and
+/// contacts of contours with themselves and each other. Sections keep their region, the points of
+/// odd crossing number, up to `distance`: crossings become vertices, which moves edges by ulps;
+/// edges that lie on each other cancel; where pieces of the region touch at a vertex they are
+/// parted by cutting their corners off. Contours without contact stay as they are; the others
+/// become new contours, numbered at the place of the one they begin with. What mend() removes is
+/// removed too. A valid stack stays as it is. Refused (invalid_input, naming section and contour)
+/// where that needs a larger distance; sections with coordinates from kLargestRepairCoordinate on
+/// are only validated. Takes O(n log n + k) for k pairs of edges whose extents in x overlap.
+[[nodiscard]] Result<Repaired> repair(const SectionStack& stack, const RepairOptions& options = {});
+
+/// Distances between points below this neither overflow nor lose their square.
+inline constexpr double kLargestRepairCoordinate = 0x1p500;
 
 /// A vertex that snapping moved, and whereto.
 struct MovedVertex {

@@ -59,7 +59,7 @@ std::string to_json(const CheckReport& report, const StackInput& input, const Co
   json.member("overshoot", report.overshoot);
   json.member("smallest_dihedral_degrees", report.smallest_dihedral_degrees);
   json.member("largest_split_ulps", report.largest_split_ulps);
-  if (input.snapped) write_snap(json, *input.snapped);
+  write_preparation(json, input);
   write_warnings(json, console.warnings());
   json.end_object();
   return json.text();
@@ -78,7 +78,7 @@ std::string genus_text(const std::vector<long>& genus) {
 
 std::string to_text(const CheckReport& report, const StackInput& input) {
   std::string text;
-  if (input.snapped) text += describe_snap(*input.snapped);
+  text += describe_preparation(input);
   for (const GuaranteeVerdict& verdict : report.guarantees) {
     text += std::to_string(verdict.number) + ' ' + verdict.name + ": " +
             (verdict.pass ? "PASS" : "FAIL") + '\n';
@@ -111,12 +111,12 @@ Result<int> run(const Arguments& arguments, Console& console) {
   auto correspondence = correspondence_options(arguments, console);
   if (!correspondence) return correspondence.error();
   options.correspondence = *std::move(correspondence);
-  const auto snap = snap_bits(arguments);
-  if (!snap) return snap.error();
+  const auto prepared = preparation(arguments);
+  if (!prepared) return prepared.error();
 
   const Result<Model> model = read_vtu(arguments.operand(0));
   if (!model) return model.error();
-  const auto input = read_stack_input(arguments.operand(1), *snap, console);
+  const auto input = read_stack_input(arguments.operand(1), *prepared, console);
   if (!input) return input.error();
   auto labels = read_label_option(arguments, input->stack);
   if (!labels) return labels.error();

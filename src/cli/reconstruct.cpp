@@ -46,7 +46,7 @@ struct Request {
   std::string output;
   std::optional<std::string> surface;
   ReconstructOptions options;
-  std::optional<int> snap;
+  Preparation preparation;
   bool verify = false;
   Encoding encoding = Encoding::binary;
 };
@@ -71,9 +71,9 @@ Result<Request> request_of(const Arguments& arguments, Console& console) {
   const auto correspondence = correspondence_options(arguments, console);
   if (!correspondence) return correspondence.error();
   request.options.correspondence = *correspondence;
-  const auto snap = snap_bits(arguments);
-  if (!snap) return snap.error();
-  request.snap = *snap;
+  const auto prepared = preparation(arguments);
+  if (!prepared) return prepared.error();
+  request.preparation = *prepared;
   if (const auto ends = arguments.text("--ends")) {
     if (*ends != "flat" && *ends != "half") {
       return usage_error("option --ends: " + io::in_quotes(*ends) + " is neither flat nor half");
@@ -174,7 +174,7 @@ std::string to_json(const Reconstruction& result, const StackInput& input, const
   json.member("write", seconds.write);
   json.member("total", seconds.total);
   json.end_object();
-  if (input.snapped) write_snap(json, *input.snapped);
+  write_preparation(json, input);
   write_warnings(json, console.warnings());
   json.end_object();
   return json.text();
@@ -184,7 +184,7 @@ std::string to_text(const Reconstruction& result, const StackInput& input, const
                     const Request& request) {
   const ReconstructReport& report = result.report;
   std::string text;
-  if (input.snapped) text += describe_snap(*input.snapped);
+  text += describe_preparation(input);
   text += counted(report.slices, "section") + ", " + counted(report.contours, "contour") + ", " +
           std::to_string(report.input_vertices) + " input vertices and " +
           std::to_string(report.split_vertices) + " inserted on contours\n";
@@ -221,7 +221,7 @@ Result<int> run(const Arguments& arguments, Console& console) {
   if (!request) return request.error();
   Seconds seconds;
   Stopwatch reading;
-  const auto input = read_stack_input(request->input, request->snap, console);
+  const auto input = read_stack_input(request->input, request->preparation, console);
   if (!input) return input.error();
   auto labels = read_label_option(arguments, input->stack);
   if (!labels) return labels.error();

@@ -15,6 +15,11 @@ std::vector<Option> stack_options() {
       {"--overlap", "TAU",
        "overlap unites two regions above this ratio of areas, from 0 to below 1 (default 0.02)"},
       {"--labels", "FILE", "lines \"section contour label\", zero-based, # comments"},
+      {"--repair", "",
+       "first mend contours that cross or touch, spikes and contours without area: the points of "
+       "odd crossing number stay the region; every change is told"},
+      {"--repair-distance", "D",
+       "how far --repair may move the boundary (default 2^-20 of the largest coordinate)"},
       {"--snap", "BITS",
        "first round x and y to a lattice of 2^-BITS (1 to 50) of the largest coordinate"},
   };
@@ -44,10 +49,23 @@ Result<CorrespondenceOptions> correspondence_options(const Arguments& arguments,
   return options;
 }
 
-Result<std::optional<int>> snap_bits(const Arguments& arguments) {
+Result<Preparation> preparation(const Arguments& arguments) {
+  Preparation result;
   const auto bits = arguments.integer("--snap", 1, 50);
   if (!bits) return bits.error();
-  return bits->has_value() ? std::optional(static_cast<int>(**bits)) : std::nullopt;
+  if (bits->has_value()) result.snap = static_cast<int>(**bits);
+  const auto distance = arguments.number("--repair-distance");
+  if (!distance) return distance.error();
+  if (arguments.has("--repair")) result.repair = RepairOptions{};
+  if (distance->has_value()) {
+    if (!result.repair) return usage_error("option --repair-distance needs --repair");
+    if (!(**distance > 0)) {
+      return usage_error("option --repair-distance: " +
+                         io::in_quotes(*arguments.text("--repair-distance")) + " is not above 0");
+    }
+    result.repair->distance = **distance;
+  }
+  return result;
 }
 
 namespace {
@@ -69,14 +87,48 @@ SnapReport report_of(const Snapped& snapped, std::size_t vertices_before) {
 
 }  // namespace
 
-Result<StackInput> read_stack_input(const std::string& path, std::optional<int> snap,
-                                    Console& console) {
-  Result<ReadStack> read = read_cnt(path);
-  if (!read) return read.error();
-  for (const Warning& warning : read->warnings) console.warn(warning);
-  StackInput input{std::move(read->stack), {}};
-  if (!snap) return input;
+namespace {
 
+// Where in the file a contour begins, or its section's first one.
+void locate(Place& where, const std::string& path, const ReadStack& read) {
+  where.file = path;
+  if (!where.section || !where.contour || *where.section >= read.lines.size()) return;
+  const auto& lines = read.lines[SectionId(*where.section)];
+  if (*where.contour < lines.size()) where.line = lines[ContourId(*where.contour)];
+}
+
+Result<StackInput> read_and_repair(const std::string& path,
+                                   const std::optional<RepairOptions>& options, Console& console) {
+  Result<ReadStack> read = read_cnt(path, options ? Validity::unchecked : Validity::required);
+  if (!read) {
+    Error error = read.error();
+    if (error.where.contour) error.message += " (--repair may mend it)";
+    return error;
+  }
+  for (const Warning& warning : read->warnings) console.warn(warning);
+  if (!options) return StackInput{std::move(read->stack), {}, {}};
+  Result<Repaired> repaired = repair(read->stack, *options);
+  if (!repaired) {
+    Error error = repaired.error();
+    locate(error.where, path, *read);
+    return error;
+  }
+  for (Warning& change : repaired->changes) {
+    locate(change.where, path, *read);
+    console.warn({"repaired: " + change.message, change.where});
+  }
+  return StackInput{
+      std::move(repaired->stack), RepairReport{repaired->changes.size(), repaired->moved}, {}};
+}
+
+}  // namespace
+
+Result<StackInput> read_stack_input(const std::string& path, const Preparation& preparation,
+                                    Console& console) {
+  Result<StackInput> read = read_and_repair(path, preparation.repair, console);
+  if (!read || !preparation.snap) return read;
+  StackInput input = std::move(read.value());
+  const std::optional<int>& snap = preparation.snap;
   Result<Snapped> snapped = tetloft::snap(input.stack, *snap);
   if (!snapped) {
     Error error = snapped.error();
@@ -112,6 +164,8 @@ Result<std::vector<Label>> read_label_option(const Arguments& arguments,
   }
   return labels;
 }
+
+namespace {
 
 void write_snap(JsonWriter& json, const SnapReport& report) {
   json.key("snap");
@@ -163,6 +217,29 @@ std::string describe_snap(const SnapReport& report) {
     text += "  and ";
     text += std::to_string(report.moved - report.first.size()) + " more\n";
   }
+  return text;
+}
+
+}  // namespace
+
+void write_preparation(JsonWriter& json, const StackInput& input) {
+  if (input.repaired) {
+    json.key("repair");
+    json.begin_object();
+    json.member("changes", input.repaired->changes);
+    json.member("moved", input.repaired->moved);
+    json.end_object();
+  }
+  if (input.snapped) write_snap(json, *input.snapped);
+}
+
+std::string describe_preparation(const StackInput& input) {
+  std::string text;
+  if (input.repaired) {
+    text += "repaired: " + counted(input.repaired->changes, "change") + ", the boundary moved by " +
+            readable(input.repaired->moved) + " at most\n";
+  }
+  if (input.snapped) text += describe_snap(*input.snapped);
   return text;
 }
 

@@ -13,7 +13,7 @@
 
 namespace tetloft::cli {
 
-/// --correspondence, --overlap, --labels, --snap.
+/// --correspondence, --overlap, --labels, --repair, --repair-distance, --snap.
 [[nodiscard]] std::vector<Option> stack_options();
 
 struct SnapReport {
@@ -25,27 +25,39 @@ struct SnapReport {
   std::vector<MovedVertex> first;  ///< a few, for people
 };
 
+struct RepairReport {
+  std::size_t changes = 0;  ///< each told as a warning
+  double moved = 0;         ///< how far the boundary moved at most
+};
+
+/// What is done to a stack before it is worked on: repaired, then snapped.
+struct Preparation {
+  std::optional<RepairOptions> repair;
+  std::optional<int> snap;  ///< bits
+};
+
 struct StackInput {
-  SectionStack stack;  ///< as it is worked on: snapped if asked for
+  SectionStack stack;  ///< as it is worked on
+  std::optional<RepairReport> repaired;
   std::optional<SnapReport> snapped;
 };
 
 /// Checks the options' values without touching a file. `labels` stay empty.
 [[nodiscard]] Result<CorrespondenceOptions> correspondence_options(const Arguments& arguments,
                                                                    Console& console);
-/// --snap as given: 1 to 50 bits.
-[[nodiscard]] Result<std::optional<int>> snap_bits(const Arguments& arguments);
+/// --repair, --repair-distance and --snap as given.
+[[nodiscard]] Result<Preparation> preparation(const Arguments& arguments);
 
-/// Reads and snaps the stack; warnings go to the console.
-[[nodiscard]] Result<StackInput> read_stack_input(const std::string& path, std::optional<int> snap,
-                                                  Console& console);
+/// Reads and prepares the stack; warnings go to the console.
+[[nodiscard]] Result<StackInput> read_stack_input(const std::string& path,
+                                                  const Preparation& preparation, Console& console);
 /// Reads --labels; each must name a contour of `stack`.
 [[nodiscard]] Result<std::vector<Label>> read_label_option(const Arguments& arguments,
                                                            const SectionStack& stack);
 
-/// A member "snap".
-void write_snap(JsonWriter& json, const SnapReport& report);
+/// Members "repair" and "snap", where that was done.
+void write_preparation(JsonWriter& json, const StackInput& input);
 /// The same as lines of text.
-[[nodiscard]] std::string describe_snap(const SnapReport& report);
+[[nodiscard]] std::string describe_preparation(const StackInput& input);
 
 }  // namespace tetloft::cli

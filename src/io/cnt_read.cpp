@@ -27,12 +27,13 @@ class CntReader {
  public:
   CntReader(std::string_view text, const std::string& name) : cursor_(text), name_(name) {}
 
-  Result<ReadStack> read() {
+  Result<ReadStack> read(Validity validity) {
     if (Result<void> parsed = read_sections(); !parsed) return parsed.error();
     for (Warning& warning : mend(result_.stack)) {
       locate(warning.where);
       result_.warnings.push_back(std::move(warning));
     }
+    if (validity == Validity::unchecked) return std::move(result_);
     if (Result<void> valid = validate(result_.stack); !valid) {
       Error error = valid.error();
       locate(error.where);
@@ -200,15 +201,15 @@ class CntReader {
 
 }  // namespace
 
-Result<ReadStack> parse_cnt(std::string_view text, const std::string& name) {
-  return guard_internal([&] { return CntReader(text, name).read(); });
+Result<ReadStack> parse_cnt(std::string_view text, const std::string& name, Validity validity) {
+  return guard_internal([&] { return CntReader(text, name).read(validity); });
 }
 
-Result<ReadStack> read_cnt(const std::string& path) {
+Result<ReadStack> read_cnt(const std::string& path, Validity validity) {
   return guard_internal([&]() -> Result<ReadStack> {
     const Result<std::string> text = io::read_file(path);
     if (!text) return text.error();
-    return CntReader(*text, path).read();
+    return CntReader(*text, path).read(validity);
   });
 }
 

@@ -112,6 +112,28 @@ TEST_F(ReconstructCommand, WarnsWhereStlIsTooCoarse) {
   EXPECT_NE(made.err.find("float32"), std::string::npos);
 }
 
+TEST_F(ReconstructCommand, RepairsWhereAskedTo) {
+  test::put(in_, test::kBowtie);
+  const Outcome refused = run({"reconstruct", in_, "-o", out_});
+  EXPECT_EQ(refused.code, 3);
+  EXPECT_NE(refused.err.find("--repair may mend it"), std::string::npos) << refused.err;
+  const Outcome made = run({"reconstruct", in_, "-o", out_, "--repair"});
+  EXPECT_EQ(made.code, 0) << made.err;
+  EXPECT_NE(made.err.find(in_ + ":3: section 0, contour 0 (5, 5, 0): repaired: crossing"),
+            std::string::npos)
+      << made.err;
+  const JsonValue json = run_json({"reconstruct", in_, "-o", out_, "--repair"});
+  EXPECT_EQ(json.at("repair").at("changes").number, 2);
+  EXPECT_EQ(json.at("warnings").array.size(), 2U);
+  EXPECT_EQ(run({"check", out_, in_, "--repair"}).code, 0);
+  EXPECT_EQ(run({"check", out_, in_}).code, 3);
+  expect_failure({"reconstruct", in_, "-o", out_ + "2.vtu", "--repair-distance", "1"}, 2, "usage",
+                 "--repair");
+  expect_failure(
+      {"reconstruct", in_, "-o", out_ + "2.vtu", "--repair", "--repair-distance", "1e-300"}, 3,
+      "invalid_input", "cannot be repaired");
+}
+
 TEST_F(ReconstructCommand, WarnsOfMendedSlips) {
   test::put(in_, "S 3\nv 4 z 0\n{ 0 0 2 0 2 2 0 2 0 0 }\nv 4 z 1\n{ 0 0 2 0 2 2 0 2 }\n");
   const Outcome made = run({"reconstruct", in_, "-o", out_});

@@ -1,4 +1,5 @@
 // Stacks of shapes that overlap in awkward ways: stars, combs, horseshoes, bars, drift.
+#include <algorithm>
 #include <cmath>
 
 #include "support/stacks/kinds.hpp"
@@ -114,7 +115,9 @@ SectionStack draft_large_contours(Prng& prng) {
     if (prng.chance(0.5)) {
       layer.push_back(regular_polygon(centre, 1, n, 0));
     } else {
-      layer.push_back(blob(prng, centre, 0.9, 1.1, n));
+      // Not so jagged that conforming splits every edge a hundred times.
+      const double stray = std::min(0.1, 6 / static_cast<double>(n));
+      layer.push_back(blob(prng, centre, 1 - stray, 1 + stray, n));
     }
     if (prng.chance(0.3)) layer.push_back(regular_polygon(centre, 0.5, n, 0));
   }
