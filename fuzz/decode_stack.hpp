@@ -14,7 +14,7 @@ struct DecodedStack {
   [[nodiscard]] bool is_labelled() const { return !options.correspondence.labels.empty(); }
 };
 
-/// One to four sections of up to four contours, vertices on a grid of 16 × 16 in steps of one
+/// One to four sections of up to seven contours, vertices on a grid of 16 × 16 in steps of one
 /// byte each. A contour's first byte is its number of vertices, or names a rectangle, of which
 /// two bytes tell opposite corners: else few random contours would be simple.
 inline DecodedStack decode_stack(Bytes& bytes) {

@@ -18,9 +18,10 @@ void Assembly::add(std::size_t place, Part part) {
   const std::scoped_lock lock(mutex_);
   waiting_.emplace(place, std::move(part));
   const auto start = std::chrono::steady_clock::now();
-  for (auto first = waiting_.begin(); first != waiting_.end() && first->first == next_; ++next_) {
-    glue(first->second);
-    first = waiting_.erase(first);
+  while (!waiting_.empty() && waiting_.begin()->first == next_) {
+    glue(waiting_.begin()->second);
+    waiting_.erase(waiting_.begin());
+    ++next_;
   }
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   tally_.seconds[static_cast<std::size_t>(Step::assembly)] += taken.count();

@@ -5,6 +5,7 @@
 // glue to a disc or sphere.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <map>
 #include <mutex>

@@ -1,9 +1,9 @@
 // Repair: the region of odd crossing number of contours that are not simple or touch, as
 // contours that are and do not.
 //
-// Of each section the contours that have a contact are taken apart into edges. Edges are split
-// where they meet (rounded once, then input) until none meet but at ends; edges that lie on each
-// other cancel in pairs. What is left has even degree everywhere and is the boundary of the region.
+// Of each section the contours that have a contact are taken apart into their arrangement, with
+// pieces that lie on each other cancelled in pairs. What is left has even degree everywhere and is
+// the boundary of the region.
 // At a vertex of degree four or more the boundary would touch itself: pieces of the region are
 // parted there, by cutting off corners.
 #include <algorithm>
@@ -11,7 +11,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -20,92 +19,32 @@
 #include <tetloft/sections.hpp>
 
 #include "core/check.hpp"
+#include "sections/arrangement.hpp"
+#include "sections/segments.hpp"
 
 namespace tetloft {
 
 namespace {
 
-using NodeId = Id<struct RepairNodeTag>;
-
-// An edge of a contour, or a piece of one.
-struct Piece {
-  NodeId a;
-  NodeId b;
-  ContourId contour;
-};
-
-bool boxes_meet(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
-  return std::max(a.x, b.x) >= std::min(c.x, d.x) && std::max(c.x, d.x) >= std::min(a.x, b.x) &&
-         std::max(a.y, b.y) >= std::min(c.y, d.y) && std::max(c.y, d.y) >= std::min(a.y, b.y);
-}
-
-// Is p on the edge, but not at its ends?
-bool lies_inside(const Point2& p, const Point2& a, const Point2& b) {
-  return p != a && p != b && boxes_meet(p, p, a, b) && orient2d(a, b, p) == Sign::zero;
-}
-
-bool cross(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
-  const Sign ca = orient2d(c, d, a);
-  const Sign cb = orient2d(c, d, b);
-  const Sign ac = orient2d(a, b, c);
-  const Sign ad = orient2d(a, b, d);
-  return ca != Sign::zero && ca == -cb && ac != Sign::zero && ac == -ad;
-}
-
-// Calls pair(i, j), i < j, for edges whose boxes meet; `edge` gives ends.
-template <class Edge, class Pair>
-void for_each_near_pair(std::size_t n, const Edge& edge, const Pair& pair) {
-  std::vector<std::size_t> order(n);
-  for (std::size_t i = 0; i < n; ++i) order[i] = i;
-  const auto low = [&](std::size_t i) { return std::min(edge(i)[0].x, edge(i)[1].x); };
-  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
-    return low(i) != low(j) ? low(i) < low(j) : i < j;
-  });
-  std::vector<std::size_t> active;
-  for (const std::size_t i : order) {
-    const std::array<Point2, 2> e = edge(i);
-    std::erase_if(active,
-                  [&](std::size_t j) { return std::max(edge(j)[0].x, edge(j)[1].x) < low(i); });
-    for (const std::size_t j : active) {
-      const std::array<Point2, 2> f = edge(j);
-      if (boxes_meet(e[0], e[1], f[0], f[1])) pair(std::min(i, j), std::max(i, j));
-    }
-    active.push_back(i);
-  }
-}
-
-double distance_to_line(const Point2& p, const Point2& a, const Point2& b) {
-  const double dx = b.x - a.x;
-  const double dy = b.y - a.y;
-  return std::abs(dx * (p.y - a.y) - dy * (p.x - a.x)) / std::hypot(dx, dy);
-}
-
-// Where two edges cross, rounded; within the boxes of both.
-Point2 crossing(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
-  const double dx = d.x - c.x;
-  const double dy = d.y - c.y;
-  const double from_a = dx * (a.y - c.y) - dy * (a.x - c.x);
-  const double from_b = dx * (b.y - c.y) - dy * (b.x - c.x);
-  double t = from_a / (from_a - from_b);
-  if (!(t >= 0 && t <= 1)) t = 0.5;  // over- or underflow
-  Point2 p{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
-  for (const auto& [q, r] : {std::pair{a, b}, std::pair{c, d}}) {
-    p.x = std::clamp(p.x, std::min(q.x, r.x), std::max(q.x, r.x));
-    p.y = std::clamp(p.y, std::min(q.y, r.y), std::max(q.y, r.y));
-  }
-  return p;
-}
+using sections::Arrangement;
+using sections::ArrangementPiece;
+using sections::NodeId;
 
 class SectionRepair {
  public:
   SectionRepair(const Section& section, std::size_t number, double distance)
-      : section_(section), number_(number), distance_(distance) {}
+      : section_(section), number_(number), distance_(distance), arrangement_(distance / 32) {}
 
   Result<Section> run() {
     find_dirty();
     if (std::find(dirty_.begin(), dirty_.end(), true) == dirty_.end()) return section_;
-    collect_pieces();
-    if (!split_until_apart()) return refusal("splitting its edges where they meet does not end");
+    for_each_edge(true, [&](const Point2& a, const Point2& b, ContourId contour) {
+      arrangement_.add_edge(a, b, contour);
+    });
+    const bool settled = arrangement_.settle();
+    tell_events();
+    if (!settled) return refusal("splitting its edges where they meet does not end");
+    moved_ = arrangement_.moved();
     if (moved_ > distance_) {
       return refusal("a crossing would move by more than the distance allowed");
     }
@@ -136,10 +75,7 @@ class SectionRepair {
     std::vector<bool> cut;             // cut[k]: the corner of pieces[k] and its partner
   };
 
-  [[nodiscard]] const Point2& at(NodeId n) const { return nodes_[n]; }
-  [[nodiscard]] std::array<Point2, 2> ends(const Piece& piece) const {
-    return {at(piece.a), at(piece.b)};
-  }
+  [[nodiscard]] const Point2& at(NodeId n) const { return arrangement_.at(n); }
 
   Error refusal(const std::string& why) const {
     Error error{ErrorCode::invalid_input, "cannot be repaired: " + why, {}};
@@ -177,15 +113,16 @@ class SectionRepair {
       const auto& v = section_.contours[edges[i].contour].vertices;
       return std::array<Point2, 2>{v[edges[i].place], v[(edges[i].place + 1) % v.size()]};
     };
-    for_each_near_pair(edges.size(), edge, [&](std::size_t i, std::size_t j) {
+    sections::for_each_near_pair(edges.size(), edge, [&](std::size_t i, std::size_t j) {
       const auto [a, b] = edge(i);
       const auto [c, d] = edge(j);
       const std::size_t n = section_.contours[edges[i].contour].vertices.size();
       const bool same = edges[i].contour == edges[j].contour;
       const bool consecutive = same && (edges[i].place + 1 == edges[j].place ||
                                         (edges[i].place == 0 && edges[j].place + 1 == n));
-      const bool touch = lies_inside(a, c, d) || lies_inside(b, c, d) || lies_inside(c, a, b) ||
-                         lies_inside(d, a, b) || cross(a, b, c, d);
+      const bool touch = sections::in_segment(c, d, a) || sections::in_segment(c, d, b) ||
+                         sections::in_segment(a, b, c) || sections::in_segment(a, b, d) ||
+                         sections::cross(a, b, c, d);
       const bool share = a == c || a == d || b == c || b == d;
       if (!touch && (!share || (consecutive && !(a == c && b == d) && !(a == d && b == c)))) return;
       dirty_[edges[i].contour.index()] = true;
@@ -193,125 +130,24 @@ class SectionRepair {
     });
   }
 
-  NodeId node(const Point2& p) {
-    const auto [place, is_new] = node_of_.try_emplace({p.x, p.y}, nodes_.end_id());
-    if (is_new) nodes_.push_back(p);
-    return place->second;
-  }
-
-  // What lies nearer than a small part of the distance is taken to meet, so that three edges
-  // through nearly one point, say, do not leave a triangle a few ulps wide.
-  [[nodiscard]] double radius() const { return distance_ / 32; }
-
-  [[nodiscard]] bool lies_on(const Point2& p, const Point2& a, const Point2& b) const {
-    if (lies_inside(p, a, b)) return true;
-    const double dx = b.x - a.x;
-    const double dy = b.y - a.y;
-    const double along = (p.x - a.x) * dx + (p.y - a.y) * dy;
-    return along > 0 && along < dx * dx + dy * dy && distance_to_line(p, a, b) <= radius();
-  }
-
-  // A node for a crossing: the nearest that there is within the radius, or a new one.
-  NodeId node_near(const Point2& p) {
-    const double radius = this->radius();
-    NodeId nearest;
-    double least = radius;
-    for (auto i = node_of_.lower_bound({p.x - radius, -INFINITY});
-         i != node_of_.end() && i->first.first <= p.x + radius; ++i) {
-      const double d = std::hypot(i->first.first - p.x, i->first.second - p.y);
-      if (d > least) continue;
-      least = d;
-      nearest = i->second;
-    }
-    return nearest.valid() ? nearest : node(p);
-  }
-
-  void collect_pieces() {
+  // Calls edge(a, b, contour) for the contours that are dirty, or for the others.
+  template <class Edge>
+  void for_each_edge(bool dirty, const Edge& edge) const {
     for (std::size_t c = 0; c < section_.contours.size(); ++c) {
-      if (!dirty_[c]) continue;
+      if (dirty_[c] != dirty) continue;
       const auto& v = section_.contours[ContourId(c)].vertices;
       for (std::size_t k = 0; k < v.size(); ++k) {
-        pieces_.push_back({node(v[k]), node(v[(k + 1) % v.size()]), ContourId(c)});
+        edge(v[k], v[(k + 1) % v.size()], ContourId(c));
       }
     }
-    cancel_pairs();
   }
 
-  // Of equal pieces, two take nothing away from the region.
-  void cancel_pairs() {
-    const auto key = [](const Piece& p) { return std::minmax(p.a, p.b); };
-    std::stable_sort(pieces_.begin(), pieces_.end(),
-                     [&](const Piece& p, const Piece& q) { return key(p) < key(q); });
-    std::vector<Piece> kept;
-    for (std::size_t i = 0; i < pieces_.size(); ++i) {
-      if (pieces_[i].a == pieces_[i].b) continue;
-      if (i + 1 < pieces_.size() && key(pieces_[i]) == key(pieces_[i + 1])) {
-        tell("pieces of edges that lie on each other removed", pieces_[i].contour,
-             at(pieces_[i].a));
-        ++i;
-        continue;
-      }
-      kept.push_back(pieces_[i]);
+  void tell_events() {
+    for (const sections::ArrangementEvent& event : arrangement_.events()) {
+      const bool crossing = event.kind == sections::ArrangementEvent::Kind::crossing;
+      tell(crossing ? "crossing resolved" : "pieces of edges that lie on each other removed",
+           event.contour, event.at);
     }
-    pieces_ = std::move(kept);
-  }
-
-  // Splits pieces where they meet, round by round, until they meet at ends only. Rounding may
-  // make new contacts, which the next round finds.
-  bool split_until_apart() {
-    constexpr int kRounds = 50;
-    for (int round = 0; round < kRounds; ++round) {
-      std::vector<std::vector<NodeId>> splits(pieces_.size());
-      bool any = false;
-      double moved = 0;  // in this round
-      const auto split = [&](std::size_t i, NodeId n) {
-        if (n == pieces_[i].a || n == pieces_[i].b) return;
-        splits[i].push_back(n);
-        moved = std::max(moved, distance_to_line(at(n), at(pieces_[i].a), at(pieces_[i].b)));
-        any = true;
-      };
-      const auto edge = [&](std::size_t i) { return ends(pieces_[i]); };
-      for_each_near_pair(pieces_.size(), edge, [&](std::size_t i, std::size_t j) {
-        const auto [a, b] = edge(i);
-        const auto [c, d] = edge(j);
-        if (lies_on(a, c, d)) split(j, pieces_[i].a);
-        if (lies_on(b, c, d)) split(j, pieces_[i].b);
-        if (lies_on(c, a, b)) split(i, pieces_[j].a);
-        if (lies_on(d, a, b)) split(i, pieces_[j].b);
-        if (!cross(a, b, c, d)) return;
-        const NodeId n = node_near(crossing(a, b, c, d));
-        split(i, n);
-        split(j, n);
-        tell("crossing resolved", pieces_[i].contour, at(n));
-      });
-      if (!any) return true;
-      moved_ += moved;
-      apply(splits);
-      cancel_pairs();
-    }
-    return false;
-  }
-
-  void apply(std::vector<std::vector<NodeId>>& splits) {
-    std::vector<Piece> result;
-    for (std::size_t i = 0; i < pieces_.size(); ++i) {
-      const Piece& piece = pieces_[i];
-      const auto [a, b] = ends(piece);
-      const auto along = [&, a = a, b = b](NodeId n) {
-        return (at(n).x - a.x) * (b.x - a.x) + (at(n).y - a.y) * (b.y - a.y);
-      };
-      std::sort(splits[i].begin(), splits[i].end(), [&](NodeId m, NodeId n) {
-        return along(m) != along(n) ? along(m) < along(n) : m < n;
-      });
-      splits[i].erase(std::unique(splits[i].begin(), splits[i].end()), splits[i].end());
-      NodeId from = piece.a;
-      for (const NodeId n : splits[i]) {
-        result.push_back({from, n, piece.contour});
-        from = n;
-      }
-      result.push_back({from, piece.b, piece.contour});
-    }
-    pieces_ = std::move(result);
   }
 
   [[nodiscard]] NodeId other_end(std::size_t piece, NodeId n) const {
@@ -321,14 +157,16 @@ class SectionRepair {
   // The pieces at each node, and how the boundary goes on there.
   void connect() {
     // Input order, not that of cancelling, decides where contours begin.
-    std::stable_sort(pieces_.begin(), pieces_.end(),
-                     [](const Piece& p, const Piece& q) { return p.contour < q.contour; });
-    edges_at_.resize(nodes_.size());
+    pieces_ = arrangement_.pieces();
+    std::stable_sort(
+        pieces_.begin(), pieces_.end(),
+        [](const ArrangementPiece& p, const ArrangementPiece& q) { return p.contour < q.contour; });
+    edges_at_.resize(arrangement_.node_count());
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
       edges_at_[pieces_[i].a].pieces.push_back(i);
       edges_at_[pieces_[i].b].pieces.push_back(i);
     }
-    for (std::size_t k = 0; k < nodes_.size(); ++k) {
+    for (std::size_t k = 0; k < arrangement_.node_count(); ++k) {
       const NodeId n(k);
       NodeEdges& here = edges_at_[n];
       const std::size_t m = here.pieces.size();
@@ -386,12 +224,8 @@ class SectionRepair {
       if (!(low.y <= p.y && p.y < high.y) || low == p || high == p) return;
       if (orient2d(low, high, p) == Sign::negative) inside = !inside;
     };
-    for (const Piece& piece : pieces_) count(at(piece.a), at(piece.b));
-    for (std::size_t c = 0; c < section_.contours.size(); ++c) {
-      if (dirty_[c]) continue;
-      const auto& v = section_.contours[ContourId(c)].vertices;
-      for (std::size_t k = 0; k < v.size(); ++k) count(v[k], v[(k + 1) % v.size()]);
-    }
+    for (const ArrangementPiece& piece : pieces_) count(at(piece.a), at(piece.b));
+    for_each_edge(false, [&](const Point2& a, const Point2& b, ContourId) { count(a, b); });
     return inside;
   }
 
@@ -455,9 +289,8 @@ class SectionRepair {
   double distance_;
   double moved_ = 0;
   std::vector<bool> dirty_;  // by contour
-  IdVector<NodeId, Point2> nodes_;
-  std::map<std::pair<double, double>, NodeId> node_of_;
-  std::vector<Piece> pieces_;
+  Arrangement arrangement_;
+  std::vector<ArrangementPiece> pieces_;
   IdVector<NodeId, NodeEdges> edges_at_;
   std::vector<NodeId> touching_;
   std::vector<Warning> changes_;

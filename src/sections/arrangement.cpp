@@ -1,0 +1,153 @@
+#include "sections/arrangement.hpp"
+
+#include <cmath>
+
+#include "sections/segments.hpp"
+
+namespace tetloft::sections {
+
+namespace {
+
+double distance_to_line(const Point2& p, const Point2& a, const Point2& b) {
+  const double dx = b.x - a.x;
+  const double dy = b.y - a.y;
+  return std::abs(dx * (p.y - a.y) - dy * (p.x - a.x)) / std::hypot(dx, dy);
+}
+
+// Where two edges cross, rounded; within the boxes of both.
+Point2 crossing(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
+  const double dx = d.x - c.x;
+  const double dy = d.y - c.y;
+  const double from_a = dx * (a.y - c.y) - dy * (a.x - c.x);
+  const double from_b = dx * (b.y - c.y) - dy * (b.x - c.x);
+  double t = from_a / (from_a - from_b);
+  if (!(t >= 0 && t <= 1)) t = 0.5;  // over- or underflow
+  Point2 p{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
+  for (const auto& [q, r] : {std::pair{a, b}, std::pair{c, d}}) {
+    p.x = std::clamp(p.x, std::min(q.x, r.x), std::max(q.x, r.x));
+    p.y = std::clamp(p.y, std::min(q.y, r.y), std::max(q.y, r.y));
+  }
+  return p;
+}
+
+}  // namespace
+
+void Arrangement::add_edge(const Point2& a, const Point2& b, ContourId contour) {
+  pieces_.push_back({node(a), node(b), contour});
+}
+
+bool Arrangement::settle() {
+  constexpr int kRounds = 50;
+  cancel_pairs();
+  for (int round = 0; round < kRounds; ++round) {
+    if (!split_once()) return true;
+    cancel_pairs();
+  }
+  return false;
+}
+
+NodeId Arrangement::node(const Point2& p) {
+  const auto [place, is_new] = node_of_.try_emplace({p.x, p.y}, nodes_.end_id());
+  if (is_new) nodes_.push_back(p);
+  return place->second;
+}
+
+bool Arrangement::lies_on(const Point2& p, const Point2& a, const Point2& b) const {
+  if (in_segment(a, b, p)) return true;
+  const double dx = b.x - a.x;
+  const double dy = b.y - a.y;
+  const double along = (p.x - a.x) * dx + (p.y - a.y) * dy;
+  return along > 0 && along < dx * dx + dy * dy && distance_to_line(p, a, b) <= radius_;
+}
+
+// A node for a crossing: the nearest that there is within the radius, or a new one.
+NodeId Arrangement::node_near(const Point2& p) {
+  NodeId nearest;
+  double least = radius_;
+  for (auto i = node_of_.lower_bound({p.x - radius_, -INFINITY});
+       i != node_of_.end() && i->first.first <= p.x + radius_; ++i) {
+    const double d = std::hypot(i->first.first - p.x, i->first.second - p.y);
+    if (d > least) continue;
+    least = d;
+    nearest = i->second;
+  }
+  return nearest.valid() ? nearest : node(p);
+}
+
+// Of equal pieces, two take nothing away from the region.
+void Arrangement::cancel_pairs() {
+  const auto key = [](const ArrangementPiece& p) { return std::minmax(p.a, p.b); };
+  std::stable_sort(
+      pieces_.begin(), pieces_.end(),
+      [&](const ArrangementPiece& p, const ArrangementPiece& q) { return key(p) < key(q); });
+  std::vector<ArrangementPiece> kept;
+  for (std::size_t i = 0; i < pieces_.size(); ++i) {
+    if (pieces_[i].a == pieces_[i].b) continue;
+    if (i + 1 < pieces_.size() && key(pieces_[i]) == key(pieces_[i + 1])) {
+      events_.push_back({ArrangementEvent::Kind::cancelled, pieces_[i].contour, at(pieces_[i].a)});
+      ++i;
+      continue;
+    }
+    kept.push_back(pieces_[i]);
+  }
+  pieces_ = std::move(kept);
+}
+
+// One round; false where no two pieces meet but at ends. Rounding may make new contacts, which
+// the next round finds.
+bool Arrangement::split_once() {
+  std::vector<std::vector<NodeId>> splits(pieces_.size());
+  bool any = false;
+  double moved = 0;
+  const auto split = [&](std::size_t i, NodeId n) {
+    if (n == pieces_[i].a || n == pieces_[i].b) return;
+    splits[i].push_back(n);
+    moved = std::max(moved, distance_to_line(at(n), at(pieces_[i].a), at(pieces_[i].b)));
+    any = true;
+  };
+  const auto edge = [&](std::size_t i) {
+    return std::array<Point2, 2>{at(pieces_[i].a), at(pieces_[i].b)};
+  };
+  for_each_near_pair(pieces_.size(), edge, [&](std::size_t i, std::size_t j) {
+    const auto [a, b] = edge(i);
+    const auto [c, d] = edge(j);
+    if (lies_on(a, c, d)) split(j, pieces_[i].a);
+    if (lies_on(b, c, d)) split(j, pieces_[i].b);
+    if (lies_on(c, a, b)) split(i, pieces_[j].a);
+    if (lies_on(d, a, b)) split(i, pieces_[j].b);
+    if (!cross(a, b, c, d)) return;
+    const NodeId n = node_near(crossing(a, b, c, d));
+    split(i, n);
+    split(j, n);
+    events_.push_back({ArrangementEvent::Kind::crossing, pieces_[i].contour, at(n)});
+  });
+  if (!any) return false;
+  moved_ += moved;
+  apply(splits);
+  return true;
+}
+
+void Arrangement::apply(std::vector<std::vector<NodeId>>& splits) {
+  std::vector<ArrangementPiece> result;
+  for (std::size_t i = 0; i < pieces_.size(); ++i) {
+    const ArrangementPiece& piece = pieces_[i];
+    const Point2 a = at(piece.a);
+    const Point2 b = at(piece.b);
+    const auto along = [&](NodeId n) {
+      return (at(n).x - a.x) * (b.x - a.x) + (at(n).y - a.y) * (b.y - a.y);
+    };
+    std::sort(splits[i].begin(), splits[i].end(), [&](NodeId m, NodeId n) {
+      return along(m) != along(n) ? along(m) < along(n) : m < n;
+    });
+    splits[i].erase(std::unique(splits[i].begin(), splits[i].end()), splits[i].end());
+    NodeId from = piece.a;
+    for (const NodeId n : splits[i]) {
+      result.push_back({from, n, piece.contour});
+      from = n;
+    }
+    result.push_back({from, piece.b, piece.contour});
+  }
+  pieces_ = std::move(result);
+}
+
+}  // namespace tetloft::sections
