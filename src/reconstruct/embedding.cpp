@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include <tetloft/predicates.hpp>
 
 #include "core/check.hpp"
+#include "reconstruct/cut_squeezing.hpp"
 
 namespace tetloft {
 
@@ -128,6 +130,24 @@ void Embedding::place() {
   }
 }
 
+void Embedding::squeeze_bad_cuts() {
+  std::vector<std::size_t> bad;
+  for (std::size_t k = 0; k < truncation_.pieces.size(); ++k) {
+    const Piece& piece = truncation_.pieces[k];
+    if (!is_positive(piece)) bad.push_back(k);
+  }
+  if (bad.empty()) return;
+  squeeze_cuts(
+      points_, first_cut_, classes_, subdivision_, truncation_, bad,
+      {std::nextafter(slab_.lower().z, HUGE_VAL), std::nextafter(slab_.upper().z, -HUGE_VAL)});
+}
+
+bool Embedding::is_positive(const Piece& piece) const {
+  const auto& [a, b, c, d] = piece.node;
+  return orient3d(points_[a.index()], points_[b.index()], points_[c.index()], points_[d.index()]) ==
+         Sign::positive;
+}
+
 void Embedding::blame_node(VertexId node, Blame& blame) const {
   const std::size_t k = node.index();
   if (k < slab_.vertex_count()) return;
@@ -149,12 +169,8 @@ Embedding::Blame Embedding::find_fault() {
     blame_node(VertexId(k), blame);
   }
   for (const Piece& piece : pieces_) {
-    const auto& [a, b, c, d] = piece.node;
-    if (orient3d(points_[a.index()], points_[b.index()], points_[c.index()], points_[d.index()]) ==
-        Sign::positive) {
-      continue;
-    }
-    at_ = points_[a.index()];
+    if (is_positive(piece)) continue;
+    at_ = points_[piece.node[0].index()];
     for (const VertexId v : piece.node) blame_node(v, blame);
   }
   if (!blame.empty()) return blame;
@@ -247,6 +263,7 @@ Embedding::Outcome Embedding::settle() {
       return Outcome::failed;
     }
     place();
+    squeeze_bad_cuts();
     Blame blame = find_fault();
     if (blame.empty()) return Outcome::embedded;
     const Outcome outcome = give_way(std::move(blame));

@@ -19,7 +19,8 @@
 //
 // Where a test fails, the constructed nodes it involves come closer to where they came
 // from: cuts to their kept corner, lifted vertices to their plane, prisms get lower and
-// are replaced by truncated caps at last.
+// are replaced by truncated caps at last. Where a piece is not positive, its cuts
+// are squeezed first (cut_squeezing.hpp).
 #pragma once
 
 #include <cstdint>
@@ -80,8 +81,10 @@ class Embedding {
   void add_prisms();
   void collect_boundary();
   void place();
+  void squeeze_bad_cuts();
   [[nodiscard]] Blame find_fault();
   [[nodiscard]] std::vector<Contact> boundary_contacts();
+  [[nodiscard]] bool is_positive(const Piece& piece) const;
   void blame_node(VertexId node, Blame& blame) const;
   [[nodiscard]] Outcome give_way(Blame blame);
 

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
 #include <tetloft/predicates.hpp>
+
+#include "reconstruct/squeeze.hpp"
 
 namespace tetloft {
 
@@ -81,6 +84,17 @@ void Lifting::place(std::size_t k) {
   points_[slab_.vertex_count() + k] = {base.x + f * (target.x - base.x),
                                        base.y + f * (target.y - base.y),
                                        base.z + f * (target.z - base.z)};
+  if (aim_[k] != Aim::squeezed) return;
+  std::vector<std::array<VertexId, 4>> tets;
+  for (std::uint32_t i = first_child_[k]; i < first_child_[k + 1]; ++i) {
+    tets.push_back(subdivision_.children[child_[i]].node);
+  }
+  const DoubleRange heights{std::nextafter(std::min(base.z, target.z), HUGE_VAL),
+                            std::nextafter(std::max(base.z, target.z), -HUGE_VAL)};
+  const Point3& a = points_[subdivision_.lifted[k].of[0].index()];
+  // Where nothing is found children stay bad, and the next fraction is tried.
+  std::ignore = squeeze(points_, tets, VertexId(slab_.vertex_count() + k), heights,
+                        f * std::hypot(base.x - a.x, base.y - a.y));
 }
 
 bool Lifting::good(std::size_t child) const {
@@ -92,8 +106,9 @@ bool Lifting::good(std::size_t child) const {
   if (orient3d(a, b, c, d) != Sign::positive) return false;
   if (volume6(a, b, c, d) >= kFlat * unlifted_volume_[child]) return true;
   return std::all_of(node.begin(), node.end(), [&](VertexId v) {
-    return v.index() < slab_.vertex_count() ||
-           fraction_[v.index() - slab_.vertex_count()] <= kLowEnough;
+    const std::size_t k = v.index() - slab_.vertex_count();
+    return v.index() < slab_.vertex_count() || fraction_[k] <= kLowEnough ||
+           aim_[k] == Aim::squeezed;
   });
 }
 
@@ -105,9 +120,8 @@ bool Lifting::halve(std::size_t k) {
 
 bool Lifting::lower(std::size_t k, std::uint32_t bad_child) {
   fraction_[k] *= 0.5;
-  const bool exhausted = aim_[k] == Aim::last;
-  if (fraction_[k] < (exhausted ? smallest_[k] : kLowLift)) {
-    if (exhausted) {
+  if (fraction_[k] < (aim_[k] < Aim::ring_again ? kLowLift : smallest_[k])) {
+    if (aim_[k] == Aim::squeezed) {
       at_ = points_[slab_.vertex_count() + k];
       return false;
     }
@@ -137,8 +151,10 @@ void Lifting::aim(std::size_t k, Aim aim, std::uint32_t bad_child) {
   const LiftedVertex& vertex = subdivision_.lifted[k];
   aim_[k] = aim;
   fraction_[k] = std::min(0.5, ceiling_[k]);
+  target_[k] = vertex.target;
   switch (aim) {
-    case Aim::own: {
+    case Aim::own:
+    case Aim::squeezed: {
       if (bad_child == kNone) break;
       Point3 sum{0, 0, vertex.target.z};
       int n = 0;
@@ -152,7 +168,8 @@ void Lifting::aim(std::size_t k, Aim aim, std::uint32_t bad_child) {
       break;
     }
     case Aim::vertical: target_[k] = {vertex.base.x, vertex.base.y, vertex.target.z}; break;
-    default: target_[k] = vertex.target; break;
+    case Aim::ring:
+    case Aim::ring_again: break;
   }
 }
 
@@ -194,6 +211,7 @@ bool Lifting::settle(RuleCounts& rules) {
 // stay good.
 void Lifting::raise() {
   for (std::size_t k = 0; k < fraction_.size(); ++k) {
+    if (aim_[k] == Aim::squeezed) continue;
     while (fraction_[k] < ceiling_[k]) {
       const double before = fraction_[k];
       fraction_[k] = std::min(ceiling_[k], 2 * before);

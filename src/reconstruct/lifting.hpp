@@ -13,6 +13,9 @@
 //             moves inside a tet towards the tet's own corners keeps its children positive
 //             however thin the tet is: a matter of barycentric coordinates
 //   vertical  straight across the gap
+//   ring      again, down to the smallest fraction
+//   squeezed  towards the own target, then to where all children are positive (squeeze.hpp):
+//             for tets thinner than the spacing of doubles
 #pragma once
 
 #include <vector>
@@ -50,7 +53,7 @@ class Lifting {
   [[nodiscard]] const Point3& at() const { return at_; }
 
  private:
-  enum class Aim : std::uint8_t { ring, own, vertical, last };
+  enum class Aim : std::uint8_t { ring, own, vertical, ring_again, squeezed };
 
   void place(std::size_t k);
   [[nodiscard]] bool lower(std::size_t k, std::uint32_t bad_child);
@@ -65,7 +68,7 @@ class Lifting {
   std::vector<double> smallest_;  // the least fraction allowed
   std::vector<double> ceiling_;   // what raise() may go up to
   std::vector<Point3> target_;    // by lifted vertex
-  std::vector<Aim> aim_;          // what the target is; last: ring again, down to the minimum
+  std::vector<Aim> aim_;          // what the target is
   std::vector<Point3> points_;
   std::vector<double> unlifted_volume_;  // by child
   // child_[first_child_[k] … first_child_[k + 1]]: the children at lifted vertex k.

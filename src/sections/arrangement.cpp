@@ -36,14 +36,18 @@ void Arrangement::add_edge(const Point2& a, const Point2& b, ContourId contour) 
   pieces_.push_back({node(a), node(b), contour});
 }
 
-bool Arrangement::settle() {
-  constexpr int kRounds = 50;
+Arrangement::Outcome Arrangement::settle() {
+  constexpr int kRounds = 20;
+  constexpr std::size_t kGrowth = 8;
+  const std::size_t many = 100 + kGrowth * pieces_.size();
   cancel_pairs();
   for (int round = 0; round < kRounds; ++round) {
-    if (!split_once()) return true;
+    if (!split_once()) return Outcome::settled;
+    if (moved_ > most_) return Outcome::moved_too_far;
+    if (pieces_.size() > many) return Outcome::endless;
     cancel_pairs();
   }
-  return false;
+  return Outcome::endless;
 }
 
 NodeId Arrangement::node(const Point2& p) {

@@ -63,14 +63,16 @@ class Arrangement {
  public:
   /// What lies nearer than `radius` is taken to meet, so that three edges through nearly one
   /// point, say, do not leave a triangle a few ulps wide.
-  explicit Arrangement(double radius) : radius_(radius) {}
+  /// settle() may move points of edges by `most`.
+  Arrangement(double radius, double most) : radius_(radius), most_(most) {}
 
   void add_edge(const Point2& a, const Point2& b, ContourId contour);
 
   /// Splits pieces where they meet, round by round, until they meet at ends only, and removes
-  /// pieces in equal pairs: the points of odd crossing number stay. Returns false where that does
-  /// not end.
-  [[nodiscard]] bool settle();
+  /// pieces in equal pairs: the points of odd crossing number stay. Gives up where that does not
+  /// end, makes many more pieces than there were edges, or moves a point too far.
+  enum class Outcome { settled, endless, moved_too_far };
+  [[nodiscard]] Outcome settle();
 
   [[nodiscard]] std::size_t node_count() const { return nodes_.size(); }
   [[nodiscard]] const Point2& at(NodeId n) const { return nodes_[n]; }
@@ -88,6 +90,7 @@ class Arrangement {
   void apply(std::vector<std::vector<NodeId>>& splits);
 
   double radius_;
+  double most_;
   double moved_ = 0;
   IdVector<NodeId, Point2> nodes_;
   std::map<std::pair<double, double>, NodeId> node_of_;

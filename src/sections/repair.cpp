@@ -33,7 +33,10 @@ using sections::NodeId;
 class SectionRepair {
  public:
   SectionRepair(const Section& section, std::size_t number, double distance)
-      : section_(section), number_(number), distance_(distance), arrangement_(distance / 32) {}
+      : section_(section),
+        number_(number),
+        distance_(distance),
+        arrangement_(distance / 32, distance) {}
 
   Result<Section> run() {
     find_dirty();
@@ -41,13 +44,15 @@ class SectionRepair {
     for_each_edge(true, [&](const Point2& a, const Point2& b, ContourId contour) {
       arrangement_.add_edge(a, b, contour);
     });
-    const bool settled = arrangement_.settle();
-    tell_events();
-    if (!settled) return refusal("splitting its edges where they meet does not end");
-    moved_ = arrangement_.moved();
-    if (moved_ > distance_) {
-      return refusal("a crossing would move by more than the distance allowed");
+    switch (arrangement_.settle()) {
+      case Arrangement::Outcome::endless:
+        return refusal("splitting its edges where they meet does not end");
+      case Arrangement::Outcome::moved_too_far:
+        return refusal("a crossing would move by more than the distance allowed");
+      case Arrangement::Outcome::settled: break;
     }
+    tell_events();
+    moved_ = arrangement_.moved();
     connect();
     // Corners cut off too far may reach what is near; each try cuts off less.
     double cut = distance_ - moved_;
