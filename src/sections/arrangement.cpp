@@ -78,9 +78,15 @@ NodeId Arrangement::node_near(const Point2& p) {
   return nearest.valid() ? nearest : node(p);
 }
 
-// Of equal pieces, two take nothing away from the region.
+// Of equal pieces, two take nothing away from the region. Pieces go from their lower end and are
+// sorted, so that no round depends on the order or direction of contours.
 void Arrangement::cancel_pairs() {
-  const auto key = [](const ArrangementPiece& p) { return std::minmax(p.a, p.b); };
+  for (ArrangementPiece& p : pieces_) {
+    if (canonical_less(at(p.b), at(p.a))) std::swap(p.a, p.b);
+  }
+  const auto key = [&](const ArrangementPiece& p) {
+    return std::array{at(p.a).x, at(p.a).y, at(p.b).x, at(p.b).y};
+  };
   std::stable_sort(
       pieces_.begin(), pieces_.end(),
       [&](const ArrangementPiece& p, const ArrangementPiece& q) { return key(p) < key(q); });
@@ -141,7 +147,7 @@ void Arrangement::apply(std::vector<std::vector<NodeId>>& splits) {
       return (at(n).x - a.x) * (b.x - a.x) + (at(n).y - a.y) * (b.y - a.y);
     };
     std::sort(splits[i].begin(), splits[i].end(), [&](NodeId m, NodeId n) {
-      return along(m) != along(n) ? along(m) < along(n) : m < n;
+      return along(m) != along(n) ? along(m) < along(n) : canonical_less(at(m), at(n));
     });
     splits[i].erase(std::unique(splits[i].begin(), splits[i].end()), splits[i].end());
     NodeId from = piece.a;

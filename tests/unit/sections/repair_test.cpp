@@ -182,5 +182,50 @@ TEST(Repair, KeepsTheRegionOfOddCrossingNumber) {
   EXPECT_LE(refused, 5U);  // allowed, but not often: 3 of 1500
 }
 
+// Whatever begins where and goes which way round.
+std::vector<std::vector<std::pair<double, double>>> normalised(const Contours& contours) {
+  std::vector<std::vector<std::pair<double, double>>> result;
+  for (const Contour& c : contours) {
+    std::vector<std::pair<double, double>> v;
+    for (const Point2& p : c.vertices) v.emplace_back(p.x, p.y);
+    std::rotate(v.begin(), std::min_element(v.begin(), v.end()), v.end());
+    if (v.back() < v[1]) std::reverse(v.begin() + 1, v.end());
+    result.push_back(v);
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+TEST(Repair, DependsOnNeitherOrderNorStartNorDirectionOfContours) {
+  Prng prng(32);
+  std::size_t compared = 0;
+  for (int round = 0; round < 600; ++round) {
+    const std::uint64_t side = round % 3 == 0 ? 5 : round % 3 == 1 ? 9 : 1000000;
+    Contours contours(2 + prng.below(3));
+    for (Contour& c : contours) {
+      for (std::uint64_t n = 3 + prng.below(7); n > 0; --n) {
+        c.vertices.push_back(
+            {static_cast<double>(prng.below(side)), static_cast<double>(prng.below(side))});
+      }
+    }
+    const auto result = repair(one(contours));
+    Contours other = contours;
+    prng.shuffle(other);
+    for (Contour& c : other) {
+      std::rotate(c.vertices.begin(),
+                  c.vertices.begin() + static_cast<std::ptrdiff_t>(prng.below(c.vertices.size())),
+                  c.vertices.end());
+      if (prng.chance(0.5)) std::reverse(c.vertices.begin(), c.vertices.end());
+    }
+    const auto again = repair(one(other));
+    ASSERT_EQ(result.ok(), again.ok()) << "round " << round;
+    if (!result.ok()) continue;
+    ASSERT_EQ(normalised(contours_of(*result)), normalised(contours_of(*again)))
+        << "round " << round;
+    ++compared;
+  }
+  EXPECT_GT(compared, 580U);
+}
+
 }  // namespace
 }  // namespace tetloft::testing
