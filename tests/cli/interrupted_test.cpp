@@ -1,13 +1,17 @@
 // Killed midway, or the disk full: the earlier file is still whole.
 #include <gtest/gtest.h>
+#include <sched.h>
 #include <signal.h>
 #include <spawn.h>
+#include <sys/mount.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <chrono>
 #include <cmath>
+#include <filesystem>
+#include <iterator>
 #include <string>
 #include <thread>
 #include <vector>
@@ -102,6 +106,45 @@ TEST_F(Interrupted, WithoutRoomForTheFileItSaysSoAndLeavesTheEarlierOne) {
   EXPECT_NE(outcome.err.find("cannot be written"), std::string::npos) << outcome.err;
   EXPECT_EQ(test::get(out_), earlier_);
   EXPECT_EQ(folder_.names().size(), 3U);
+}
+
+// A file system of 64 KB of its own, seen by the child alone. Everything worth knowing comes
+// back as its exit code.
+enum Verdict { all_well, no_file_system, no_first_file, wrong_code, wrong_message, changed, left };
+
+Verdict on_a_tiny_file_system(const std::string& folder, const std::string& in) {
+  if (unshare(CLONE_NEWNS) != 0) {  // not the superuser
+    const std::string uid = std::to_string(getuid()), gid = std::to_string(getgid());
+    if (unshare(CLONE_NEWUSER | CLONE_NEWNS) != 0) return no_file_system;
+    test::put("/proc/self/uid_map", "0 " + uid + " 1");
+    test::put("/proc/self/setgroups", "deny");
+    test::put("/proc/self/gid_map", "0 " + gid + " 1");
+  }
+  if (mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) != 0) return no_file_system;
+  if (mount("tmpfs", folder.c_str(), "tmpfs", 0, "size=64k") != 0) return no_file_system;
+  const std::string out = folder + "/out.vtu";
+  test::put(out, "the earlier file");
+  if (test::get(out) != "the earlier file") return no_first_file;
+  const test::Outcome outcome = run({"reconstruct", in, "-o", out});
+  if (outcome.code != 4) return wrong_code;
+  if (outcome.err.find("cannot be written") == std::string::npos) return wrong_message;
+  if (test::get(out) != "the earlier file") return changed;
+  const std::filesystem::directory_iterator files(folder);
+  return std::distance(begin(files), end(files)) == 1 ? all_well : left;
+}
+
+TEST_F(Interrupted, OnAFullDiskTheEarlierFileStaysAndNothingElse) {
+  ASSERT_GT(later_.size(), 65536U);
+  const std::string tiny = folder_.file("tiny");
+  std::filesystem::create_directory(tiny);
+  const pid_t child = fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) _exit(on_a_tiny_file_system(tiny, in_));
+  int status = 0;
+  waitpid(child, &status, 0);
+  ASSERT_TRUE(WIFEXITED(status));
+  if (WEXITSTATUS(status) == no_file_system) GTEST_SKIP() << "no file system may be mounted here";
+  EXPECT_EQ(WEXITSTATUS(status), all_well);
 }
 
 }  // namespace
