@@ -142,6 +142,18 @@ TEST(Truncation, PiecesOfTwoClassesInOneTetAreDisjoint) {
   }
 }
 
+TEST(PlaceCut, TwoClassesOnOneEdgeEndAnEighthOfItsLengthApart) {
+  // Weights 9/16 from either end; from the middle of an edge, of weight 1/2, an eighth of the way
+  // back is left.
+  const Cut up{VertexId(0), VertexId(1), false, false, 1};
+  const Cut down{VertexId(1), VertexId(0), false, false, 1};
+  const Point3 low{2, 3, 0}, high{2, 3, 1};
+  EXPECT_EQ(place_cut(up, low, high, 1), (Point3{2, 3, 0.4375}));
+  EXPECT_EQ(place_cut(down, high, low, 1), (Point3{2, 3, 0.5625}));
+  const Cut to_middle{VertexId(0), VertexId(2), true, false, 1};
+  EXPECT_EQ(place_cut(to_middle, low, {2, 3, 0.5}, 1), (Point3{2, 3, 0.4375}));
+}
+
 TEST(PlaceCut, LiesNearerToTheKeptEnd) {
   for (const bool half : {false, true}) {
     for (const bool lifted : {false, true}) {
