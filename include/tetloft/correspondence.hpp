@@ -5,8 +5,8 @@
 // region). A link joins two regions of neighbouring sections.
 //
 // 1. Candidates. By `overlap`: the pairs with ratio r > tau (exactly), except weak links
-//    between two well-connected regions: r < 1/2 while each of the two has another link
-//    of ratio ≥ 1/2 in the same slab. By `reverse`: the pairs (region of a vertex below,
+//    between two well-connected regions: r < 1/4 while each of the two has another link
+//    of ratio ≥ 1/4 in the same slab. By `reverse`: the pairs (region of a vertex below,
 //    region of a vertex above) of every reverse tetrahedron (type II or IE).
 // 2. Without labels every candidate is accepted.
 // 3. With labels: candidates in order of decreasing overlap_ratio (both criteria), then
@@ -35,7 +35,7 @@ namespace tetloft {
 
 enum class Criterion : std::uint8_t {
   /// Regions of neighbouring sections are united when their overlap ratio r exceeds tau,
-  /// unless r < 0.5 and both regions have another link of ratio ≥ 0.5 (in the same slab).
+  /// unless r < 1/4 and both regions have another link of ratio ≥ 1/4 (in the same slab).
   overlap,
   /// Definition 2 of Nonato et al. (2000): united by a reverse tetrahedron.
   reverse,
@@ -43,8 +43,9 @@ enum class Criterion : std::uint8_t {
 
 inline constexpr double kDefaultOverlap = 0.02;
 /// The guard of the overlap criterion: a link at least this strong is trusted, and
-/// outrules weaker ones between two regions that both have one.
-inline constexpr double kStrongOverlap = 0.5;
+/// outrules weaker ones between two regions that both have one. Both numbers are settled by
+/// measurement on solids of known truth: bench/corpus/README.md.
+inline constexpr double kStrongOverlap = 0.25;
 
 /// A user's label on one contour. It belongs to the whole region the contour bounds.
 struct Label {

@@ -103,7 +103,7 @@ std::vector<std::size_t> Oracle::expected_sets() const {
       if (regions[j].section != regions[i].section + 1) continue;
       const Rational common = Rational(2) * common_area(regions[i].outline, regions[j].outline);
       const Rational least = std::min(regions[i].area, regions[j].area);
-      if (common > tau * least) pairs.push_back({i, j, Rational(2) * common >= least});
+      if (common > tau * least) pairs.push_back({i, j, Rational(4) * common >= least});
     }
   }
   std::vector<std::size_t> set(number);

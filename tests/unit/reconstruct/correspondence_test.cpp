@@ -59,11 +59,17 @@ TEST(OverlapLinks, AWeakLinkBetweenTwoWellConnectedRegionsIsTakenForCoincidence)
             (Pairs{{0, 0}, {0, 1}}));
 }
 
-TEST(OverlapLinks, ALinkOfExactlyOneHalfIsStrong) {
-  // Of the weak link's regions the upper one is well connected by a ratio of 1/2 exactly.
+TEST(OverlapLinks, ALinkOfExactlyOneQuarterIsStrong) {
+  // Of the weak link's regions the upper one is well connected by a ratio of 1/4 exactly.
   const SectionStack stack =
-      stack_of_boxes({{box(0, 0, 4, 4), box(6, 0, 10, 4)}, {box(0, 0, 2.5, 4), box(3.5, 0, 8, 4)}});
+      stack_of_boxes({{box(0, 0, 4, 4), box(7, 0, 11, 4)}, {box(0, 0, 2.5, 4), box(3.5, 0, 8, 4)}});
   EXPECT_EQ(overlap_pairs(stack, 0.02), (Pairs{{0, 0}, {1, 1}}));
+}
+
+TEST(OverlapLinks, ALinkAboveOneQuarterIsNotOutruledByStrongerOnes) {
+  const SectionStack stack =
+      stack_of_boxes({{box(0, 0, 4, 4), box(6, 0, 10, 4)}, {box(0, 0, 2.5, 4), box(2.8, 0, 8, 4)}});
+  EXPECT_EQ(overlap_pairs(stack, 0.02), (Pairs{{0, 0}, {0, 1}, {1, 1}}));
 }
 
 // By triangles: both incident ones in the region, or none (and the edge off the contours).
