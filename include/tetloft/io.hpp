@@ -3,7 +3,9 @@
 // where its contents are wrong. Counts in headers are checked, never trusted.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -73,6 +75,21 @@ enum class Encoding { binary, ascii };
 [[nodiscard]] Result<std::vector<Warning>> write_surface(const std::string& path,
                                                          const Model& model,
                                                          Encoding encoding = Encoding::binary);
+
+/// Line segments in space, each with integers of the same names.
+struct LineSet {
+  struct Array {
+    std::string name;
+    std::vector<std::int32_t> value;  ///< by line
+  };
+  std::vector<std::array<Point3, 2>> lines;
+  std::vector<Array> data;
+};
+
+/// VTK XML poly data (.vtp) of lines, with `data` as cell data. Refused (invalid_input) where an
+/// array has a wrong length.
+[[nodiscard]] Result<void> write_lines(const std::string& path, const LineSet& lines,
+                                       Encoding encoding = Encoding::binary);
 
 /// Writes `text` to a temporary beside `path` and renames it.
 [[nodiscard]] Result<void> write_file(const std::string& path, std::string_view bytes);

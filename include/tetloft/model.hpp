@@ -34,8 +34,9 @@ enum class PointOrigin : std::uint8_t {
   lifted = 2,         ///< midpoint of an external edge (or interior of a triangular hole)
   cut = 3,            ///< on an edge that leaves a component
   cap = 4,            ///< of the far side of an end prism
+  projected = 5,      ///< inside a region: of a neighbour's external skeleton (geiger.hpp)
 };
-inline constexpr int kPointOrigins = 5;
+inline constexpr int kPointOrigins = 6;
 [[nodiscard]] const char* name_of(PointOrigin origin);
 
 inline constexpr std::int32_t kNoSection = -1;

@@ -104,6 +104,18 @@ struct Snapped {
 /// (invalid_input) where no lattice keeps the stack valid.
 [[nodiscard]] Result<Snapped> snap(const SectionStack& stack, int bits);
 
+struct Refined {
+  SectionStack stack;
+  std::size_t inserted = 0;  ///< vertices
+};
+
+/// Divides contour edges longer than `length` into equal parts no longer than it; points are
+/// rounded once. Coarse contours, a rectangle of four vertices say, tell the Delaunay
+/// triangulation little about what lies across: refined ones keep open what they close. Refused:
+/// usage for a length that is not positive, or so small that 2^26 vertices do not suffice;
+/// invalid_input for an invalid stack, or where rounding makes contours touch.
+[[nodiscard]] Result<Refined> refine(const SectionStack& stack, double length);
+
 /// The nesting of one valid section's contours.
 struct Nesting {
   /// The innermost contour around it; invalid for outermost contours.
@@ -152,8 +164,8 @@ struct ConformingSection {
   /// first_edge[v] … first_edge[v + 1]: the edges whose lower end is v.
   std::vector<std::uint32_t> first_edge;
 
-  IdVector<VertexId, ContourId> contour;  ///< the contour a vertex lies on
-  IdVector<VertexId, RegionId> region;    ///< the region that this contour bounds
+  IdVector<VertexId, ContourId> contour;  ///< the contour a vertex lies on; invalid inside
+  IdVector<VertexId, RegionId> region;    ///< the region that this contour bounds, or around it
   IdVector<VertexId, VertexId> next;      ///< along the contour, region on the left
   IdVector<VertexId, VertexId> previous;
   /// Index of the vertex in its input contour; kNotInput for split vertices.
@@ -175,11 +187,14 @@ struct ConformingSection {
 };
 
 /// Conforms one valid section. `gabriel`: per contour, refine its edges until they are
-/// Gabriel (empty: none). Split vertices bend the contour by rounding; what changed is
-/// validated again. Fails (unrepresentable, naming contour and vertex) where rounding
-/// leaves no valid conforming section.
+/// Gabriel (empty: none). `interior`: further vertices, strictly inside the region, distinct
+/// from each other and from contour vertices; they lie on no contour. Split vertices bend the
+/// contour by rounding; what changed is validated again. Fails (unrepresentable, naming contour
+/// and vertex) where rounding leaves no valid conforming section, and (invalid_input) where an
+/// interior vertex is not inside.
 [[nodiscard]] Result<ConformingSection> conform(const Section& section, SectionId id,
-                                                const IdVector<ContourId, bool>& gabriel = {});
+                                                const IdVector<ContourId, bool>& gabriel = {},
+                                                std::span<const Point2> interior = {});
 
 /// One edge of a Voronoi skeleton: the dual of a Delaunay edge.
 struct SkeletonEdge {

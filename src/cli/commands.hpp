@@ -18,6 +18,7 @@ struct Command {
 [[nodiscard]] Command check_command();
 [[nodiscard]] Command delaunay_command();
 [[nodiscard]] Command info_command();
+[[nodiscard]] Command skeleton_command();
 
 /// Exit code of `check` where a guarantee fails.
 inline constexpr int kGuaranteeFails = 1;

@@ -1,6 +1,8 @@
 // Checking output paths.
 #include "cli/outputs.hpp"
 
+#include <cstdio>
+
 #include <unistd.h>
 
 #include <algorithm>
@@ -65,6 +67,42 @@ Result<void> check_output(std::string_view option, const std::string& path,
     return error;
   }
   return {};
+}
+
+Result<ModelOutputs> model_outputs(const Arguments& arguments) {
+  ModelOutputs outputs;
+  const auto solid = arguments.text("--output");
+  if (!solid) return usage_error("missing option --output (-o) OUT.vtu");
+  outputs.solid = *solid;
+  outputs.surface = arguments.text("--surface");
+  if (arguments.has("--ascii")) outputs.encoding = Encoding::ascii;
+  std::vector<std::string> taken{arguments.operand(0)};
+  if (const auto labels = arguments.text("--labels")) taken.push_back(*labels);
+  Result<void> checked = check_output("--output (-o)", outputs.solid, {".vtu"}, taken);
+  if (checked && outputs.surface) {
+    taken.push_back(outputs.solid);
+    checked = check_output("--surface", *outputs.surface, {".obj", ".ply", ".vtp", ".stl"}, taken);
+  }
+  if (!checked) return checked.error();
+  return outputs;
+}
+
+// The surface first: it is the one that can fail for what it is (coordinates beyond STL),
+// and the solid at the same place must then stay as it was.
+Result<void> write_model(const Model& model, const ModelOutputs& outputs, Console& console) {
+  if (outputs.surface) {
+    const auto warnings = write_surface(*outputs.surface, model, outputs.encoding);
+    if (!warnings) return warnings.error();
+    for (const Warning& warning : *warnings) console.warn(warning);
+  }
+  Result<void> written = write_vtu(outputs.solid, model, outputs.encoding);
+  // A command that fails leaves no output, also where one of two files was fine.
+  if (!written && outputs.surface) std::remove(outputs.surface->c_str());
+  return written;
+}
+
+std::string describe(const ModelOutputs& outputs) {
+  return "written: " + outputs.solid + (outputs.surface ? ", " + *outputs.surface : "") + '\n';
 }
 
 }  // namespace tetloft::cli

@@ -1,10 +1,10 @@
 // tetloft reconstruct: from a stack of contours to a solid.
-#include <cstdio>
 #include <optional>
 #include <utility>
 
 #include "cli/commands.hpp"
 #include "cli/engine_option.hpp"
+#include "cli/geiger_method.hpp"
 #include "cli/outputs.hpp"
 #include "cli/progress.hpp"
 #include "cli/stack_input.hpp"
@@ -25,7 +25,10 @@ Usage usage() {
               "fails."};
   for (const Option& option : stack_options()) usage.options.push_back(option);
   for (const Option& option :
-       {Option{"--ends", "HOW",
+       {Option{"--method", "NAME",
+               "nonato (default), or geiger: the older algorithm that it is compared with, which "
+               "keeps none of the guarantees (--verify tells which it broke)"},
+        Option{"--ends", "HOW",
                "the ends of the stack: flat (default) at the outer sections, or half a gap "
                "beyond them"},
         Option{"--thickness", "T", "of the solid made of a single section, above 0"},
@@ -43,31 +46,17 @@ Usage usage() {
 
 struct Request {
   std::string input;
-  std::string output;
-  std::optional<std::string> surface;
+  ModelOutputs outputs;
   ReconstructOptions options;
   Preparation preparation;
   bool verify = false;
-  Encoding encoding = Encoding::binary;
 };
-
-Result<void> check_outputs(const Arguments& arguments, const Request& request) {
-  std::vector<std::string> taken{request.input};
-  if (const auto labels = arguments.text("--labels")) taken.push_back(*labels);
-  Result<void> output = check_output("--output (-o)", request.output, {".vtu"}, taken);
-  if (!output || !request.surface) return output;
-  taken.push_back(request.output);
-  return check_output("--surface", *request.surface, {".obj", ".ply", ".vtp", ".stl"}, taken);
-}
 
 // Everything that can be said about the command line before a file is read.
 Result<Request> request_of(const Arguments& arguments, Console& console) {
   Request request;
   request.input = arguments.operand(0);
-  const auto output = arguments.text("--output");
-  if (!output) return usage_error("missing option --output (-o) OUT.vtu");
-  request.output = *output;
-  request.surface = arguments.text("--surface");
+  if (!arguments.text("--output")) return usage_error("missing option --output (-o) OUT.vtu");
   const auto correspondence = correspondence_options(arguments, console);
   if (!correspondence) return correspondence.error();
   request.options.correspondence = *correspondence;
@@ -94,10 +83,9 @@ Result<Request> request_of(const Arguments& arguments, Console& console) {
   if (!threads) return threads.error();
   request.options.threads = static_cast<unsigned>(threads->value_or(0));
   request.verify = arguments.has("--verify");
-  if (arguments.has("--ascii")) request.encoding = Encoding::ascii;
-  if (Result<void> outputs = check_outputs(arguments, request); !outputs) {
-    return outputs.error();
-  }
+  auto outputs = model_outputs(arguments);
+  if (!outputs) return outputs.error();
+  request.outputs = *std::move(outputs);
   return request;
 }
 
@@ -119,20 +107,6 @@ Result<void> verify(const Model& model, const StackInput& input, const Request& 
     return Error{ErrorCode::internal, message, {}};
   }
   return {};
-}
-
-// The surface first: it is the one that can fail for what it is (coordinates beyond STL),
-// and the solid at the same place must then stay as it was.
-Result<void> write_outputs(const Model& model, const Request& request, Console& console) {
-  if (request.surface) {
-    const auto warnings = write_surface(*request.surface, model, request.encoding);
-    if (!warnings) return warnings.error();
-    for (const Warning& warning : *warnings) console.warn(warning);
-  }
-  Result<void> written = write_vtu(request.output, model, request.encoding);
-  // A command that fails leaves no output, also where one of two files was fine.
-  if (!written && request.surface) std::remove(request.surface->c_str());
-  return written;
 }
 
 // Wall-clock seconds of what the command line does around the reconstruction.
@@ -210,12 +184,15 @@ std::string to_text(const Reconstruction& result, const StackInput& input, const
   text += ", write " + readable_seconds(seconds.write) + ", total " +
           readable_seconds(seconds.total) + '\n';
   if (request.verify) text += "verified: all guarantees hold\n";
-  text += "written: " + request.output;
-  if (request.surface) text += ", " + *request.surface;
-  return text + '\n';
+  return text + describe(request.outputs);
 }
 
 Result<int> run(const Arguments& arguments, Console& console) {
+  if (const auto method = arguments.text("--method"); method && *method != "nonato") {
+    if (*method == "geiger") return reconstruct_by_geiger(arguments, console);
+    return usage_error("option --method: " + io::in_quotes(*method) +
+                       " is neither nonato nor geiger");
+  }
   const Stopwatch all;
   Result<Request> request = request_of(arguments, console);
   if (!request) return request.error();
@@ -252,7 +229,7 @@ Result<int> run(const Arguments& arguments, Console& console) {
     seconds.verify = verifying.seconds();
   }
   const Stopwatch writing;
-  Result<void> written = write_outputs(result->model, *request, console);
+  Result<void> written = write_model(result->model, request->outputs, console);
   if (!written) return written.error();
   seconds.write = writing.seconds();
   seconds.total = all.seconds();

@@ -9,12 +9,19 @@
 namespace tetloft::cli {
 
 std::vector<Option> stack_options() {
-  return {
+  std::vector<Option> options{
       {"--correspondence", "RULE",
        "which contours form one component: overlap (default) or reverse (reverse tetrahedra)"},
       {"--overlap", "TAU",
        "overlap unites two regions above this ratio of areas, from 0 to below 1 (default 0.02)"},
       {"--labels", "FILE", "lines \"section contour label\", zero-based, # comments"},
+  };
+  for (const Option& option : preparation_options()) options.push_back(option);
+  return options;
+}
+
+std::vector<Option> preparation_options() {
+  return {
       {"--repair", "",
        "first mend contours that cross or touch, spikes and contours without area: the points of "
        "odd crossing number stay the region; every change is told"},
@@ -22,6 +29,8 @@ std::vector<Option> stack_options() {
        "how far --repair may move the boundary (default 2^-20 of the largest coordinate)"},
       {"--snap", "BITS",
        "first round x and y to a lattice of 2^-BITS (1 to 50) of the largest coordinate"},
+      {"--refine", "LENGTH",
+       "then divide contour edges longer than this: coarse contours can close a tunnel"},
   };
 }
 
@@ -54,6 +63,13 @@ Result<Preparation> preparation(const Arguments& arguments) {
   const auto bits = arguments.integer("--snap", 1, 50);
   if (!bits) return bits.error();
   if (bits->has_value()) result.snap = static_cast<int>(**bits);
+  const auto length = arguments.number("--refine");
+  if (!length) return length.error();
+  if (length->has_value() && !(**length > 0)) {
+    return usage_error("option --refine: " + io::in_quotes(*arguments.text("--refine")) +
+                       " is not above 0");
+  }
+  result.refine = *length;
   const auto distance = arguments.number("--repair-distance");
   if (!distance) return distance.error();
   if (arguments.has("--repair")) result.repair = RepairOptions{};
@@ -85,10 +101,6 @@ SnapReport report_of(const Snapped& snapped, std::size_t vertices_before) {
   return report;
 }
 
-}  // namespace
-
-namespace {
-
 // Where in the file a contour begins, or its section's first one.
 void locate(Place& where, const std::string& path, const ReadStack& read) {
   where.file = path;
@@ -106,7 +118,7 @@ Result<StackInput> read_and_repair(const std::string& path,
     return error;
   }
   for (const Warning& warning : read->warnings) console.warn(warning);
-  if (!options) return StackInput{std::move(read->stack), {}, {}};
+  if (!options) return StackInput{std::move(read->stack), {}, {}, {}};
   Result<Repaired> repaired = repair(read->stack, *options);
   if (!repaired) {
     Error error = repaired.error();
@@ -118,7 +130,29 @@ Result<StackInput> read_and_repair(const std::string& path,
     console.warn({"repaired: " + change.message, change.where});
   }
   return StackInput{
-      std::move(repaired->stack), RepairReport{repaired->changes.size(), repaired->moved}, {}};
+      std::move(repaired->stack), RepairReport{repaired->changes.size(), repaired->moved}, {}, {}};
+}
+
+Result<void> snap_input(StackInput& input, int bits, Console& console) {
+  Result<Snapped> snapped = snap(input.stack, bits);
+  if (!snapped) return snapped.error();
+  input.snapped = report_of(*snapped, input.stack.vertex_count());
+  input.stack = std::move(snapped->stack);
+  if (input.snapped->bits != bits) {
+    console.warn({std::string("a lattice of ") + std::to_string(bits) +
+                      " bits makes contours touch or degenerate; " +
+                      std::to_string(input.snapped->bits) + " bits were taken",
+                  {}});
+  }
+  return {};
+}
+
+Result<void> refine_input(StackInput& input, double length) {
+  Result<Refined> refined = refine(input.stack, length);
+  if (!refined) return refined.error();
+  input.inserted = refined->inserted;
+  input.stack = std::move(refined->stack);
+  return {};
 }
 
 }  // namespace
@@ -126,22 +160,15 @@ Result<StackInput> read_and_repair(const std::string& path,
 Result<StackInput> read_stack_input(const std::string& path, const Preparation& preparation,
                                     Console& console) {
   Result<StackInput> read = read_and_repair(path, preparation.repair, console);
-  if (!read || !preparation.snap) return read;
+  if (!read) return read;
   StackInput input = std::move(read.value());
-  const std::optional<int>& snap = preparation.snap;
-  Result<Snapped> snapped = tetloft::snap(input.stack, *snap);
-  if (!snapped) {
-    Error error = snapped.error();
+  Result<void> done;
+  if (preparation.snap) done = snap_input(input, *preparation.snap, console);
+  if (done && preparation.refine) done = refine_input(input, *preparation.refine);
+  if (!done) {
+    Error error = done.error();
     if (error.where.file.empty()) error.where.file = path;
     return error;
-  }
-  input.snapped = report_of(*snapped, input.stack.vertex_count());
-  input.stack = std::move(snapped->stack);
-  if (input.snapped->bits != *snap) {
-    console.warn({std::string("a lattice of ") + std::to_string(*snap) +
-                      " bits makes contours touch or degenerate; " +
-                      std::to_string(input.snapped->bits) + " bits were taken",
-                  {}});
   }
   return input;
 }
@@ -231,6 +258,12 @@ void write_preparation(JsonWriter& json, const StackInput& input) {
     json.end_object();
   }
   if (input.snapped) write_snap(json, *input.snapped);
+  if (input.inserted) {
+    json.key("refine");
+    json.begin_object();
+    json.member("inserted", *input.inserted);
+    json.end_object();
+  }
 }
 
 std::string describe_preparation(const StackInput& input) {
@@ -240,6 +273,9 @@ std::string describe_preparation(const StackInput& input) {
             readable(input.repaired->moved) + " at most\n";
   }
   if (input.snapped) text += describe_snap(*input.snapped);
+  if (input.inserted) {
+    text += "refined: " + std::to_string(*input.inserted) + " vertices inserted on contours\n";
+  }
   return text;
 }
 

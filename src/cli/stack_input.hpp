@@ -13,7 +13,9 @@
 
 namespace tetloft::cli {
 
-/// --correspondence, --overlap, --labels, --repair, --repair-distance, --snap.
+/// --repair, --repair-distance, --snap, --refine.
+[[nodiscard]] std::vector<Option> preparation_options();
+/// The same, after --correspondence, --overlap, --labels.
 [[nodiscard]] std::vector<Option> stack_options();
 
 struct SnapReport {
@@ -30,22 +32,24 @@ struct RepairReport {
   double moved = 0;         ///< how far the boundary moved at most
 };
 
-/// What is done to a stack before it is worked on: repaired, then snapped.
+/// What is done to a stack before it is worked on: repaired, then snapped, then refined.
 struct Preparation {
   std::optional<RepairOptions> repair;
-  std::optional<int> snap;  ///< bits
+  std::optional<int> snap;       ///< bits
+  std::optional<double> refine;  ///< the longest edge left
 };
 
 struct StackInput {
   SectionStack stack;  ///< as it is worked on
   std::optional<RepairReport> repaired;
   std::optional<SnapReport> snapped;
+  std::optional<std::size_t> inserted;  ///< vertices, by refining
 };
 
 /// Checks the options' values without touching a file. `labels` stay empty.
 [[nodiscard]] Result<CorrespondenceOptions> correspondence_options(const Arguments& arguments,
                                                                    Console& console);
-/// --repair, --repair-distance and --snap as given.
+/// --repair, --repair-distance, --snap and --refine as given.
 [[nodiscard]] Result<Preparation> preparation(const Arguments& arguments);
 
 /// Reads and prepares the stack; warnings go to the console.
@@ -55,7 +59,7 @@ struct StackInput {
 [[nodiscard]] Result<std::vector<Label>> read_label_option(const Arguments& arguments,
                                                            const SectionStack& stack);
 
-/// Members "repair" and "snap", where that was done.
+/// Members "repair", "snap" and "refine", where that was done.
 void write_preparation(JsonWriter& json, const StackInput& input);
 /// The same as lines of text.
 [[nodiscard]] std::string describe_preparation(const StackInput& input);

@@ -30,6 +30,7 @@ const char* name_of(PointOrigin origin) {
     case PointOrigin::lifted: return "lifted";
     case PointOrigin::cut: return "cut";
     case PointOrigin::cap: return "cap";
+    case PointOrigin::projected: return "projected";
   }
   return "unknown";
 }

@@ -8,6 +8,7 @@
 // and outside the hull there is none; and none turned inside out iff its interior is on
 // the same side as before. All of this is combinatorial. See README.md.
 #include <algorithm>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,7 +31,8 @@ struct Flat {
   std::vector<std::size_t> vertex;  // index in its contour
 };
 
-Flat flatten(const Section& section) {
+// Points of the interior come last, on no segment.
+Flat flatten(const Section& section, std::span<const Point2> interior) {
   Flat flat;
   for (std::size_t c = 0; c < section.contours.size(); ++c) {
     const std::vector<Point2>& vertices = section.contours[ContourId(c)].vertices;
@@ -42,15 +44,17 @@ Flat flatten(const Section& section) {
       flat.vertex.push_back(v);
     }
   }
+  flat.points.insert(flat.points.end(), interior.begin(), interior.end());
   return flat;
 }
 
 class Conformer {
  public:
-  Conformer(const Section& section, SectionId id) : section_(section), id_(id) {
+  Conformer(const Section& section, SectionId id, std::span<const Point2> interior)
+      : section_(section), id_(id) {
     result_.z = section.z;
     result_.nesting = nest(section);
-    flat_ = flatten(section);
+    flat_ = flatten(section, interior);
   }
 
   Result<ConformingSection> run(const IdVector<ContourId, bool>& gabriel) {
@@ -69,13 +73,14 @@ class Conformer {
     label_triangles();
     if (Result<void> valid = check_labels(); !valid) return valid.error();
     label_vertices_and_edges();
+    if (Result<void> inside = label_interior(); !inside) return inside.error();
     return std::move(result_);
   }
 
  private:
   // The error of the triangulation, whose vertices are numbered through, in our terms.
   [[nodiscard]] Error placed(Error error) const {
-    if (error.where.vertex && *error.where.vertex < flat_.points.size()) {
+    if (error.where.vertex && *error.where.vertex < flat_.contour.size()) {
       const std::size_t v = *error.where.vertex;
       error.where.contour = flat_.contour[v].index();
       error.where.vertex = flat_.vertex[v];
@@ -124,8 +129,13 @@ class Conformer {
         if (k == 0) result_.input_vertex[from] = flat_.vertex[s];
       }
     }
+    IdVector<VertexId, std::uint8_t> interior(n, 0);
+    for (std::size_t k = flat_.segments.size(); k < flat_.points.size(); ++k) {
+      interior[number_[VertexId(k)]] = 1;
+    }
     for (std::size_t v = 0; v < n; ++v) {
       const VertexId from(v);
+      if (interior[from] != 0) continue;
       const EdgeId edge =
           result_.contour[from].valid() ? result_.find_edge(from, result_.next[from]) : EdgeId();
       // Of coinciding points the triangulation uses one only.
@@ -213,6 +223,7 @@ class Conformer {
     for (std::size_t v = 0; v < along.size(); ++v) {
       const VertexId a(v);
       const VertexId b = along[a];
+      if (!b.valid()) continue;
       result_.region[a] = result_.nesting.region[result_.contour[a]];
       const ConformingSection::Edge& edge = result_.edges[result_.find_edge(a, b)];
       const TriangleId left = a < b ? edge.left : edge.right;
@@ -220,6 +231,23 @@ class Conformer {
       result_.next[region_left ? a : b] = region_left ? b : a;
       result_.previous[region_left ? b : a] = region_left ? a : b;
     }
+  }
+
+  // Vertices of the interior have the region of their triangles, all of which must be inside.
+  Result<void> label_interior() {
+    for (std::size_t k = 0; k < around_.size(); ++k) {
+      for (const VertexId v : result_.triangulation.triangles[TriangleId(k)]) {
+        if (result_.contour[v].valid()) continue;
+        if (result_.internal[TriangleId(k)] == 0) {
+          Error error{ErrorCode::invalid_input, "a vertex of the interior is not inside", {}};
+          error.where.section = id_.index();
+          error.where.point = result_.point3(v);
+          return error;
+        }
+        result_.region[v] = result_.nesting.region[around_[TriangleId(k)]];
+      }
+    }
+    return {};
   }
 
   const Section& section_;
@@ -234,12 +262,13 @@ class Conformer {
 }  // namespace
 
 Result<ConformingSection> conform(const Section& section, SectionId id,
-                                  const IdVector<ContourId, bool>& gabriel) {
+                                  const IdVector<ContourId, bool>& gabriel,
+                                  std::span<const Point2> interior) {
   return guard_internal([&]() -> Result<ConformingSection> {
     if (!gabriel.empty() && gabriel.size() != section.contours.size()) {
       return Error{ErrorCode::usage, "gabriel needs one flag for each contour", {}};
     }
-    return Conformer(section, id).run(gabriel);
+    return Conformer(section, id, interior).run(gabriel);
   });
 }
 

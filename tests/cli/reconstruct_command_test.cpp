@@ -244,5 +244,16 @@ TEST_F(ReconstructCommand, LeavesNoFileWhenTheSurfaceCannotBeWritten) {
   EXPECT_EQ(test::get(out_), "old");
 }
 
+TEST_F(ReconstructCommand, RefinesLongEdges) {
+  const std::string bars = std::string(TETLOFT_DATA_DIR) + "/cases/crossed_bars.cnt";
+  const JsonValue json = run_json({"reconstruct", bars, "-o", out_, "--refine", "2.5"});
+  EXPECT_EQ(json.at("refine").at("inserted").number, 32);
+  const Outcome checked = run({"check", out_, bars, "--refine", "2.5"});
+  EXPECT_EQ(checked.code, 0);
+  EXPECT_NE(checked.out.find("genus of boundary surfaces: 1"), std::string::npos) << checked.out;
+  expect_failure({"reconstruct", bars, "-o", out_, "--refine", "0"}, 2, "usage", "--refine");
+  expect_failure({"reconstruct", bars, "-o", out_, "--refine", "1e-9"}, 2, "usage", "2^26");
+}
+
 }  // namespace
 }  // namespace tetloft

@@ -16,9 +16,10 @@ set(may_sections core predicates delaunay2)
 set(may_contact core predicates mesh)
 set(may_model core mesh)
 set(may_reconstruct core predicates mesh delaunay2 delaunay3 sections contact model)
+set(may_geiger core predicates mesh delaunay2 delaunay3 sections model reconstruct)
 set(may_check core predicates mesh sections contact model)
 set(may_io core sections model)
-set(modules core predicates mesh delaunay2 delaunay3 sections contact model reconstruct check io)
+set(modules core predicates mesh delaunay2 delaunay3 sections contact model reconstruct geiger check io)
 
 # Public headers whose name is not their module's. delaunay.hpp holds the types of both
 # triangulations: it is open to whoever may include one of them, and may include what

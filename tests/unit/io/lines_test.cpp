@@ -103,5 +103,25 @@ TEST(Points, NameTheVertexOfABinaryError) {
   EXPECT_EQ(read_points(folder.file("p.bin")).error().code, ErrorCode::invalid_input);
 }
 
+TEST(WriteLines, RefusesAnArrayOfAnotherLength) {
+  TempFolder folder;
+  const LineSet lines{{{Point3{0, 0, 0}, Point3{1, 0, 0}}}, {{"kind", {1, 2}}}};
+  const auto refused = write_lines(folder.file("l.vtp"), lines);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().code, ErrorCode::invalid_input);
+  EXPECT_EQ(refused.error().where.file, folder.file("l.vtp"));
+  EXPECT_TRUE(test::get(folder.file("l.vtp")).empty());
+}
+
+TEST(WriteLines, WritesEndsAndData) {
+  TempFolder folder;
+  const LineSet lines{{{Point3{0, 0, 0}, Point3{1, 0.1, 2}}}, {{"kind", {7}}}};
+  ASSERT_TRUE(write_lines(folder.file("l.vtp"), lines, Encoding::ascii).ok());
+  const std::string text = test::get(folder.file("l.vtp"));
+  EXPECT_NE(text.find("NumberOfLines=\"1\""), std::string::npos);
+  EXPECT_NE(text.find("1 0.1 2"), std::string::npos);
+  EXPECT_NE(text.find("Name=\"kind\""), std::string::npos);
+}
+
 }  // namespace
 }  // namespace tetloft

@@ -37,6 +37,20 @@ TEST(GabrielRefinement, ConnectsRegionsWithoutADelaunayEdgeBetweenThem) {
   EXPECT_EQ(fired(checked->result, Rule::gabriel_refinement), 1U);
 }
 
+// Nonato et al. 2000, figure 16: bars of four vertices, and two across them. Between so coarse
+// contours D has no tet that could leave the tunnel open.
+TEST(Refinement, OpensATunnelThatCoarseContoursClose) {
+  const SectionStack coarse = sample("cases/crossed_bars.cnt");
+  const auto closed = reconstruct_and_check(coarse);
+  ASSERT_TRUE(closed);
+  EXPECT_EQ(closed->report.genus, std::vector<long>{0});
+  const auto finer = refine(coarse, 2.5);
+  ASSERT_TRUE(finer);
+  const auto open = reconstruct_and_check(finer->stack);
+  ASSERT_TRUE(open);
+  EXPECT_EQ(open->report.genus, std::vector<long>{1});
+}
+
 // Every edge in four, by points rounded once.
 SectionStack refined(const SectionStack& stack) {
   SectionStack result = stack;

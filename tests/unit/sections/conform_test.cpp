@@ -365,5 +365,43 @@ TEST(Conform, IsValidOrRefusesOnCoarseLattices) {
   EXPECT_GT(refused, 10);
 }
 
+TEST(ConformInterior, VerticesInsideBelongToTheirRegionAndToNoContour) {
+  Section section;
+  for (const Contour& c :
+       {Contour{{{0, 0}, {9, 0}, {9, 9}, {0, 9}}}, Contour{{{3, 3}, {6, 3}, {6, 6}, {3, 6}}},
+        Contour{{{20, 0}, {24, 0}, {24, 4}, {20, 4}}}}) {
+    section.contours.push_back(c);
+  }
+  // The second is so near an edge of the hole that the edge must be split.
+  const std::vector<Point2> interior{{1.5, 4.5}, {4.5, 2.9}, {22, 2}};
+  const auto conforming = conform(section, SectionId(0), {}, interior);
+  ASSERT_TRUE(conforming) << to_string(conforming.error());
+  expect_canonical_delaunay(*conforming);
+  std::size_t inside = 0;
+  for (std::size_t k = 0; k < conforming->vertex_count(); ++k) {
+    const VertexId v(k);
+    if (conforming->contour[v].valid()) continue;
+    ++inside;
+    const Point2& p = conforming->point(v);
+    EXPECT_NE(std::find(interior.begin(), interior.end(), p), interior.end());
+    EXPECT_EQ(conforming->region[v], conforming->nesting.region[ContourId(p.x > 10 ? 2 : 0)]);
+    EXPECT_FALSE(conforming->next[v].valid());
+  }
+  EXPECT_EQ(inside, 3U);
+  EXPECT_GT(conforming->vertex_count(), 15U);
+}
+
+TEST(ConformInterior, RefusesVerticesThatAreNotInside) {
+  Section section;
+  section.contours.push_back(Contour{{{0, 0}, {9, 0}, {9, 9}, {0, 9}}});
+  section.contours.push_back(Contour{{{3, 3}, {6, 3}, {6, 6}, {3, 6}}});
+  for (const Point2 p : {Point2{4.5, 4.5}, Point2{-1, 3}, Point2{3, 3}}) {
+    const auto refused = conform(section, SectionId(2), {}, std::vector<Point2>{p});
+    ASSERT_FALSE(refused) << p.x;
+    EXPECT_EQ(refused.error().code, ErrorCode::invalid_input);
+    EXPECT_EQ(refused.error().where.section, 2U);
+  }
+}
+
 }  // namespace
 }  // namespace tetloft::testing

@@ -1,0 +1,243 @@
+// All steps of Geiger's algorithm, and the model.
+#include <tetloft/geiger.hpp>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "core/check.hpp"
+#include "core/parallel.hpp"
+#include "core/union_find.hpp"
+#include "geiger/elimination.hpp"
+#include "geiger/obtuse.hpp"
+#include "geiger/projection.hpp"
+
+namespace tetloft {
+
+namespace {
+
+class Geiger {
+ public:
+  Geiger(const SectionStack& stack, const GeigerOptions& options)
+      : stack_(stack), options_(options) {}
+
+  Result<GeigerModel> run() {
+    if (Result<void> valid = validate(stack_, options_.threads); !valid) return valid.error();
+    if (stack_.sections.size() < 2) {
+      return Error{ErrorCode::invalid_input, "Geiger's algorithm needs two sections or more", {}};
+    }
+    if (Result<void> made = make_sections(); !made) return made.error();
+    if (Result<void> made = make_slabs(); !made) return made.error();
+    assemble();
+    return GeigerModel{std::move(model_), report_};
+  }
+
+ private:
+  struct SlabTets {
+    IdVector<TetId, TetVertices> tets;  // section vertices, lower first
+    IdVector<TetId, TetKind> kind;
+    std::size_t external = 0;
+    std::size_t singular = 0;
+  };
+
+  [[nodiscard]] std::size_t size() const { return stack_.sections.size(); }
+
+  // Steps 1 and 2.
+  Result<void> make_sections() {
+    std::vector<Section> contours(size());
+    std::vector<ConformingSection> before(size());
+    std::vector<std::size_t> feet(size(), 0);
+    std::vector<std::optional<Error>> errors(size());
+    parallel_for(size(), options_.threads, [&](std::size_t s) {
+      const SectionId id(s);
+      Result<Section> footed = options_.refine ? geiger::with_feet(stack_.sections[id], id, feet[s])
+                                               : Result<Section>(stack_.sections[id]);
+      if (!footed) {
+        errors[s] = footed.error();
+        return;
+      }
+      contours[s] = *std::move(footed);
+      Result<ConformingSection> conforming = conform(contours[s], id);
+      if (conforming) {
+        before[s] = *std::move(conforming);
+      } else {
+        errors[s] = conforming.error();
+      }
+    });
+    if (const auto error = first(errors)) return *error;
+    sections_.resize(size());
+    std::vector<std::size_t> projected(size(), 0);
+    parallel_for(size(), options_.threads, [&](std::size_t s) {
+      std::vector<Point2> candidates;
+      for (const std::size_t other : {s - 1, s + 1}) {
+        if (!options_.refine || other >= size()) continue;
+        const auto found = geiger::external_skeleton_vertices(before[other]);
+        candidates.insert(candidates.end(), found.begin(), found.end());
+      }
+      const std::vector<Point2> inside = geiger::projected_into(before[s], candidates);
+      Result<ConformingSection> conforming = conform(contours[s], SectionId(s), {}, inside);
+      if (conforming) {
+        sections_[s] = *std::move(conforming);
+        projected[s] = inside.size();
+      } else {
+        errors[s] = conforming.error();
+      }
+    });
+    if (const auto error = first(errors)) return *error;
+    for (std::size_t s = 0; s < size(); ++s) {
+      report_.foot_vertices += feet[s];
+      report_.projected_vertices += projected[s];
+    }
+    return {};
+  }
+
+  // Steps 3 to 5.
+  Result<void> make_slabs() {
+    slabs_.resize(size() - 1);
+    std::vector<std::optional<Error>> errors(size() - 1);
+    parallel_for(size() - 1, options_.threads, [&](std::size_t s) {
+      const ConformingSection& lower = sections_[s];
+      const ConformingSection& upper = sections_[s + 1];
+      if (lower.vertex_count() == 0 || upper.vertex_count() == 0) return;
+      Result<TetMesh> d = slab_delaunay(lower, upper, DelaunayEngine::slab);
+      if (!d) {
+        errors[s] = d.error();
+        return;
+      }
+      const Slab slab(lower, upper, std::move(d.value()));
+      const geiger::Elimination left = geiger::eliminate(slab);
+      SlabTets& result = slabs_[s];
+      result.external = left.external;
+      result.singular = left.singular;
+      for (std::size_t k = 0; k < left.stays.size(); ++k) {
+        if (left.stays[TetId(k)] == 0) continue;
+        result.tets.push_back(slab.mesh().vertices(TetId(k)));
+        result.kind.push_back(slab.kind(TetId(k)));
+      }
+    });
+    if (const auto error = first(errors)) return *error;
+    return {};
+  }
+
+  static std::optional<Error> first(const std::vector<std::optional<Error>>& errors) {
+    const auto found =
+        std::find_if(errors.begin(), errors.end(), [](const auto& e) { return e.has_value(); });
+    return found == errors.end() ? std::nullopt : *found;
+  }
+
+  // Vertices of sections that a tet uses, and the tets, slab by slab.
+  void assemble() {
+    std::vector<std::size_t> first_vertex;
+    std::size_t vertices = 0;
+    for (const ConformingSection& section : sections_) {
+      first_vertex.push_back(vertices);
+      vertices += section.vertex_count();
+    }
+    std::vector<TetVertices> tets;
+    for (std::size_t s = 0; s < slabs_.size(); ++s) {
+      const std::size_t lows = sections_[s].vertex_count();
+      report_.external_tets += slabs_[s].external;
+      report_.singular_tets += slabs_[s].singular;
+      for (std::size_t k = 0; k < slabs_[s].tets.size(); ++k) {
+        TetVertices tet = slabs_[s].tets[TetId(k)];
+        for (VertexId& v : tet) {
+          v = v.index() < lows ? VertexId(first_vertex[s] + v.index())
+                               : VertexId(first_vertex[s + 1] + v.index() - lows);
+        }
+        tets.push_back(tet);
+        model_.slab.push_back(SlabId(s));
+        model_.kind.push_back(slabs_[s].kind[TetId(k)]);
+      }
+    }
+    number_vertices(tets, vertices);
+    find_components();
+  }
+
+  void number_vertices(const std::vector<TetVertices>& tets, std::size_t vertices) {
+    std::vector<VertexId> number(vertices);
+    for (const TetVertices& tet : tets) {
+      for (const VertexId v : tet) number[v.index()] = VertexId(0);
+    }
+    std::size_t at = 0;
+    for (std::size_t s = 0; s < size(); ++s) {
+      const std::map<std::pair<double, double>, bool> input = input_points(s);
+      std::vector<bool> seen(stack_.sections[SectionId(s)].contours.size(), false);
+      for (std::size_t k = 0; k < sections_[s].vertex_count(); ++k, ++at) {
+        const VertexId v(k);
+        const ContourId contour = sections_[s].contour[v];
+        const Point3 p = sections_[s].point3(v);
+        const bool is_input = input.contains({p.x, p.y});
+        report_.input_vertices += is_input ? 1U : 0U;
+        report_.split_vertices += contour.valid() && !is_input ? 1U : 0U;
+        if (!number[at].valid()) continue;
+        if (contour.valid()) seen[contour.index()] = true;
+        number[at] = model_.points.push_back(p);
+        model_.section.push_back(static_cast<std::int32_t>(s));
+        model_.contour.push_back(contour.valid() ? static_cast<std::int32_t>(contour.value())
+                                                 : kNoContour);
+        model_.origin.push_back(!contour.valid() ? PointOrigin::projected
+                                : is_input       ? PointOrigin::input
+                                                 : PointOrigin::contour_split);
+      }
+      report_.lost_contours +=
+          static_cast<std::size_t>(std::count(seen.begin(), seen.end(), false));
+    }
+    report_.split_vertices -= report_.foot_vertices;
+    for (TetVertices tet : tets) {
+      for (VertexId& v : tet) v = number[v.index()];
+      model_.tets.push_back(tet);
+    }
+  }
+
+  [[nodiscard]] std::map<std::pair<double, double>, bool> input_points(std::size_t s) const {
+    std::map<std::pair<double, double>, bool> result;
+    for (const Contour& contour : stack_.sections[SectionId(s)].contours) {
+      for (const Point2& p : contour.vertices) result[{p.x, p.y}] = true;
+    }
+    return result;
+  }
+
+  // Face-connected parts, numbered by their lowest tet.
+  void find_components() {
+    std::map<std::array<VertexId, 3>, std::size_t> open;  // faces seen once
+    UnionFind parts(model_.tets.size());
+    for (std::size_t t = 0; t < model_.tets.size(); ++t) {
+      for (std::size_t i = 0; i < 4; ++i) {
+        std::array<VertexId, 3> face;
+        std::size_t n = 0;
+        for (std::size_t j = 0; j < 4; ++j) {
+          if (j != i) face[n++] = model_.tets[TetId(t)][j];
+        }
+        std::sort(face.begin(), face.end());
+        const auto [at, is_new] = open.try_emplace(face, t);
+        if (is_new) continue;
+        parts.unite(at->second, t);
+        open.erase(at);
+      }
+    }
+    std::vector<ComponentId> component(model_.tets.size());
+    for (std::size_t t = 0; t < model_.tets.size(); ++t) {
+      ComponentId& id = component[parts.find(t)];
+      if (!id.valid()) id = ComponentId(model_.component_count++);
+      model_.component.push_back(id);
+    }
+  }
+
+  const SectionStack& stack_;
+  const GeigerOptions& options_;
+  std::vector<ConformingSection> sections_;
+  std::vector<SlabTets> slabs_;
+  Model model_;
+  GeigerReport report_;
+};
+
+}  // namespace
+
+Result<GeigerModel> reconstruct_geiger(const SectionStack& stack, const GeigerOptions& options) {
+  return guard_internal([&] { return Geiger(stack, options).run(); });
+}
+
+}  // namespace tetloft
