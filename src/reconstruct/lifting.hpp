@@ -30,7 +30,7 @@ namespace tetloft {
 /// A lifted vertex rises at least this share of its external edge's length, or of the gap
 /// if that is less, or the slab is refused: below it a model would be valid and useless.
 /// (Of the edge's length, since two contours that nearly touch leave no more room.)
-inline constexpr double kSmallestLift = 0x1p-20;
+inline constexpr double kSmallestLift = 0x1p-36;
 /// Below this the next target is tried, if there is one left.
 inline constexpr double kLowLift = 0x1p-8;
 

@@ -1,8 +1,13 @@
 // That a campaign can fail: what counts as wrong, as refused and as the same.
 #include <gtest/gtest.h>
 
+#include <string>
+
+#include <tetloft/io.hpp>
+
 #include "property/run_campaign.hpp"
 #include "property/same_model.hpp"
+#include "property/thin_tets.hpp"
 
 namespace tetloft {
 namespace {
@@ -11,6 +16,7 @@ using tetloft::testing::attempt;
 using tetloft::testing::CampaignResult;
 using tetloft::testing::Excuse;
 using tetloft::testing::GeneratedStack;
+using tetloft::testing::has_thin_tet;
 using tetloft::testing::Outcome;
 using tetloft::testing::rare_rules;
 using tetloft::testing::same_bits;
@@ -40,6 +46,22 @@ TEST(Attempt, InvalidStackIsWrongWhateverTheExcuse) {
   for (const Excuse excuse : {Excuse::none, Excuse::precision, Excuse::labels}) {
     EXPECT_EQ(attempt(crossed, Criterion::overlap, excuse).outcome, Outcome::wrong_error);
   }
+}
+
+// Three vertices above are collinear but for rounding: the midpoints between them cannot leave
+// the plane within the tet over their triangle.
+TEST(Attempt, ARefusalIsExcusedByATetAsThinAsTheSpacingOfDoublesAlone) {
+  const auto read = read_cnt(std::string(TETLOFT_DATA_DIR) + "/cases/refused/thin_triangle.cnt");
+  ASSERT_TRUE(read);
+  GeneratedStack generated;
+  generated.stack = read->stack;
+  const auto tried = attempt(generated, Criterion::reverse, Excuse::none);
+  EXPECT_EQ(tried.outcome, Outcome::refused) << tried.detail;
+  EXPECT_NE(tried.detail.find("slab 0"), std::string::npos) << tried.detail;
+  EXPECT_TRUE(has_thin_tet(generated.stack, 0, {-2.2315270303, 1.7378973253, 10.5}));
+  EXPECT_FALSE(has_thin_tet(generated.stack, 0, {-4.5, 0, 10.5}));
+  EXPECT_FALSE(has_thin_tet(two_columns().stack, 0, {0.5, 0.5, 0}));
+  EXPECT_FALSE(has_thin_tet(two_columns().stack, 1, {0.5, 0.5, 0}));
 }
 
 TEST(Attempt, ContradictingLabelsAreWrongWhateverTheExcuse) {

@@ -11,6 +11,7 @@
 
 #include "core/parallel.hpp"
 #include "property/same_model.hpp"
+#include "property/thin_tets.hpp"
 #include "support/stacks/shrink.hpp"
 
 namespace tetloft::testing {
@@ -61,18 +62,21 @@ std::string contradiction(const Reconstruction& made, const SectionStack& stack)
   return {};
 }
 
-bool is_excused(const Error& error, Excuse excuse) {
-  if (error.code != ErrorCode::unrepresentable || !names_a_place(error.where)) return false;
+bool is_excused(const Error& error, Excuse excuse, const SectionStack& stack) {
+  const Place& where = error.where;
+  if (error.code != ErrorCode::unrepresentable || !names_a_place(where)) return false;
   switch (excuse) {
-    case Excuse::none: return false;
+    case Excuse::none:
+      return where.slab && where.point && has_thin_tet(stack, *where.slab, *where.point);
     case Excuse::precision:
     case Excuse::labels: return true;
   }
   return false;
 }
 
-Attempt error_attempt(const Error& error, Excuse excuse) {
-  const Outcome outcome = is_excused(error, excuse) ? Outcome::refused : Outcome::wrong_error;
+Attempt error_attempt(const Error& error, Excuse excuse, const SectionStack& stack) {
+  const Outcome outcome =
+      is_excused(error, excuse, stack) ? Outcome::refused : Outcome::wrong_error;
   return {outcome, tetloft::to_string(error), {}};
 }
 
@@ -153,7 +157,7 @@ Attempt attempt(const GeneratedStack& generated, Criterion criterion, Excuse exc
                     : !one.ok() && !two.ok() ? same_error(one.error(), two.error())
                                              : false;
   if (!same) return {Outcome::wrong_threads, "one and two threads differ", {}};
-  if (!one) return error_attempt(one.error(), excuse);
+  if (!one) return error_attempt(one.error(), excuse, generated.stack);
   const std::string contradicted = contradiction(*one, generated.stack);
   if (!contradicted.empty()) return {Outcome::wrong_report, contradicted, {}};
 

@@ -52,7 +52,7 @@ struct Attempt {
 
 /// Why a stack may be refused as unrepresentable.
 enum class Excuse : std::uint8_t {
-  none,
+  none,       ///< but for a tet of D, just there, thinner than 2^12 ulps (thin_tets.hpp)
   precision,  ///< features a few ulps wide
   labels,     ///< regions of one label that nothing joins, or that only slivers of a few ulps
               ///< between nearly parallel edges join (a known limit)

@@ -129,7 +129,8 @@ TEST(Squeeze, FindsDoublesInTetsOfAFewUnitsInTheLastPlace) {
 
 // Refused before there was squeezing: lifted vertices and cuts found no room.
 TEST(Squeeze, MakesRoomBetweenEdgesThatAreParallelButForRounding) {
-  for (const char* name : {"cases/parallel_edges.cnt", "cases/parallel_cuts.cnt"}) {
+  for (const char* name :
+       {"cases/parallel_edges.cnt", "cases/parallel_cuts.cnt", "cases/two_slivers.cnt"}) {
     SCOPED_TRACE(name);
     EXPECT_TRUE(reconstruct_and_check(sample(name)));
   }
