@@ -28,8 +28,9 @@
 namespace tetloft {
 
 /// A lifted vertex rises at least this share of its external edge's length, or of the gap
-/// if that is less, or the slab is refused: below it a model would be valid and useless.
-/// (Of the edge's length, since two contours that nearly touch leave no more room.)
+/// if that is less, or the slab is refused. So little only where features are as thin: two nearly
+/// parallel tets on one edge leave its midpoint about as much height as they are thick. (Of the
+/// edge's length, since two contours that nearly touch leave no more room.)
 inline constexpr double kSmallestLift = 0x1p-36;
 /// Below this the next target is tried, if there is one left.
 inline constexpr double kLowLift = 0x1p-8;
