@@ -148,7 +148,7 @@ TEST(Repair, KeepsTheRegionOfOddCrossingNumber) {
   std::size_t changed = 0;
   std::size_t compared = 0;
   std::size_t refused = 0;
-  for (int round = 0; round < 1500; ++round) {
+  for (int round = 0; round < 600; ++round) {
     // On few lattice points everything touches; on many, it crosses.
     const std::uint64_t side = round % 3 == 0 ? 5 : round % 3 == 1 ? 9 : 1000000;
     Contours contours(1 + prng.below(3));
@@ -177,9 +177,9 @@ TEST(Repair, KeepsTheRegionOfOddCrossingNumber) {
       ++compared;
     }
   }
-  EXPECT_GT(changed, 1300U);
-  EXPECT_GT(compared, 40000U);
-  EXPECT_LE(refused, 5U);  // allowed, but not often: 3 of 1500
+  EXPECT_GT(changed, 520U);
+  EXPECT_GT(compared, 16000U);
+  EXPECT_LE(refused, 3U);  // allowed, but not often
 }
 
 // Whatever begins where and goes which way round.
@@ -199,7 +199,7 @@ std::vector<std::vector<std::pair<double, double>>> normalised(const Contours& c
 TEST(Repair, DependsOnNeitherOrderNorStartNorDirectionOfContours) {
   Prng prng(32);
   std::size_t compared = 0;
-  for (int round = 0; round < 600; ++round) {
+  for (int round = 0; round < 300; ++round) {
     const std::uint64_t side = round % 3 == 0 ? 5 : round % 3 == 1 ? 9 : 1000000;
     Contours contours(2 + prng.below(3));
     for (Contour& c : contours) {
@@ -224,7 +224,7 @@ TEST(Repair, DependsOnNeitherOrderNorStartNorDirectionOfContours) {
         << "round " << round;
     ++compared;
   }
-  EXPECT_GT(compared, 580U);
+  EXPECT_GT(compared, 290U);
 }
 
 }  // namespace
