@@ -143,21 +143,29 @@ TEST(Repair, NamesWhatItCannotMend) {
   EXPECT_EQ(refused.error().where.contour, 0U);
 }
 
+// On few lattice points everything touches; on many, it crosses.
+std::uint64_t side_of(int round) { return round % 3 == 0 ? 5 : round % 3 == 1 ? 9 : 1000000; }
+
+// Contours of random vertices on the lattice from 0 to below side.
+Contours tangle(Prng& prng, std::uint64_t count, std::uint64_t side) {
+  Contours contours(count);
+  for (Contour& c : contours) {
+    for (std::uint64_t n = 3 + prng.below(9); n > 0; --n) {
+      c.vertices.push_back(
+          {static_cast<double>(prng.below(side)), static_cast<double>(prng.below(side))});
+    }
+  }
+  return contours;
+}
+
 TEST(Repair, KeepsTheRegionOfOddCrossingNumber) {
   Prng prng(31);
   std::size_t changed = 0;
   std::size_t compared = 0;
   std::size_t refused = 0;
   for (int round = 0; round < 600; ++round) {
-    // On few lattice points everything touches; on many, it crosses.
-    const std::uint64_t side = round % 3 == 0 ? 5 : round % 3 == 1 ? 9 : 1000000;
-    Contours contours(1 + prng.below(3));
-    for (Contour& c : contours) {
-      for (std::uint64_t n = 3 + prng.below(9); n > 0; --n) {
-        c.vertices.push_back(
-            {static_cast<double>(prng.below(side)), static_cast<double>(prng.below(side))});
-      }
-    }
+    const std::uint64_t side = side_of(round);
+    const Contours contours = tangle(prng, 1 + prng.below(3), side);
     const auto result = repair(one(contours));
     if (!result.ok()) {
       ++refused;
@@ -200,14 +208,7 @@ TEST(Repair, DependsOnNeitherOrderNorStartNorDirectionOfContours) {
   Prng prng(32);
   std::size_t compared = 0;
   for (int round = 0; round < 300; ++round) {
-    const std::uint64_t side = round % 3 == 0 ? 5 : round % 3 == 1 ? 9 : 1000000;
-    Contours contours(2 + prng.below(3));
-    for (Contour& c : contours) {
-      for (std::uint64_t n = 3 + prng.below(7); n > 0; --n) {
-        c.vertices.push_back(
-            {static_cast<double>(prng.below(side)), static_cast<double>(prng.below(side))});
-      }
-    }
+    const Contours contours = tangle(prng, 2 + prng.below(3), side_of(round));
     const auto result = repair(one(contours));
     Contours other = contours;
     prng.shuffle(other);
