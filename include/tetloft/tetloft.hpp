@@ -12,6 +12,7 @@
 #include <tetloft/point.hpp>
 #include <tetloft/predicates.hpp>
 #include <tetloft/reconstruct.hpp>
+#include <tetloft/render.hpp>
 #include <tetloft/result.hpp>
 #include <tetloft/sections.hpp>
 #include <tetloft/tet_mesh.hpp>

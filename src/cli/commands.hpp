@@ -19,6 +19,7 @@ struct Command {
 [[nodiscard]] Command delaunay_command();
 [[nodiscard]] Command info_command();
 [[nodiscard]] Command skeleton_command();
+[[nodiscard]] Command render_command();
 
 /// Exit code of `check` where a guarantee fails.
 inline constexpr int kGuaranteeFails = 1;

@@ -17,8 +17,8 @@ namespace tetloft::cli {
 namespace {
 
 std::vector<Command> all_commands() {
-  return {reconstruct_command(), check_command(), delaunay_command(), skeleton_command(),
-          info_command()};
+  return {reconstruct_command(), check_command(),  delaunay_command(),
+          skeleton_command(),    render_command(), info_command()};
 }
 
 std::string general_help() {

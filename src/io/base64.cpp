@@ -1,4 +1,3 @@
-// Decoding base64.
 #include "io/base64.hpp"
 
 #include <algorithm>
@@ -59,6 +58,23 @@ std::optional<std::string> decode_base64(std::string_view text, std::size_t want
     if (bytes.size() >= wanted) break;
   }
   return bytes;
+}
+
+std::string encode_base64(std::string_view bytes) {
+  constexpr char kAlphabet[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t at = 0; at < bytes.size(); at += 3) {
+    const std::size_t n = std::min<std::size_t>(3, bytes.size() - at);
+    std::uint32_t group = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      group = group << 8 | (i < n ? static_cast<unsigned char>(bytes[at + i]) : 0U);
+    }
+    for (std::size_t i = 0; i < 4; ++i) {
+      text += i > n ? '=' : kAlphabet[group >> (18 - 6 * i) & 63U];
+    }
+  }
+  return text;
 }
 
 }  // namespace tetloft::io

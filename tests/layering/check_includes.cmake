@@ -19,7 +19,8 @@ set(may_reconstruct core predicates mesh delaunay2 delaunay3 sections contact mo
 set(may_geiger core predicates mesh delaunay2 delaunay3 sections model reconstruct)
 set(may_check core predicates mesh sections contact model)
 set(may_io core sections model)
-set(modules core predicates mesh delaunay2 delaunay3 sections contact model reconstruct geiger check io)
+set(may_render core mesh sections model io)
+set(modules core predicates mesh delaunay2 delaunay3 sections contact model reconstruct geiger check io render)
 
 # Public headers whose name is not their module's. delaunay.hpp holds the types of both
 # triangulations: it is open to whoever may include one of them, and may include what

@@ -1,0 +1,65 @@
+// Pictures of models: still ones as PNG and SVG, and a page with an interactive viewer that works
+// from the file alone. Meant for eyes: colours and shades are computed in plain floating point.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include <tetloft/model.hpp>
+#include <tetloft/result.hpp>
+#include <tetloft/sections.hpp>
+
+namespace tetloft {
+
+/// What the colour of a tet tells.
+enum class ColourBy : std::uint8_t {
+  component,
+  slab,
+  kind,      ///< TetKind
+  dihedral,  ///< its smallest dihedral angle
+};
+inline constexpr int kColourings = 4;
+[[nodiscard]] const char* name_of(ColourBy colour);
+
+/// A plane x, y or z = position. Of the model the part away from the eye stays, and is shown cut
+/// open; for z the lower part.
+struct PictureCut {
+  int axis = 2;  ///< 0 x, 1 y, 2 z
+  double position = 0;
+};
+
+struct RenderOptions {
+  ColourBy colour = ColourBy::component;
+  /// Where the eye stands, in degrees: from +x towards +y, and above the sections' planes.
+  double azimuth = -60;
+  double elevation = 25;
+  /// Pixels; of a page the viewer takes the window instead. 1 to 8192.
+  int width = 1200;
+  int height = 900;
+  std::optional<PictureCut> cut;  ///< the viewer takes z only
+  /// Slabs are moved apart by this many mean heights of a slab.
+  double explode = 0;
+  bool edges = false;    ///< draws the edges of tets
+  bool contours = true;  ///< draws the contours of the sections
+  double stretch = 1;    ///< z is drawn this many times as large
+  bool white = false;    ///< white background instead of none
+  std::string title;     ///< of the page
+};
+
+/// The picture of a model, as the bytes of a file. `contours`: the sections whose contours are
+/// drawn; null: the outlines of the model in its section planes. Refused: usage for options out
+/// of range, a cut of a page that is not by z, or a colour that the model has no data for;
+/// invalid_input for a model without tets, with a face of more than two, ids out of range,
+/// coordinates not finite or too large for float32 squares.
+[[nodiscard]] Result<std::string> render_png(const Model& model, const SectionStack* contours,
+                                             const RenderOptions& options = {});
+/// Only triangles that are seen are written.
+[[nodiscard]] Result<std::string> render_svg(const Model& model, const SectionStack* contours,
+                                             const RenderOptions& options = {});
+/// One HTML file without references to others, that shows the model by WebGL 2: it can be turned,
+/// cut from section to section, taken apart and coloured anew. src/render/README.md.
+[[nodiscard]] Result<std::string> render_html(const Model& model, const SectionStack* contours,
+                                              const RenderOptions& options = {});
+
+}  // namespace tetloft

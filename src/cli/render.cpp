@@ -1,0 +1,155 @@
+// tetloft render: pictures of a model.
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+#include <tetloft/tetloft.hpp>
+
+#include "cli/commands.hpp"
+#include "cli/outputs.hpp"
+#include "io/files.hpp"
+#include "io/numbers.hpp"
+
+namespace tetloft::cli {
+
+namespace {
+
+Usage usage() {
+  return {"render",
+          "A picture of a model, or a page to turn, cut and take it apart.",
+          {"MODEL.vtu"},
+          {{"--output", "OUT", "the picture: .png, .svg, or .html; required", "-o"},
+           {"--contours", "IN.cnt", "draw the contours of this stack (default: the model's own)"},
+           {"--no-contours", "", "draw no contours"},
+           {"--colour", "WHAT", "component (default), slab, kind or dihedral"},
+           {"--view", "A,E", "azimuth and elevation of the eye in degrees (default -60,25)"},
+           {"--cut", "AXIS=VALUE", "cut open by the plane x, y or z = VALUE; .html: z only"},
+           {"--explode", "GAPS", "move the slabs apart by this many mean heights"},
+           {"--stretch", "FACTOR", "draw z this many times as large"},
+           {"--edges", "", "draw the edges of tets"},
+           {"--size", "WxH", "pixels of .png and .svg (default 1200x900)"},
+           {"--white", "", "white background instead of none"},
+           {"--title", "TEXT", "of the page (default: the model's name)"},
+           kJsonOption,
+           kQuietOption,
+           kHelpOption},
+          "An .html file needs nothing else: open it in a browser with WebGL 2. There the options "
+          "are what is shown first, and all can be changed."};
+}
+
+// "first SEPARATOR second", two numbers.
+std::optional<std::array<double, 2>> two_numbers(const std::string& text, char separator) {
+  const std::size_t at = text.find(separator);
+  if (at == std::string::npos) return std::nullopt;
+  const io::ParsedNumber first = io::parse_number(std::string_view(text).substr(0, at));
+  const io::ParsedNumber second = io::parse_number(std::string_view(text).substr(at + 1));
+  if (!first.ok() || !second.ok()) return std::nullopt;
+  return std::array{first.value, second.value};
+}
+
+Error wrong_value(const std::string& option, const std::string& value, const char* expected) {
+  return usage_error("option " + option + ": " + io::in_quotes(value) + " is not " + expected);
+}
+
+Result<RenderOptions> render_options(const Arguments& arguments) {
+  RenderOptions options;
+  if (const auto name = arguments.text("--colour")) {
+    bool known = false;
+    for (int k = 0; k < kColourings; ++k) {
+      if (*name != name_of(static_cast<ColourBy>(k))) continue;
+      options.colour = static_cast<ColourBy>(k);
+      known = true;
+    }
+    if (!known) return wrong_value("--colour", *name, "component, slab, kind or dihedral");
+  }
+  if (const auto view = arguments.text("--view")) {
+    const auto angles = two_numbers(*view, ',');
+    if (!angles) return wrong_value("--view", *view, "two numbers A,E");
+    options.azimuth = (*angles)[0];
+    options.elevation = (*angles)[1];
+  }
+  if (const auto cut = arguments.text("--cut")) {
+    const bool formed = cut->size() > 2 && (*cut)[0] >= 'x' && (*cut)[0] <= 'z' && (*cut)[1] == '=';
+    const io::ParsedNumber position =
+        formed ? io::parse_number(std::string_view(*cut).substr(2)) : io::ParsedNumber{};
+    if (!position.ok()) return wrong_value("--cut", *cut, "x=, y= or z= and a number");
+    options.cut = PictureCut{(*cut)[0] - 'x', position.value};
+  }
+  if (const auto size = arguments.text("--size")) {
+    const auto sides = two_numbers(*size, 'x');
+    const auto whole = [](double side) {
+      return side >= 1 && side <= 8192 && side == static_cast<int>(side);
+    };
+    if (!sides || !whole((*sides)[0]) || !whole((*sides)[1])) {
+      return wrong_value("--size", *size, "WxH, each from 1 to 8192");
+    }
+    options.width = static_cast<int>((*sides)[0]);
+    options.height = static_cast<int>((*sides)[1]);
+  }
+  for (const auto& [name, target] :
+       {std::pair{"--explode", &options.explode}, std::pair{"--stretch", &options.stretch}}) {
+    const auto value = arguments.number(name);
+    if (!value) return value.error();
+    if (*value) *target = **value;
+  }
+  options.edges = arguments.has("--edges");
+  options.contours = !arguments.has("--no-contours");
+  options.white = arguments.has("--white");
+  options.title = arguments.text("--title").value_or(
+      std::filesystem::path(arguments.operand(0)).stem().string());
+  return options;
+}
+
+Result<int> run(const Arguments& arguments, Console& console) {
+  const auto output = arguments.text("--output");
+  if (!output) return usage_error("missing option --output (-o) OUT");
+  const auto options = render_options(arguments);
+  if (!options) return options.error();
+  std::vector<std::string> taken{arguments.operand(0)};
+  const auto stack_path = arguments.text("--contours");
+  if (stack_path) taken.push_back(*stack_path);
+  Result<void> checked = check_output("--output (-o)", *output, {".png", ".svg", ".html"}, taken);
+  if (!checked) return checked.error();
+
+  std::optional<SectionStack> stack;
+  if (stack_path) {
+    Result<ReadStack> read = read_cnt(*stack_path);
+    if (!read) return read.error();
+    for (const Warning& warning : read->warnings) console.warn(warning);
+    stack = std::move(read->stack);
+  }
+  const Result<Model> model = read_vtu(arguments.operand(0));
+  if (!model) return model.error();
+
+  const std::string extension = io::extension_of(*output);
+  const auto render = extension == ".png"   ? render_png
+                      : extension == ".svg" ? render_svg
+                                            : render_html;
+  const Result<std::string> picture = render(*model, stack ? &*stack : nullptr, *options);
+  if (!picture) {
+    Error error = picture.error();
+    if (error.code == ErrorCode::invalid_input) error.where.file = arguments.operand(0);
+    return error;
+  }
+  Result<void> written = write_file(*output, *picture);
+  if (!written) return written.error();
+  if (console.json()) {
+    JsonWriter json;
+    json.begin_object();
+    json.member("written", *output);
+    json.member("bytes", picture->size());
+    write_warnings(json, console.warnings());
+    json.end_object();
+    console.print(json.text());
+  } else if (!console.quiet()) {
+    console.print("written: " + *output + '\n');
+  }
+  return 0;
+}
+
+}  // namespace
+
+Command render_command() { return {usage(), run}; }
+
+}  // namespace tetloft::cli

@@ -1,0 +1,145 @@
+// The picture: several samples a pixel, lines, edges.
+#include <algorithm>
+#include <cmath>
+
+#include "render/raster.hpp"
+#include "render/vector.hpp"
+
+namespace tetloft::render {
+
+namespace {
+
+constexpr double kEdgeWidth = 0.75;  // pixels
+constexpr float kEdgeStrength = 0.5F;
+
+std::size_t samples_across(const RenderOptions& options) {
+  const double pixels = static_cast<double>(options.width) * options.height;
+  return pixels <= 4e6 ? 3 : pixels <= 16e6 ? 2 : 1;
+}
+
+// Samples that show a line.
+std::vector<std::uint8_t> draw_lines(const Scene& scene, const View& view, const ItemBuffer& items,
+                                     double width) {
+  std::vector<std::uint8_t> drawn(items.item.size(), 0);
+  const double lift = kLineLift * static_cast<double>(std::max(items.width, items.height));
+  const auto clamped = [](double value, std::size_t size) {
+    return static_cast<std::size_t>(std::clamp(value, 0.0, static_cast<double>(size)));
+  };
+  for (const auto& line : scene.lines) {
+    const Projected a = view.project(line[0]);
+    const Projected b = view.project(line[1]);
+    const double dx = b.x - a.x;
+    const double dy = b.y - a.y;
+    const double square = dx * dx + dy * dy;
+    const double reach = width / 2;
+    const std::size_t x0 = clamped(std::min(a.x, b.x) - reach, items.width);
+    const std::size_t x1 = clamped(std::max(a.x, b.x) + reach + 1, items.width);
+    const std::size_t y0 = clamped(std::min(a.y, b.y) - reach, items.height);
+    const std::size_t y1 = clamped(std::max(a.y, b.y) + reach + 1, items.height);
+    for (std::size_t y = y0; y < y1; ++y) {
+      for (std::size_t x = x0; x < x1; ++x) {
+        const double px = static_cast<double>(x) + 0.5 - a.x;
+        const double py = static_cast<double>(y) + 0.5 - a.y;
+        const double t = square > 0 ? std::clamp((px * dx + py * dy) / square, 0.0, 1.0) : 0;
+        const double ox = px - t * dx;
+        const double oy = py - t * dy;
+        if (ox * ox + oy * oy > reach * reach) continue;
+        const std::size_t at = items.at(x, y);
+        const double depth = a.depth + t * (b.depth - a.depth) + lift;
+        if (items.item[at] != ItemBuffer::kNothing && items.depth[at] > depth) continue;
+        drawn[at] = 1;
+      }
+    }
+  }
+  return drawn;
+}
+
+struct Sampled {
+  Point3 normal;
+  bool on_edge = false;
+};
+
+Sampled sample(const SceneTriangle& triangle, const View& view, double px, double py,
+               double edge_reach) {
+  std::array<Projected, 3> p;
+  for (std::size_t i = 0; i < 3; ++i) p[i] = view.project(triangle.corner[i]);
+  const double area = (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[2].x - p[0].x) * (p[1].y - p[0].y);
+  Sampled result;
+  Point3 normal{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Projected& a = p[(i + 1) % 3];
+    const Projected& b = p[(i + 2) % 3];
+    const double twice = (b.x - a.x) * (py - a.y) - (b.y - a.y) * (px - a.x);
+    normal = normal + (twice / area) * triangle.normal[i];
+    const double length = std::hypot(b.x - a.x, b.y - a.y);
+    // The side opposite corner i begins at corner i + 1.
+    if ((triangle.outline >> (i + 1) % 3 & 1) != 0 && std::abs(twice) < edge_reach * length) {
+      result.on_edge = true;
+    }
+  }
+  result.normal = view.turned(unit(normal));
+  return result;
+}
+
+}  // namespace
+
+Picture draw(const Scene& scene, const RenderOptions& options) {
+  const auto width = static_cast<std::size_t>(options.width);
+  const auto height = static_cast<std::size_t>(options.height);
+  const View view(scene, options);
+  const std::size_t across = samples_across(options);
+  const View fine = view.enlarged(static_cast<double>(across));
+  const ItemBuffer coarse = draw_items(scene, view, width, height);
+  const std::vector<float> open = openness(coarse, scene, view);
+  const ItemBuffer items = draw_items(scene, fine, width * across, height * across);
+  const std::vector<std::uint8_t> lines =
+      draw_lines(scene, fine, items, line_width(scene, view) * static_cast<double>(across));
+  const double edge_reach = options.edges ? kEdgeWidth / 2 * static_cast<double>(across) : -1.0;
+  const Light ink = linear(kContourColour);
+
+  Picture picture{width, height, {}};
+  picture.pixel.resize(width * height);
+  for (std::size_t y = 0; y < height; ++y) {
+    for (std::size_t x = 0; x < width; ++x) {
+      Light sum;
+      float covered = 0;
+      for (std::size_t k = 0; k < across * across; ++k) {
+        const std::size_t sx = x * across + k % across;
+        const std::size_t sy = y * across + k / across;
+        const std::size_t at = items.at(sx, sy);
+        Light light;
+        if (lines[at] != 0) {
+          light = ink;
+        } else if (items.item[at] != ItemBuffer::kNothing) {
+          const SceneTriangle& triangle = scene.triangles[items.item[at]];
+          const Sampled s = sample(triangle, fine, static_cast<double>(sx) + 0.5,
+                                   static_cast<double>(sy) + 0.5, edge_reach);
+          light = lit(triangle.colour, s.normal, open[coarse.at(x, y)]);
+          if (s.on_edge) {
+            const auto mixed = [](float a, float b) {
+              return (1 - kEdgeStrength) * a + kEdgeStrength * b;
+            };
+            light = {mixed(light.r, ink.r), mixed(light.g, ink.g), mixed(light.b, ink.b)};
+          }
+        } else {
+          continue;
+        }
+        sum = {sum.r + light.r, sum.g + light.g, sum.b + light.b};
+        covered += 1;
+      }
+      auto& pixel = picture.pixel[y * width + x];
+      const auto all = static_cast<float>(across * across);
+      if (options.white) {
+        const float ground = (all - covered) / all;
+        pixel = {encoded(sum.r / all + ground), encoded(sum.g / all + ground),
+                 encoded(sum.b / all + ground), 255};
+      } else if (covered > 0) {
+        pixel = {encoded(sum.r / covered), encoded(sum.g / covered), encoded(sum.b / covered),
+                 static_cast<std::uint8_t>(std::lround(255 * covered / all))};
+      }
+    }
+  }
+  return picture;
+}
+
+}  // namespace tetloft::render

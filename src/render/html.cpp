@@ -1,0 +1,277 @@
+// The viewer's page.
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <tetloft/render.hpp>
+
+#include "core/check.hpp"
+#include "io/base64.hpp"
+#include "io/numbers.hpp"
+#include "render/deflate.hpp"
+#include "render/subject.hpp"
+#include "render/vector.hpp"
+#include "render/viewer_parts.hpp"
+
+namespace tetloft {
+
+namespace {
+
+using render::Rgb;
+using render::Subject;
+
+// Inside a script element no "<" may be taken for a tag: "\u003c" is the same string.
+std::string json_string(std::string_view text) {
+  constexpr char kDigits[] = "0123456789abcdef";
+  std::string out = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20 || c == '<' || c == '"' || c == '\\') {
+      out += "\\u00";
+      out += kDigits[byte >> 4];
+      out += kDigits[byte & 15U];
+    } else {
+      out += c;
+    }
+  }
+  return out + '"';
+}
+
+std::string html_text(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '<') {
+      out += "&lt;";
+    } else if (c == '&') {
+      out += "&amp;";
+    } else {
+      out += c;
+    }
+  }
+  return out;
+}
+
+// One comma-separated member of a JSON object at a time.
+class Members {
+ public:
+  void text(const char* name, std::string_view value) { raw(name, json_string(value)); }
+  void number(const char* name, double value) {
+    std::string text;
+    io::append_number(text, value);
+    raw(name, text);
+  }
+  void flag(const char* name, bool value) { raw(name, value ? "true" : "false"); }
+  void raw(const char* name, const std::string& value) {
+    if (!out_.empty()) out_ += ',';
+    out_ += json_string(name) + ':' + value;
+  }
+  /// item(k): the JSON of entry k.
+  template <class Item>
+  void list(const char* name, std::size_t n, Item&& item) {
+    std::string all = "[";
+    for (std::size_t k = 0; k < n; ++k) {
+      if (k != 0) all += ',';
+      all += item(k);
+    }
+    raw(name, all + ']');
+  }
+  [[nodiscard]] std::string object() const { return '{' + out_ + '}'; }
+
+ private:
+  std::string out_;
+};
+
+std::string json(const Rgb& colour) {
+  return '[' + std::to_string(colour.r) + ',' + std::to_string(colour.g) + ',' +
+         std::to_string(colour.b) + ']';
+}
+
+// An array as the viewer unpacks it: byte planes, which compress better, as a zlib stream in
+// base64.
+template <class T>
+void append_array(std::string& page, const char* id, const std::vector<T>& values) {
+  std::string planes(values.size() * sizeof(T), '\0');
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const auto bytes = std::bit_cast<std::array<char, sizeof(T)>>(values[i]);
+    for (std::size_t k = 0; k < sizeof(T); ++k) {
+      const std::size_t from = std::endian::native == std::endian::little ? k : sizeof(T) - 1 - k;
+      planes[k * values.size() + i] = bytes[from];
+    }
+  }
+  page += "<script type=\"application/octet-stream\" id=\"array-";
+  page += id;
+  page += "\">" + io::encode_base64(render::zlib_compressed(planes)) + "</script>\n";
+}
+
+class Page {
+ public:
+  Page(const Subject& subject, const RenderOptions& options)
+      : subject_(subject), options_(options) {
+    using namespace render;
+    centre_ = 0.5 * (subject.low + subject.high);
+    const Point3 diagonal = subject.high - subject.low;
+    scale_ = std::sqrt(dot(diagonal, diagonal)) / 2;
+    if (!(scale_ > 0)) scale_ = 1;
+  }
+
+  std::string text() const {
+    std::string page =
+        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+        "<link rel=\"icon\" href=\"data:,\">\n<title>" +
+        html_text(options_.title) + "</title>\n<style>\n" + render::kViewerCss +
+        "</style>\n</head>\n<body>\n" + render::kViewerHtml;
+    page += "<script type=\"application/json\" id=\"model\">" + header() + "</script>\n";
+    append_arrays(page);
+    for (const char* script : render::kViewerScripts) {
+      page += "<script>\n";
+      page += script;
+      page += "</script>\n";
+    }
+    return page + "</body>\n</html>\n";
+  }
+
+ private:
+  // Heights are stretched in the subject, and not for the reader.
+  [[nodiscard]] float height(double stretched) const {
+    return static_cast<float>((stretched - centre_.z) / scale_);
+  }
+
+  [[nodiscard]] std::string header() const {
+    const Subject& s = subject_;
+    Members members;
+    members.text("title", options_.title);
+    members.number("componentCount", static_cast<double>(s.component_count));
+    members.number("centre", centre_.z / options_.stretch);
+    members.number("scale", scale_ / options_.stretch);
+    members.number("gap", s.mean_gap / scale_);
+    members.text("colour", name_of(options_.colour));
+    members.number("azimuth", options_.azimuth);
+    members.number("elevation", options_.elevation);
+    members.number("explode", options_.explode);
+    members.flag("edges", options_.edges);
+    members.flag("drawContours", options_.contours);
+    if (options_.cut) {
+      members.number("cut", static_cast<double>(height(options_.stretch * options_.cut->position)));
+    } else {
+      members.raw("cut", "null");
+    }
+    members.raw("colourings", s.kind.empty() ? R"(["component","slab","dihedral"])"
+                                             : R"(["component","slab","kind","dihedral"])");
+    members.list("slabFirst", s.slab_count + 1, [&](std::size_t k) {
+      const auto first =
+          std::lower_bound(s.slab.begin(), s.slab.end(), static_cast<std::uint32_t>(k));
+      return std::to_string(first - s.slab.begin());
+    });
+    members.list("sections", s.sections.size(), [&](std::size_t k) {
+      Members section;
+      section.number("at", static_cast<double>(height(s.sections[k])));
+      return section.object();
+    });
+    // Of the first components; the viewer begins again after these.
+    members.list("componentColours", std::min<std::size_t>(s.component_count, 48),
+                 [](std::size_t k) { return json(render::component_colour(k)); });
+    members.list("slabColours", s.slab_count, [&](std::size_t k) {
+      return json(
+          s.colour(static_cast<std::size_t>(std::lower_bound(s.slab.begin(), s.slab.end(),
+                                                             static_cast<std::uint32_t>(k)) -
+                                            s.slab.begin()),
+                   ColourBy::slab));
+    });
+    members.list("dihedralColours", 256, [](std::size_t k) {
+      return json(render::dihedral_colour(static_cast<double>(k) / 255));
+    });
+    members.list("kindColours", kTetKinds,
+                 [](std::size_t k) { return json(render::kind_colour(static_cast<TetKind>(k))); });
+    members.list("kindNames", kTetKinds,
+                 [](std::size_t k) { return json_string(name_of(static_cast<TetKind>(k))); });
+    return members.object();
+  }
+
+  void append_arrays(std::string& page) const {
+    const Subject& s = subject_;
+    std::vector<float> floats;
+    const auto append_point = [&](const Point3& p) {
+      floats.push_back(static_cast<float>((p.x - centre_.x) / scale_));
+      floats.push_back(static_cast<float>((p.y - centre_.y) / scale_));
+      floats.push_back(height(p.z));
+    };
+    for (const Point3& p : s.points) append_point(p);
+    append_array(page, "points", floats);
+
+    std::vector<std::uint32_t> words;
+    for (const TetVertices& tet : s.tets) {
+      for (const VertexId v : tet) words.push_back(v.value());
+    }
+    append_array(page, "tets", words);
+    const auto append_half_faces = [&](const char* id, const std::vector<HalfFaceId>& all) {
+      words.clear();
+      for (const HalfFaceId h : all) words.push_back(h.value());
+      append_array(page, id, words);
+    };
+    append_half_faces("boundary", s.boundary);
+    append_half_faces("walls", s.walls);
+
+    std::vector<std::int8_t> normals;
+    for (const auto& corners : s.normals) {
+      for (const Point3& n : corners) {
+        for (int axis = 0; axis < 3; ++axis) {
+          normals.push_back(
+              static_cast<std::int8_t>(std::lround(127 * render::coordinate(n, axis))));
+        }
+      }
+    }
+    append_array(page, "normals", normals);
+    append_array(page, "component", s.component);
+
+    std::vector<std::uint8_t> bytes;
+    for (const TetKind kind : s.kind) bytes.push_back(static_cast<std::uint8_t>(kind));
+    append_array(page, "kind", bytes);
+    bytes.clear();
+    for (const float degrees : s.dihedral) {
+      bytes.push_back(static_cast<std::uint8_t>(
+          std::lround(255 * std::min(1.0, static_cast<double>(degrees) / render::kBestDihedral))));
+    }
+    append_array(page, "dihedral", bytes);
+
+    floats.clear();
+    words.clear();
+    for (const render::ContourPiece& piece : s.contours) {
+      append_point(piece.a);
+      append_point(piece.b);
+      words.push_back(piece.slab_below);
+      words.push_back(piece.slab_above);
+    }
+    append_array(page, "contours", floats);
+    append_array(page, "contour_slabs", words);
+  }
+
+  const Subject& subject_;
+  const RenderOptions& options_;
+  Point3 centre_;
+  double scale_ = 1;
+};
+
+}  // namespace
+
+Result<std::string> render_html(const Model& model, const SectionStack* contours,
+                                const RenderOptions& options) {
+  return guard_internal([&]() -> Result<std::string> {
+    Result<void> checked = render::check_options(options);
+    if (!checked) return checked.error();
+    if (options.cut && options.cut->axis != 2) {
+      return Error{ErrorCode::usage, "the viewer cuts by z only", {}};
+    }
+    const Result<Subject> subject = render::subject_of(model, contours, options);
+    if (!subject) return subject.error();
+    return Page(*subject, options).text();
+  });
+}
+
+}  // namespace tetloft

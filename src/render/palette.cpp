@@ -1,0 +1,80 @@
+#include "render/palette.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+namespace tetloft::render {
+
+namespace {
+
+constexpr std::array<Rgb, 12> kComponents{{{222, 196, 152},
+                                           {84, 140, 168},
+                                           {206, 108, 94},
+                                           {126, 164, 108},
+                                           {146, 118, 172},
+                                           {228, 170, 78},
+                                           {88, 166, 158},
+                                           {196, 128, 160},
+                                           {110, 124, 148},
+                                           {168, 156, 82},
+                                           {120, 176, 210},
+                                           {168, 116, 84}}};
+
+// Type 1 in earth, reverse in reds, the rest in greens and blues, ends in grey.
+constexpr std::array<Rgb, kTetKinds> kKinds{{{216, 190, 140},
+                                             {158, 132, 96},
+                                             {190, 60, 66},
+                                             {226, 126, 84},
+                                             {240, 186, 96},
+                                             {70, 120, 160},
+                                             {98, 166, 176},
+                                             {136, 176, 120},
+                                             {150, 154, 164}}};
+
+constexpr std::array<Rgb, 6> kSlabs{{{54, 62, 120},
+                                     {56, 118, 158},
+                                     {70, 168, 150},
+                                     {150, 200, 112},
+                                     {240, 208, 100},
+                                     {236, 146, 84}}};
+
+constexpr std::array<Rgb, 6> kDihedral{{{150, 22, 44},
+                                        {214, 84, 52},
+                                        {240, 168, 80},
+                                        {226, 218, 150},
+                                        {120, 186, 160},
+                                        {46, 120, 142}}};
+
+std::uint8_t byte_of(double value) {
+  return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
+}
+
+Rgb along(std::span<const Rgb> stops, double t) {
+  const double at = std::clamp(t, 0.0, 1.0) * static_cast<double>(stops.size() - 1);
+  const std::size_t i = std::min(static_cast<std::size_t>(at), stops.size() - 2);
+  const double f = at - static_cast<double>(i);
+  const auto mixed = [f](std::uint8_t a, std::uint8_t b) { return byte_of((1 - f) * a + f * b); };
+  const Rgb& a = stops[i];
+  const Rgb& b = stops[i + 1];
+  return {mixed(a.r, b.r), mixed(a.g, b.g), mixed(a.b, b.b)};
+}
+
+}  // namespace
+
+Rgb component_colour(std::size_t component) {
+  const Rgb& base = kComponents[component % kComponents.size()];
+  // Later rounds of the palette are darker, then lighter, by turns.
+  constexpr std::array<double, 4> kShade{1, 0.78, 1.14, 0.64};
+  const double shade = kShade[component / kComponents.size() % kShade.size()];
+  return {byte_of(shade * base.r), byte_of(shade * base.g), byte_of(shade * base.b)};
+}
+
+Rgb kind_colour(TetKind kind) { return kKinds[static_cast<std::size_t>(kind) % kKinds.size()]; }
+
+Rgb slab_colour(double t) { return along(kSlabs, t); }
+
+Rgb dihedral_colour(double t) { return along(kDihedral, t); }
+
+}  // namespace tetloft::render

@@ -1,0 +1,28 @@
+// The colours of pictures.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <tetloft/model.hpp>
+
+namespace tetloft::render {
+
+/// sRGB.
+struct Rgb {
+  std::uint8_t r = 0, g = 0, b = 0;
+};
+
+/// Neighbouring numbers get colours that are well apart.
+[[nodiscard]] Rgb component_colour(std::size_t component);
+[[nodiscard]] Rgb kind_colour(TetKind kind);
+/// From the first slab, 0, to the last, 1.
+[[nodiscard]] Rgb slab_colour(double t);
+/// From flat, 0, to kBestDihedral degrees or more, 1.
+[[nodiscard]] Rgb dihedral_colour(double t);
+/// The smallest dihedral angle of a regular tet, arccos(1/3), is 70.53 degrees.
+inline constexpr double kBestDihedral = 70.53;
+
+inline constexpr Rgb kContourColour{32, 36, 44};
+
+}  // namespace tetloft::render

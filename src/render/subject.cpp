@@ -1,0 +1,297 @@
+#include "render/subject.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <numeric>
+#include <utility>
+
+#include <tetloft/tet_mesh.hpp>
+
+#include "render/normals.hpp"
+#include "render/vector.hpp"
+
+namespace tetloft {
+
+const char* name_of(ColourBy colour) {
+  switch (colour) {
+    case ColourBy::component: return "component";
+    case ColourBy::slab: return "slab";
+    case ColourBy::kind: return "kind";
+    case ColourBy::dihedral: return "dihedral";
+  }
+  return "unknown";
+}
+
+}  // namespace tetloft
+
+namespace tetloft::render {
+
+namespace {
+
+// float32 holds the square of what is below.
+constexpr double kLargestDrawn = 1e18;
+
+Error invalid(std::string message) { return {ErrorCode::invalid_input, std::move(message), {}}; }
+
+// The angles between faces i and j are π less that between their outward normals.
+float smallest_dihedral(const std::array<Point3, 4>& p) {
+  std::array<Point3, 4> normal;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto& f = kFaceVertex[i];
+    const auto at = [&](int k) { return p[static_cast<std::size_t>(k)]; };
+    normal[i] = unit(cross(at(f[1]) - at(f[0]), at(f[2]) - at(f[0])), {});
+  }
+  double largest_cosine = -1;
+  for (const auto& [i, j] : kEdgeVertex) {
+    const double cosine =
+        -dot(normal[static_cast<std::size_t>(i)], normal[static_cast<std::size_t>(j)]);
+    largest_cosine = std::max(largest_cosine, cosine);
+  }
+  return static_cast<float>(std::acos(std::clamp(largest_cosine, -1.0, 1.0)) * 180 /
+                            std::numbers::pi);
+}
+
+Result<void> check_model(const Model& model) {
+  const std::size_t n = model.tets.size();
+  if (n == 0) return invalid("the model has no tets to draw");
+  const auto wrong = [n](std::size_t size) { return size != 0 && size != n; };
+  if (wrong(model.component.size()) || wrong(model.slab.size()) || wrong(model.kind.size())) {
+    return invalid("an array of the model has not one value for each tet");
+  }
+  for (const Point3& p : model.points) {
+    if (!(std::abs(p.x) < kLargestDrawn && std::abs(p.y) < kLargestDrawn &&
+          std::abs(p.z) < kLargestDrawn)) {
+      return invalid("the model has a coordinate of 1e18 or more, too large to be drawn");
+    }
+  }
+  return {};
+}
+
+// Order of the tets by slab, slabs renumbered from 0 without gaps.
+void sort_by_slab(const Model& model, Subject& subject) {
+  const std::size_t n = model.tets.size();
+  std::vector<std::size_t> order(n);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto slab = [&](std::size_t t) {
+    return model.slab.empty() ? 0U : model.slab.raw()[t].value();
+  };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return slab(a) < slab(b); });
+  subject.tets.reserve(n);
+  subject.slab.reserve(n);
+  for (const std::size_t t : order) {
+    subject.tets.push_back(model.tets.raw()[t]);
+    if (subject.slab_count == 0 || slab(t) != slab(order[subject.slab.size() - 1])) {
+      ++subject.slab_count;
+    }
+    subject.slab.push_back(static_cast<std::uint32_t>(subject.slab_count - 1));
+    if (!model.component.empty()) subject.component.push_back(model.component.raw()[t].value());
+    if (!model.kind.empty()) subject.kind.push_back(model.kind.raw()[t]);
+  }
+}
+
+void find_faces(const TetMesh& mesh, Subject& subject) {
+  subject.boundary = mesh.boundary();
+  for (std::size_t h = 0; h < 4 * subject.tets.size(); ++h) {
+    const HalfFaceId other = mesh.opposite(HalfFaceId(h));
+    if (other.valid() && subject.slab[other.index() / 4] != subject.slab[h / 4]) {
+      subject.walls.push_back(HalfFaceId(h));
+    }
+  }
+}
+
+void number_components(const TetMesh& mesh, Subject& subject) {
+  if (subject.component.empty()) {
+    for (const ComponentId c : mesh.components()) subject.component.push_back(c.value());
+  }
+  // Files may number them in any way.
+  std::map<std::uint32_t, std::uint32_t> number;
+  for (const std::uint32_t c : subject.component) number.emplace(c, 0U);
+  for (auto& [c, k] : number) k = static_cast<std::uint32_t>(subject.component_count++);
+  for (std::uint32_t& c : subject.component) c = number[c];
+}
+
+void measure(Subject& subject) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  subject.low = {kInfinity, kInfinity, kInfinity};
+  subject.high = {-kInfinity, -kInfinity, -kInfinity};
+  subject.dihedral.reserve(subject.tets.size());
+  for (const TetVertices& tet : subject.tets) {
+    std::array<Point3, 4> p;
+    for (std::size_t i = 0; i < 4; ++i) {
+      p[i] = subject.points[tet[i].index()];
+      subject.low = {std::min(subject.low.x, p[i].x), std::min(subject.low.y, p[i].y),
+                     std::min(subject.low.z, p[i].z)};
+      subject.high = {std::max(subject.high.x, p[i].x), std::max(subject.high.y, p[i].y),
+                      std::max(subject.high.z, p[i].z)};
+    }
+    subject.dihedral.push_back(smallest_dihedral(p));
+  }
+  subject.mean_gap = (subject.high.z - subject.low.z) / static_cast<double>(subject.slab_count);
+}
+
+// The two slabs that meet in each section: of tets that have the plane above or below them.
+struct Planes {
+  std::vector<double> z;
+  std::vector<std::uint32_t> below, above;
+};
+
+Planes planes_of(const Subject& subject, const std::vector<double>& heights) {
+  const double none = std::numeric_limits<double>::infinity();
+  std::vector<double> low(subject.slab_count, none), high(subject.slab_count, -none);
+  for (std::size_t t = 0; t < subject.tets.size(); ++t) {
+    for (const VertexId v : subject.tets[t]) {
+      const double z = subject.points[v.index()].z;
+      low[subject.slab[t]] = std::min(low[subject.slab[t]], z);
+      high[subject.slab[t]] = std::max(high[subject.slab[t]], z);
+    }
+  }
+  Planes planes{heights, {}, {}};
+  for (const double z : heights) {
+    std::uint32_t below = 0;
+    auto above = static_cast<std::uint32_t>(subject.slab_count - 1);
+    while (below + 1 < subject.slab_count && high[below] < z) ++below;
+    while (above > 0 && low[above] > z) --above;
+    planes.below.push_back(std::min(below, above));
+    planes.above.push_back(std::max(below, above));
+  }
+  return planes;
+}
+
+// The edges of the section regions of the model: in-plane edges of an odd number of in-plane
+// triangles.
+std::map<std::int32_t, std::vector<std::array<VertexId, 2>>> outlines_of(const Model& model) {
+  std::map<std::int32_t, std::vector<TriangleVertices>> triangles;
+  for (const TetVertices& tet : model.tets) {
+    for (const auto& face : kFaceVertex) {
+      TriangleVertices v;
+      for (std::size_t i = 0; i < 3; ++i) v[i] = tet[static_cast<std::size_t>(face[i])];
+      const std::int32_t s = model.section[v[0]];
+      if (s == kNoSection || model.section[v[1]] != s || model.section[v[2]] != s) continue;
+      std::sort(v.begin(), v.end());
+      triangles[s].push_back(v);
+    }
+  }
+  std::map<std::int32_t, std::vector<std::array<VertexId, 2>>> outlines;
+  for (auto& [section, all] : triangles) {
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    std::vector<std::array<VertexId, 2>> edges;
+    for (const TriangleVertices& v : all) {
+      edges.push_back({v[0], v[1]});
+      edges.push_back({v[0], v[2]});
+      edges.push_back({v[1], v[2]});
+    }
+    std::sort(edges.begin(), edges.end());
+    for (auto at = edges.begin(); at != edges.end();) {
+      const auto end = std::upper_bound(at, edges.end(), *at);
+      if ((end - at) % 2 != 0) outlines[section].push_back(*at);
+      at = end;
+    }
+  }
+  return outlines;
+}
+
+void add_given_contours(const SectionStack& stack, double stretch, Subject& subject) {
+  for (const Section& section : stack.sections) subject.sections.push_back(stretch * section.z);
+  const Planes planes = planes_of(subject, subject.sections);
+  for (std::size_t s = 0; s < stack.sections.size(); ++s) {
+    for (const Contour& contour : stack.sections[SectionId(s)].contours) {
+      const auto& v = contour.vertices;
+      for (std::size_t i = 0; i < v.size(); ++i) {
+        const Point2& p = v[i];
+        const Point2& q = v[(i + 1) % v.size()];
+        subject.contours.push_back(
+            {{p.x, p.y, planes.z[s]}, {q.x, q.y, planes.z[s]}, planes.below[s], planes.above[s]});
+      }
+    }
+  }
+}
+
+void add_own_contours(const Model& model, Subject& subject) {
+  if (model.section.size() != model.points.size()) return;
+  const auto outlines = outlines_of(model);
+  for (const auto& [section, edges] : outlines) {
+    subject.sections.push_back(subject.points[edges.front()[0].index()].z);
+  }
+  const Planes planes = planes_of(subject, subject.sections);
+  std::size_t s = 0;
+  for (const auto& [section, edges] : outlines) {
+    for (const auto& [a, b] : edges) {
+      subject.contours.push_back(
+          {subject.points[a.index()], subject.points[b.index()], planes.below[s], planes.above[s]});
+    }
+    ++s;
+  }
+}
+
+}  // namespace
+
+Rgb Subject::colour(std::size_t tet, ColourBy by) const {
+  switch (by) {
+    case ColourBy::component: return component_colour(component[tet]);
+    case ColourBy::slab:
+      return slab_colour(slab_count < 2 ? 0.5
+                                        : static_cast<double>(slab[tet]) /
+                                              static_cast<double>(slab_count - 1));
+    case ColourBy::kind: return kind_colour(kind[tet]);
+    case ColourBy::dihedral:
+      return dihedral_colour(static_cast<double>(dihedral[tet]) / kBestDihedral);
+  }
+  return {};
+}
+
+Result<void> check_options(const RenderOptions& options) {
+  const auto usage = [](const char* what) { return Error{ErrorCode::usage, what, {}}; };
+  constexpr int kMost = 8192;
+  if (options.width < 1 || options.width > kMost || options.height < 1 || options.height > kMost) {
+    return usage("width and height of a picture are 1 to 8192 pixels");
+  }
+  if (!std::isfinite(options.azimuth)) return usage("azimuth is not finite");
+  if (!(options.elevation >= -90 && options.elevation <= 90)) {
+    return usage("elevation is not between -90 and 90 degrees");
+  }
+  if (!(options.explode >= 0 && options.explode <= 100)) {
+    return usage("slabs can be moved apart by 0 to 100 heights");
+  }
+  if (!(options.stretch > 0 && options.stretch <= 1e6 && options.stretch >= 1e-6)) {
+    return usage("z can be stretched by 1e-6 to 1e6");
+  }
+  if (options.cut && (options.cut->axis < 0 || options.cut->axis > 2)) {
+    return usage("a cut is by x, y or z");
+  }
+  if (options.cut && !std::isfinite(options.cut->position)) {
+    return usage("the position of the cut is not finite");
+  }
+  return {};
+}
+
+Result<Subject> subject_of(const Model& model, const SectionStack* contours,
+                           const RenderOptions& options) {
+  Result<void> checked = check_model(model);
+  if (!checked) return checked.error();
+  if (options.colour == ColourBy::kind && model.kind.empty()) {
+    return Error{ErrorCode::usage, "the model does not tell the kind of its tets", {}};
+  }
+  Subject subject;
+  subject.points.reserve(model.points.size());
+  for (const Point3& p : model.points) subject.points.push_back({p.x, p.y, options.stretch * p.z});
+  sort_by_slab(model, subject);
+  const Result<TetMesh> mesh = TetMesh::from_tets(model.points.size(), subject.tets);
+  if (!mesh) return mesh.error();
+  find_faces(*mesh, subject);
+  number_components(*mesh, subject);
+  measure(subject);
+  subject.normals = smooth_normals(subject);
+  if (contours != nullptr) {
+    add_given_contours(*contours, options.stretch, subject);
+  } else {
+    add_own_contours(model, subject);
+  }
+  return subject;
+}
+
+}  // namespace tetloft::render

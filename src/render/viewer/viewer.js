@@ -1,0 +1,340 @@
+// The page: camera, controls, and what they say.
+'use strict';
+
+class Camera {
+  constructor(azimuth, elevation, reach) {
+    this.home = {azimuth, elevation};
+    this.reset(reach);
+  }
+
+  // `reach`: the radius of what is to be seen.
+  reset(reach) {
+    this.look(this.home.azimuth, this.home.elevation);
+    this.distance = 4 * reach;
+    this.target = [0, 0, 0];
+  }
+
+  look(azimuth, elevation) {
+    this.azimuth = azimuth;
+    this.elevation = Math.max(-90, Math.min(90, elevation));
+  }
+
+  axes() {
+    const a = this.azimuth * Math.PI / 180;
+    const e = this.elevation * Math.PI / 180;
+    return {
+      right: [-Math.sin(a), Math.cos(a), 0],
+      up: [-Math.sin(e) * Math.cos(a), -Math.sin(e) * Math.sin(a), Math.cos(e)],
+      toward: [Math.cos(e) * Math.cos(a), Math.cos(e) * Math.sin(a), Math.sin(e)],
+    };
+  }
+
+  move(dx, dy) {
+    const {right, up} = this.axes();
+    for (let i = 0; i < 3; ++i) this.target[i] += this.distance * (dx * right[i] + dy * up[i]);
+  }
+
+  // The size on the screen of what is `length` long at the target.
+  pixels(length, height) {
+    return length / this.distance / Math.tan(14 * Math.PI / 180) * height / 2;
+  }
+
+  matrices(aspect, reach) {
+    const {right, up, toward} = this.axes();
+    const dot = (v) => v[0] * this.target[0] + v[1] * this.target[1] + v[2] * this.target[2];
+    const view = new Float32Array([
+      right[0], up[0], toward[0], 0,
+      right[1], up[1], toward[1], 0,
+      right[2], up[2], toward[2], 0,
+      -dot(right), -dot(up), -dot(toward) - this.distance, 1,
+    ]);
+    const room = reach + Math.hypot(...this.target);
+    const near = Math.max(0.02 * this.distance, this.distance - room);
+    const far = this.distance + room;
+    const f = 1 / Math.tan(14 * Math.PI / 180) / Math.max(1, 1 / aspect);
+    const projection = new Float32Array([
+      f / aspect, 0, 0, 0,
+      0, f, 0, 0,
+      0, 0, (far + near) / (near - far), -1,
+      0, 0, 2 * far * near / (near - far), 0,
+    ]);
+    return {view, projection};
+  }
+}
+
+class Viewer {
+  constructor(mesh) {
+    this.mesh = mesh;
+    this.canvas = document.getElementById('picture');
+    this.state = {
+      colour: mesh.colour,
+      cut: mesh.cut === null ? mesh.high : Math.min(mesh.high, Math.max(mesh.low, mesh.cut)),
+      explode: mesh.explode,
+      edges: mesh.edges,
+      contours: mesh.drawContours,
+      smooth: true,
+    };
+    this.camera = new Camera(mesh.azimuth, mesh.elevation, this.reach());
+    this.drawing = new Drawing(this.canvas, mesh);
+    this.frames = 0;
+    this.pending = false;
+    this.say();
+    this.connectControls();
+    this.connectPointer();
+    new ResizeObserver(() => this.refresh()).observe(this.canvas);
+    this.drawNow();
+  }
+
+  // The radius of what is drawn, slabs moved apart.
+  reach() {
+    return 1 + this.state.explode * this.mesh.gap * (this.mesh.slabLow.length - 1) / 2;
+  }
+
+  drawNow() {
+    this.drawing.draw(this.state, this.camera, this.reach());
+    ++this.frames;
+  }
+
+  refresh() {
+    if (this.pending) return;
+    this.pending = true;
+    requestAnimationFrame(() => {
+      this.pending = false;
+      this.drawNow();
+    });
+  }
+
+  // For tests.
+  pixels() {
+    this.drawNow();
+    return this.drawing.pixels();
+  }
+
+  say() {
+    const mesh = this.mesh;
+    const n = (k, one) => k.toLocaleString('en') + ' ' + one + (k === 1 ? '' : 's');
+    document.getElementById('title').textContent = mesh.title;
+    document.getElementById('figures').textContent =
+      n(mesh.tetCount, 'tet') + ' · ' + n(mesh.boundary.length, 'boundary triangle') + ' · ' +
+      n(mesh.componentCount, 'component') + ' · ' + n(mesh.sections.length, 'section');
+    const ticks = document.getElementById('ticks');
+    for (const section of mesh.sections) {
+      const x = 1000 * (section.at - mesh.low) / (mesh.high - mesh.low || 1);
+      const line = document.createElementNS('http://www.w3.org/2000/svg', 'line');
+      for (const [name, value] of [['x1', x], ['x2', x], ['y1', 0], ['y2', 10]]) line.setAttribute(name, value);
+      ticks.append(line);
+    }
+    document.getElementById('apart').hidden = mesh.slabLow.length < 2;
+  }
+
+  connectControls() {
+    const by = document.getElementById('colour');
+    for (const name of this.mesh.colourings) {
+      const button = document.createElement('button');
+      button.type = 'button';
+      button.textContent = name;
+      button.setAttribute('role', 'radio');
+      button.addEventListener('click', () => {
+        this.state.colour = name;
+        this.showColour();
+      });
+      by.append(button);
+    }
+    this.showColour();
+    for (const name of ['contours', 'edges', 'smooth']) {
+      const box = document.getElementById(name);
+      box.checked = this.state[name];
+      box.addEventListener('change', () => {
+        this.state[name] = box.checked;
+        this.refresh();
+      });
+    }
+    const explode = document.getElementById('explode');
+    explode.value = this.state.explode;
+    explode.addEventListener('input', () => {
+      this.camera.distance /= this.reach();
+      this.state.explode = Number(explode.value);
+      this.camera.distance *= this.reach();
+      this.refresh();
+    });
+    this.slider = document.getElementById('cut');
+    this.slider.addEventListener('input', () => {
+      const t = Number(this.slider.value) / 1000;
+      this.setCut(t >= 1 ? this.mesh.high : this.mesh.low + t * (this.mesh.high - this.mesh.low));
+    });
+    document.getElementById('down').addEventListener('click', () => this.step(-1));
+    document.getElementById('up').addEventListener('click', () => this.step(1));
+    for (const button of document.querySelectorAll('[data-view]')) {
+      button.addEventListener('click', () => {
+        this.camera.reset(this.reach());
+        this.camera.look(...button.dataset.view.split(' ').map(Number));
+        this.refresh();
+      });
+    }
+    document.getElementById('save').addEventListener('click', () => this.save());
+    window.addEventListener('keydown', (event) => {
+      if (event.target instanceof HTMLInputElement) return;
+      const step = {ArrowUp: 1, ArrowDown: -1}[event.key];
+      if (!step) return;
+      event.preventDefault();
+      this.step(step);
+    });
+    this.setCut(this.state.cut);
+  }
+
+  showColour() {
+    for (const button of document.getElementById('colour').children) {
+      button.setAttribute('aria-checked', String(button.textContent === this.state.colour));
+    }
+    this.showLegend();
+    this.refresh();
+  }
+
+  showLegend() {
+    const legend = document.getElementById('legend');
+    const mesh = this.mesh;
+    const css = (c) => `rgb(${c[0]}, ${c[1]}, ${c[2]})`;
+    const row = (kind, colour, text) => {
+      const item = document.createElement(kind);
+      const swatch = document.createElement('i');
+      swatch.style.background = css(colour);
+      item.append(swatch, text);
+      return item;
+    };
+    const ramp = (colours, from, to) => {
+      const bar = document.createElement('div');
+      bar.className = 'ramp';
+      const stops = colours.length < 2 ? [colours[0], colours[0]] : colours;
+      const shown = Array.from({length: Math.min(24, stops.length)}, (_, i, all = Math.min(24, stops.length)) =>
+        css(stops[Math.round(i * (stops.length - 1) / (all - 1))]));
+      bar.style.background = `linear-gradient(to right, ${shown.join(', ')})`;
+      const ends = document.createElement('div');
+      ends.className = 'ends';
+      ends.append(Object.assign(document.createElement('span'), {textContent: from}),
+                  Object.assign(document.createElement('span'), {textContent: to}));
+      return [bar, ends];
+    };
+    legend.replaceChildren();
+    if (this.state.colour === 'slab') {
+      legend.append(...ramp(mesh.slabColours, 'first slab', 'last'));
+    } else if (this.state.colour === 'dihedral') {
+      legend.append(...ramp(mesh.dihedralColours, '0°, flat', '70.5°, regular'));
+    } else if (this.state.colour === 'kind') {
+      const present = new Set(mesh.kind);
+      for (const k of [...present].sort((a, b) => a - b)) {
+        const item = row('div', mesh.kindColours[k], mesh.kindNames[k]);
+        item.className = 'row';
+        legend.append(item);
+      }
+    } else {
+      const few = Math.min(mesh.componentCount, 12);
+      for (let c = 0; c < few; ++c) {
+        const item = row('button', mesh.componentColours[c], 'component ' + c);
+        item.type = 'button';
+        item.title = 'show or hide';
+        item.setAttribute('aria-pressed', String(!mesh.hidden.has(c)));
+        item.addEventListener('click', () => {
+          if (!mesh.hidden.delete(c)) mesh.hidden.add(c);
+          item.setAttribute('aria-pressed', String(!mesh.hidden.has(c)));
+          this.refresh();
+        });
+        legend.append(item);
+      }
+      if (few < mesh.componentCount) legend.append(`and ${mesh.componentCount - few} more`);
+    }
+  }
+
+  setCut(cut) {
+    const mesh = this.mesh;
+    this.state.cut = cut;
+    const range = mesh.high - mesh.low || 1;
+    this.slider.value = cut >= mesh.high ? 1000 : 1000 * (cut - mesh.low) / range;
+    const z = Number((mesh.centre + cut * mesh.scale).toPrecision(6));
+    const below = mesh.sections.filter((s) => s.at <= cut).length - 1;
+    let text = 'the whole solid';
+    if (cut < mesh.high) {
+      const exactly = below >= 0 && mesh.sections[below].at === cut;
+      text = `z = ${z} · ` + (exactly ? `section ${below}`
+        : below < 0 ? 'below section 0'
+        : below + 1 === mesh.sections.length ? `above section ${below}`
+        : `sections ${below} to ${below + 1}`);
+    }
+    document.getElementById('place').textContent = text;
+    this.refresh();
+  }
+
+  // To the next section up or down; past the last: the whole solid.
+  step(way) {
+    const heights = this.mesh.sections.map((s) => s.at);
+    const next = way > 0 ? heights.find((z) => z > this.state.cut)
+      : heights.filter((z) => z < this.state.cut).pop();
+    if (next !== undefined) this.setCut(next);
+    else if (way > 0) this.setCut(this.mesh.high);
+  }
+
+  save() {
+    this.drawNow();
+    this.canvas.toBlob((blob) => {
+      const link = document.createElement('a');
+      link.href = URL.createObjectURL(blob);
+      link.download = (this.mesh.title || 'solid') + '.png';
+      link.click();
+      URL.revokeObjectURL(link.href);
+    });
+  }
+
+  connectPointer() {
+    const canvas = this.canvas;
+    const down = new Map();
+    const spread = () => {
+      const [a, b] = [...down.values()];
+      return Math.hypot(a.x - b.x, a.y - b.y);
+    };
+    canvas.addEventListener('pointerdown', (event) => {
+      canvas.setPointerCapture(event.pointerId);
+      down.set(event.pointerId, {x: event.clientX, y: event.clientY});
+    });
+    canvas.addEventListener('pointermove', (event) => {
+      const before = down.get(event.pointerId);
+      if (!before) return;
+      const dx = event.clientX - before.x;
+      const dy = event.clientY - before.y;
+      const wide = down.size > 1 ? spread() : 0;
+      down.set(event.pointerId, {x: event.clientX, y: event.clientY});
+      if (down.size > 1) {
+        this.camera.distance *= wide / Math.max(1, spread());
+      } else if (event.shiftKey || event.buttons === 2 || event.buttons === 4) {
+        const unit = 0.5 / canvas.clientHeight;
+        this.camera.move(-dx * unit, dy * unit);
+      } else {
+        this.camera.look(this.camera.azimuth - 0.4 * dx, this.camera.elevation + 0.4 * dy);
+      }
+      this.refresh();
+    });
+    for (const name of ['pointerup', 'pointercancel']) {
+      canvas.addEventListener(name, (event) => down.delete(event.pointerId));
+    }
+    canvas.addEventListener('contextmenu', (event) => event.preventDefault());
+    canvas.addEventListener('dblclick', () => {
+      this.camera.reset(this.reach());
+      this.refresh();
+    });
+    canvas.addEventListener('wheel', (event) => {
+      event.preventDefault();
+      const lines = event.deltaMode === 1 ? 16 : 1;
+      this.camera.distance = Math.max(0.3, Math.min(400, this.camera.distance * Math.exp(0.0012 * lines * event.deltaY)));
+      this.refresh();
+    }, {passive: false});
+  }
+}
+
+(async () => {
+  const message = document.getElementById('message');
+  try {
+    window.tetloft = new Viewer(await Mesh.read());
+    message.hidden = true;
+  } catch (error) {
+    message.textContent = error.message;
+    throw error;
+  }
+})();

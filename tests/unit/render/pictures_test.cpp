@@ -1,0 +1,447 @@
+// Pictures, decoded by code of the tests, and looked at where their content is known.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <tetloft/render.hpp>
+
+#include "core/prng.hpp"
+#include "io/base64.hpp"
+#include "render/deflate.hpp"
+#include "unit/render/inflate.hpp"
+
+namespace tetloft {
+namespace {
+
+// Boxes [0, 2] × [0, 2] × [3 k, 3 k + 3] with k = 0 … slabs − 1, side by side in x by components:
+// six tets around a diagonal each.
+Model boxes(std::size_t slabs, std::size_t components = 1) {
+  Model model;
+  model.component_count = components;
+  for (std::size_t c = 0; c < components; ++c) {
+    const std::size_t first = model.points.size();
+    for (std::size_t k = 0; k <= slabs; ++k) {
+      for (std::size_t i = 0; i < 4; ++i) {
+        model.points.push_back({2.0 * static_cast<double>(i % 2) + 5.0 * static_cast<double>(c),
+                                2.0 * static_cast<double>(i / 2), 3.0 * static_cast<double>(k)});
+        model.section.push_back(static_cast<std::int32_t>(k));
+        model.contour.push_back(0);
+        model.origin.push_back(PointOrigin::input);
+      }
+    }
+    for (std::size_t k = 0; k < slabs; ++k) {
+      const auto corner = [&](std::size_t i) { return VertexId(first + 4 * k + i); };
+      // Ways from corner 0 to corner 7 along x, y, z (1, 2, 4) in each order.
+      constexpr std::array<std::array<std::size_t, 2>, 6> kWays{
+          {{1, 3}, {3, 2}, {2, 6}, {6, 4}, {4, 5}, {5, 1}}};
+      for (const auto& [a, b] : kWays) {
+        model.tets.push_back({corner(0), corner(a), corner(b), corner(7)});
+        model.component.push_back(ComponentId(c));
+        model.slab.push_back(SlabId(k));
+        model.kind.push_back(TetKind::cc);
+      }
+    }
+  }
+  return model;
+}
+
+struct Image {
+  std::size_t width = 0, height = 0, channels = 0;
+  std::string bytes;
+  [[nodiscard]] int at(std::size_t x, std::size_t y, std::size_t c) const {
+    return static_cast<unsigned char>(bytes[(y * width + x) * channels + c]);
+  }
+  [[nodiscard]] double covered() const {
+    double n = 0;
+    for (std::size_t y = 0; y < height; ++y) {
+      for (std::size_t x = 0; x < width; ++x) n += at(x, y, 3) / 255.0;
+    }
+    return n;
+  }
+};
+
+std::uint32_t word(const std::string& bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  for (std::size_t k = 0; k < 4; ++k)
+    value = value << 8 | static_cast<unsigned char>(bytes[at + k]);
+  return value;
+}
+
+// CRC-32 of ISO/IEC 15948, annex D, one bit at a time as a polynomial division.
+std::uint32_t crc_of(const std::string& bytes) {
+  std::uint32_t remainder = 0xFFFFFFFFU;
+  for (const char c : bytes) {
+    for (unsigned k = 0; k < 8; ++k) {
+      const unsigned bit = static_cast<unsigned char>(c) >> k & 1U;
+      const bool carry = ((remainder ^ bit) & 1U) != 0;
+      remainder >>= 1;
+      if (carry) remainder ^= 0xEDB88320U;
+    }
+  }
+  return remainder ^ 0xFFFFFFFFU;
+}
+
+std::optional<Image> decode_png(const std::string& file) {
+  if (file.substr(0, 8) != "\x89PNG\r\n\x1a\n") return std::nullopt;
+  Image image;
+  std::string data;
+  bool ended = false;
+  for (std::size_t at = 8; at + 12 <= file.size() && !ended;) {
+    const std::size_t n = word(file, at);
+    if (at + 12 + n > file.size()) return std::nullopt;
+    if (word(file, at + 8 + n) != crc_of(file.substr(at + 4, n + 4))) return std::nullopt;
+    const std::string type = file.substr(at + 4, 4);
+    if (type == "IHDR") {
+      image.width = word(file, at + 8);
+      image.height = word(file, at + 12);
+      image.channels = file[at + 17] == 2 ? 3 : 4;
+    }
+    if (type == "IDAT") data += file.substr(at + 8, n);
+    ended = type == "IEND";
+    at += 12 + n;
+  }
+  const auto rows = test::inflate(data);
+  const std::size_t stride = image.width * image.channels;
+  if (!ended || !rows || rows->size() != (stride + 1) * image.height) return std::nullopt;
+  std::string before(stride, '\0');
+  for (std::size_t y = 0; y < image.height; ++y) {
+    const int filter = (*rows)[y * (stride + 1)];
+    std::string row = rows->substr(y * (stride + 1) + 1, stride);
+    for (std::size_t i = 0; i < stride; ++i) {
+      const int left = i < image.channels ? 0 : static_cast<unsigned char>(row[i - image.channels]);
+      const int up = static_cast<unsigned char>(before[i]);
+      const int corner =
+          i < image.channels ? 0 : static_cast<unsigned char>(before[i - image.channels]);
+      int add = 0;
+      if (filter == 1) add = left;
+      if (filter == 2) add = up;
+      if (filter == 3) add = (left + up) / 2;
+      if (filter == 4) {
+        const int p = left + up - corner;
+        add = corner;
+        if (std::abs(p - up) <= std::abs(p - corner)) add = up;
+        if (std::abs(p - left) <= std::abs(p - up) && std::abs(p - left) <= std::abs(p - corner)) {
+          add = left;
+        }
+      }
+      row[i] = static_cast<char>(static_cast<unsigned char>(row[i]) + add);
+    }
+    image.bytes += row;
+    before = row;
+  }
+  return image;
+}
+
+RenderOptions small() {
+  RenderOptions options;
+  options.width = 200;
+  options.height = 200;
+  options.contours = false;
+  return options;
+}
+
+Image picture(const Model& model, const RenderOptions& options) {
+  const auto png = render_png(model, nullptr, options);
+  EXPECT_TRUE(png) << to_string(png.error());
+  const auto image = png ? decode_png(*png) : std::nullopt;
+  EXPECT_TRUE(image);
+  return image.value_or(Image{});
+}
+
+TEST(Deflate, RoundTripsThroughADecoderOfItsOwn) {
+  Prng prng(1);
+  std::vector<std::string> all{"", "a", "ab", std::string(100'000, 'x'), "abcabcabcabcabcabcab"};
+  std::string noise, words, far;
+  for (int k = 0; k < 70'000; ++k) noise += static_cast<char>(prng.next() & 0xFFU);
+  for (int k = 0; k < 60'000; ++k) words += "tetrahedra "[prng.next() % 11];
+  far = noise.substr(0, 300) + std::string(32'768 - 300, 'z') + noise.substr(0, 300) +
+        std::string(32'768, 'y') + noise.substr(0, 300);
+  all.insert(all.end(), {noise, words, far});
+  // Fibonacci counts ask for codes longer than 15 bits.
+  std::string skewed;
+  std::size_t a = 1, b = 1;
+  for (char c = 0; c < 24; ++c) {
+    skewed += std::string(a, static_cast<char>('a' + c));
+    b = std::exchange(a, a + b);
+  }
+  for (std::size_t k = skewed.size(); k-- > 1;) std::swap(skewed[k], skewed[prng.next() % (k + 1)]);
+  all.push_back(skewed);
+  for (const std::string& bytes : all) {
+    const std::string packed = render::zlib_compressed(bytes);
+    const auto unpacked = test::inflate(packed);
+    ASSERT_TRUE(unpacked) << bytes.size();
+    EXPECT_TRUE(*unpacked == bytes) << bytes.size();
+  }
+  EXPECT_LT(render::zlib_compressed(std::string(100'000, 'x')).size(), 300U);
+  EXPECT_LT(render::zlib_compressed(words).size(), 30'000U);
+}
+
+TEST(Base64, EncodesWhatTheDecoderReads) {
+  EXPECT_EQ(io::encode_base64(""), "");
+  EXPECT_EQ(io::encode_base64("f"), "Zg==");
+  EXPECT_EQ(io::encode_base64("fo"), "Zm8=");
+  EXPECT_EQ(io::encode_base64("foo"), "Zm9v");
+  EXPECT_EQ(io::encode_base64("foobar"), "Zm9vYmFy");
+  std::string bytes;
+  for (int k = 0; k < 256; ++k) bytes += static_cast<char>(k);
+  EXPECT_EQ(io::decode_base64(io::encode_base64(bytes), bytes.size()), bytes);
+}
+
+TEST(Png, ABoxFromTheFrontIsARectangleOfItsProportions) {
+  RenderOptions options = small();
+  options.azimuth = -90;
+  options.elevation = 0;
+  const Image image = picture(boxes(1), options);
+  // 2 wide, 3 high, in 92 of 100 parts of 200 pixels.
+  EXPECT_NEAR(image.covered(), 184.0 * 184.0 * 2 / 3, 200);
+  EXPECT_EQ(image.at(100, 100, 3), 255);
+  EXPECT_EQ(image.at(20, 100, 3), 0);
+  // One face, one light but for hollows and rounding.
+  EXPECT_NEAR(image.at(100, 100, 0), image.at(70, 140, 0), 2);
+}
+
+TEST(Png, StretchExplodeAndCutChangeTheOutlineAsTheySay) {
+  RenderOptions options = small();
+  options.azimuth = -90;
+  options.elevation = 0;
+  options.stretch = 0.5;
+  EXPECT_NEAR(picture(boxes(1), options).covered(), 184.0 * 184.0 * 3 / 4, 200);
+  options.stretch = 1;
+  // Two boxes of 3 and half a gap of 3 between them: 7.5 high.
+  options.explode = 0.5;
+  EXPECT_NEAR(picture(boxes(2), options).covered(), 184.0 * 184.0 * 2 * 6 / 7.5 / 7.5, 300);
+  options.explode = 0;
+  options.cut = PictureCut{2, 1};
+  EXPECT_NEAR(picture(boxes(1), options).covered(), 184.0 * 184.0 / 2, 200);
+  // The part away from the eye stays: seen from −y, the cut face at y = 1 covers all.
+  options.cut = PictureCut{1, 1};
+  EXPECT_NEAR(picture(boxes(1), options).covered(), 184.0 * 184.0 * 2 / 3, 200);
+  // From +x of two boxes the farther one is left.
+  options.cut = PictureCut{0, 3};
+  options.azimuth = 0;
+  EXPECT_NEAR(picture(boxes(1, 2), options).covered(), 184.0 * 184.0 * 2 / 3, 200);
+}
+
+TEST(Png, ACutFaceHasNoGapsAlsoThroughVertices) {
+  for (const double position : {0.5, 1.0, 2.999, 3.0, 4.0}) {
+    for (int axis = 0; axis < 3; ++axis) {
+      RenderOptions options = small();
+      options.azimuth = axis == 1 ? -90 : 0;
+      options.elevation = axis == 2 ? 90 : 0;
+      options.cut = PictureCut{axis, axis == 2 ? position : position / 4};
+      const Image image = picture(boxes(2), options);
+      // A rectangle: every row that is covered is covered to the same pixels.
+      std::set<double> rows;
+      for (std::size_t y = 0; y < image.height; ++y) {
+        double covered = 0;
+        bool whole = true;
+        for (std::size_t x = 0; x < image.width; ++x) {
+          covered += image.at(x, y, 3);
+          whole =
+              whole && (image.at(x, y, 3) == 0 || image.at(x, y, 3) == 255 || x < 20 || x > 180);
+        }
+        if (covered > 0) rows.insert(std::round(covered / 255));
+      }
+      EXPECT_LE(rows.size(), 2U) << axis << ' ' << position;
+    }
+  }
+}
+
+TEST(Png, ColoursTellComponentsSlabsAndQualityApart) {
+  const auto colours_of = [](ColourBy by) {
+    RenderOptions options = small();
+    options.azimuth = -90;
+    options.elevation = 0;
+    options.colour = by;
+    const Image image = picture(boxes(2, 2), options);
+    std::set<std::array<int, 3>> found;
+    for (const auto& [x, y] : {std::pair{34, 60}, std::pair{34, 140}, std::pair{166, 60}}) {
+      const auto ux = static_cast<std::size_t>(x);
+      const auto uy = static_cast<std::size_t>(y);
+      EXPECT_EQ(image.at(ux, uy, 3), 255);
+      // Shades of hollows aside.
+      found.insert({image.at(ux, uy, 0) / 16, image.at(ux, uy, 1) / 16, image.at(ux, uy, 2) / 16});
+    }
+    return found.size();
+  };
+  EXPECT_EQ(colours_of(ColourBy::kind), 1U);
+  EXPECT_EQ(colours_of(ColourBy::slab), 2U);
+  EXPECT_EQ(colours_of(ColourBy::component), 2U);
+}
+
+TEST(Png, ContoursAndEdgesAreDrawn) {
+  RenderOptions options = small();
+  const auto dark = [&](const Model& model) {
+    const Image image = picture(model, options);
+    std::size_t n = 0;
+    for (std::size_t y = 0; y < image.height; ++y) {
+      for (std::size_t x = 0; x < image.width; ++x) {
+        n += image.at(x, y, 3) > 200 && image.at(x, y, 0) < 60 ? 1U : 0U;
+      }
+    }
+    return n;
+  };
+  options.azimuth = -50;
+  EXPECT_EQ(dark(boxes(2)), 0U);
+  options.contours = true;
+  const std::size_t with_contours = dark(boxes(2));
+  EXPECT_GT(with_contours, 50U);
+  // Contours that are given instead: of a second stack, at the middle of the first slab only.
+  SectionStack stack;
+  stack.sections.push_back({1.5, {}});
+  stack.sections[SectionId(0)].contours.push_back({{{0, 0}, {2, 0}, {2, 2}, {0, 2}}});
+  const auto png = render_png(boxes(2), &stack, options);
+  ASSERT_TRUE(png);
+  EXPECT_NE(*png, *render_png(boxes(2), nullptr, options));
+  options.white = true;
+  const Image white = picture(boxes(1), options);
+  EXPECT_EQ(white.channels, 3U);
+  EXPECT_EQ(white.at(0, 0, 0), 255);
+}
+
+TEST(Svg, DrawsSeenTrianglesOnlyAndTwelveOfABoxHaveSix) {
+  RenderOptions options = small();
+  const auto svg = render_svg(boxes(1), nullptr, options);
+  ASSERT_TRUE(svg);
+  std::size_t paths = 0;
+  for (std::size_t at = svg->find("<path"); at != std::string::npos;
+       at = svg->find("<path", at + 1)) {
+    ++paths;
+  }
+  EXPECT_EQ(paths, 6U);
+  options.contours = true;
+  const auto with_lines = render_svg(boxes(1), nullptr, options);
+  ASSERT_TRUE(with_lines);
+  EXPECT_GT(with_lines->size(), svg->size());
+  EXPECT_EQ(with_lines->find("nan"), std::string::npos);
+  EXPECT_TRUE(with_lines->ends_with("</svg>\n"));
+}
+
+// The values of an array of the page.
+template <class T>
+std::vector<T> array_of(const std::string& page, const std::string& name) {
+  const std::string opening = "id=\"array-" + name + "\">";
+  const std::size_t begin = page.find(opening);
+  if (begin == std::string::npos) return {};
+  const std::size_t from = begin + opening.size();
+  const std::string text = page.substr(from, page.find('<', from) - from);
+  const auto stream = io::decode_base64(text, text.size());
+  const auto planes = stream ? test::inflate(*stream) : std::nullopt;
+  EXPECT_TRUE(planes) << name;
+  if (!planes) return {};
+  const std::size_t n = planes->size() / sizeof(T);
+  std::vector<T> values(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    std::uint32_t bits = 0;
+    for (std::size_t k = 0; k < sizeof(T); ++k) {
+      bits |= static_cast<std::uint32_t>(static_cast<unsigned char>((*planes)[k * n + i])) << 8 * k;
+    }
+    if constexpr (std::is_same_v<T, float>) {
+      values[i] = std::bit_cast<float>(bits);
+    } else {
+      values[i] = static_cast<T>(bits);
+    }
+  }
+  return values;
+}
+
+TEST(Page, HoldsTheModelAndRefersToNothingOutside) {
+  Model model = boxes(2, 2);
+  RenderOptions options;
+  options.title = "a </script> <b>";
+  const auto page = render_html(model, nullptr, options);
+  ASSERT_TRUE(page);
+  const auto points = array_of<float>(*page, "points");
+  const auto tets = array_of<std::uint32_t>(*page, "tets");
+  const auto boundary = array_of<std::uint32_t>(*page, "boundary");
+  ASSERT_EQ(points.size(), 3 * model.points.size());
+  ASSERT_EQ(tets.size(), 4 * model.tets.size());
+  // Volume and area, in the page's units of half the diagonal of 7 × 2 × 6.
+  const double unit = std::sqrt(49.0 + 4 + 36) / 2;
+  const auto coordinate = [&](std::size_t v, std::size_t k) {
+    return unit * static_cast<double>(points[3 * v + k]);
+  };
+  double volume = 0;
+  for (std::size_t t = 0; t < tets.size(); t += 4) {
+    std::array<std::array<double, 3>, 3> d{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        d[i][k] = coordinate(tets[t + i + 1], k) - coordinate(tets[t], k);
+      }
+    }
+    volume += (d[0][0] * (d[1][1] * d[2][2] - d[1][2] * d[2][1]) -
+               d[0][1] * (d[1][0] * d[2][2] - d[1][2] * d[2][0]) +
+               d[0][2] * (d[1][0] * d[2][1] - d[1][1] * d[2][0])) /
+              6;
+  }
+  EXPECT_NEAR(volume, 2 * 2 * 2 * 6, 1e-4);
+  EXPECT_EQ(boundary.size(), 2U * (4 * 4 + 4));
+  EXPECT_EQ(array_of<std::uint32_t>(*page, "walls").size(), 2U * 2 * 2);
+  EXPECT_EQ(array_of<std::int8_t>(*page, "normals").size(), 9 * boundary.size());
+  EXPECT_EQ(array_of<std::uint32_t>(*page, "component").size(), model.tets.size());
+  EXPECT_EQ(array_of<float>(*page, "contours").size(), 6U * 2 * 3 * 4);
+  for (const char* outside : {"http://", "https://", "src=", "url(", "import "}) {
+    std::string searched = *page;
+    // The name of a standard, not a reference.
+    const std::string name = "http://www.w3.org/2000/svg";
+    for (std::size_t at; (at = searched.find(name)) != std::string::npos;) {
+      searched.erase(at, name.size());
+    }
+    EXPECT_EQ(searched.find(outside), std::string::npos) << outside;
+  }
+  EXPECT_EQ(page->find("<b>"), std::string::npos);
+}
+
+TEST(Pictures, RefuseWhatCannotBeDrawn) {
+  const auto refused = [](const Model& model, const RenderOptions& options) {
+    const auto png = render_png(model, nullptr, options);
+    EXPECT_EQ(bool(png), bool(render_svg(model, nullptr, options)));
+    EXPECT_EQ(bool(png), bool(render_html(model, nullptr, options)));
+    return png ? std::nullopt : std::optional(png.error().code);
+  };
+  RenderOptions options = small();
+  EXPECT_EQ(refused(boxes(1), options), std::nullopt);
+  EXPECT_EQ(refused({}, options), ErrorCode::invalid_input);
+  Model model = boxes(1);
+  model.tets[TetId(0)][2] = VertexId(99);
+  EXPECT_EQ(refused(model, options), ErrorCode::invalid_input);
+  model = boxes(1);
+  model.points[VertexId(0)].x = std::nan("");
+  EXPECT_EQ(refused(model, options), ErrorCode::invalid_input);
+  model = boxes(1);
+  model.slab.resize(2);
+  EXPECT_EQ(refused(model, options), ErrorCode::invalid_input);
+  model = boxes(1);
+  model.kind.clear();
+  options.colour = ColourBy::kind;
+  EXPECT_EQ(refused(model, options), ErrorCode::usage);
+  for (const auto& change : std::vector<void (*)(RenderOptions&)>{
+           [](RenderOptions& o) { o.width = 0; }, [](RenderOptions& o) { o.height = 9000; },
+           [](RenderOptions& o) { o.elevation = 91; }, [](RenderOptions& o) { o.explode = -1; },
+           [](RenderOptions& o) { o.stretch = 0; }, [](RenderOptions& o) { o.azimuth = 1 / 0.0; },
+           [](RenderOptions& o) {
+             o.cut = PictureCut{3, 0};
+           }}) {
+    options = small();
+    change(options);
+    EXPECT_EQ(refused(boxes(1), options), ErrorCode::usage);
+  }
+  options = small();
+  options.cut = PictureCut{0, 1};
+  EXPECT_FALSE(render_html(boxes(1), nullptr, options));
+  // A model without any data but points and tets.
+  Model bare;
+  bare.points = boxes(1).points;
+  bare.tets = boxes(1).tets;
+  EXPECT_EQ(refused(bare, small()), std::nullopt);
+}
+
+}  // namespace
+}  // namespace tetloft
