@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -215,6 +216,35 @@ struct SkeletonEdge {
 /// The part of it dual to edges with an end on `contour`.
 [[nodiscard]] std::vector<SkeletonEdge> voronoi_skeleton(const ConformingSection& section,
                                                          EdgeKind kind, ContourId contour);
+
+/// Two edges of the skeletons of neighbouring sections that meet in projection on one plane.
+struct SkeletonCrossing {
+  EdgeId below, above;  ///< the edges they are dual to
+  /// They cross at one point inside both; otherwise they only touch, at an end of one of them
+  /// (or all along, where they lie on one line).
+  bool proper = false;
+  friend auto operator<=>(const SkeletonCrossing&, const SkeletonCrossing&) = default;
+};
+
+/// Where the internal skeleton of one section crosses the internal or external skeleton of the
+/// other, sorted; exact, whatever z. (1) Where they cross properly, every Delaunay triangulation
+/// of both sections' vertices has the tet of the two dual edges. (2) If one has it, they meet
+/// (Nonato et al. 2000, Proposition 1). Skeletons that only touch decide nothing.
+[[nodiscard]] std::vector<SkeletonCrossing> skeleton_crossings(const ConformingSection& below,
+                                                               const ConformingSection& above);
+
+/// Two contours of neighbouring sections that are geometrically well positioned: skeleton edges
+/// of theirs cross as above (Nonato et al. 2000, Definition 1). An edge belongs to the contours
+/// of both ends of its dual.
+struct WellPositioned {
+  ContourId below, above;
+  bool proper = false;  ///< one crossing is proper; otherwise their skeletons only touch
+  friend auto operator<=>(const WellPositioned&, const WellPositioned&) = default;
+};
+
+/// All such pairs, sorted.
+[[nodiscard]] std::vector<WellPositioned> well_positioned(const ConformingSection& below,
+                                                          const ConformingSection& above);
 
 /// A region as a set of polygons with even-odd rule: its outer contour and its holes.
 struct RegionOutline {

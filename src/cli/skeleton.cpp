@@ -1,9 +1,13 @@
-// tetloft skeleton: the Voronoi skeletons of all sections, as lines.
+// tetloft skeleton: the Voronoi skeletons of all sections, as lines, and the contours of
+// neighbouring sections that are geometrically well positioned by them.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <tetloft/tetloft.hpp>
 
@@ -19,7 +23,7 @@ namespace {
 Usage usage() {
   Usage usage{
       "skeleton",
-      "Internal and external Voronoi skeletons of all sections.",
+      "Internal and external Voronoi skeletons of all sections, and which contours they relate.",
       {"IN.cnt"},
       {{"--output", "OUT.vtp", "the skeletons, a VTK XML file of lines; required", "-o"},
        {"--kind", "NAME", "internal, external, or both (default)"}},
@@ -27,7 +31,11 @@ Usage usage() {
       "inside or outside its region. Cell data: section; kind, 0 internal and 1 external; "
       "contour_a "
       "and contour_b, the contours of the dual edge's ends. Lines are clipped to the stack's box, "
-      "enlarged by a tenth of its larger side."};
+      "enlarged by a tenth of its larger side. Also counts the pairs of contours of neighbouring "
+      "sections that are geometrically well positioned (Definition 1 of Nonato et al. 2000): the "
+      "internal skeleton of one crosses the internal or external skeleton of the other in "
+      "projection. --json lists them as well_positioned, an array of {slab, below, above, proper}; "
+      "proper is false where skeletons only touch, which decides nothing."};
   for (const Option& option : preparation_options()) usage.options.push_back(option);
   for (const Option& option :
        {Option{"--ascii", "", "write numbers as text that reads back exactly"}, kJsonOption,
@@ -105,6 +113,59 @@ void add_skeleton(const ConformingSection& section, std::size_t number, EdgeKind
   }
 }
 
+Result<std::vector<ConformingSection>> conform_all(const SectionStack& stack,
+                                                   const std::string& file) {
+  std::vector<ConformingSection> sections;
+  for (std::size_t s = 0; s < stack.sections.size(); ++s) {
+    Result<ConformingSection> section = conform(stack.sections[SectionId(s)], SectionId(s));
+    if (!section) {
+      Error error = section.error();
+      error.where.file = file;
+      return error;
+    }
+    sections.push_back(std::move(section).value());
+  }
+  return sections;
+}
+
+// By slab.
+std::vector<std::vector<WellPositioned>> all_well_positioned(
+    const std::vector<ConformingSection>& sections) {
+  std::vector<std::vector<WellPositioned>> slabs;
+  for (std::size_t k = 0; k + 1 < sections.size(); ++k) {
+    slabs.push_back(well_positioned(sections[k], sections[k + 1]));
+  }
+  return slabs;
+}
+
+void write_well_positioned(JsonWriter& json,
+                           const std::vector<std::vector<WellPositioned>>& slabs) {
+  json.key("well_positioned");
+  json.begin_array();
+  for (std::size_t k = 0; k < slabs.size(); ++k) {
+    for (const WellPositioned& pair : slabs[k]) {
+      json.begin_object();
+      json.member("slab", k);
+      json.member("below", pair.below.index());
+      json.member("above", pair.above.index());
+      json.member("proper", pair.proper);
+      json.end_object();
+    }
+  }
+  json.end_array();
+}
+
+std::string describe_well_positioned(const std::vector<std::vector<WellPositioned>>& slabs) {
+  std::size_t pairs = 0;
+  std::size_t touching = 0;
+  for (const std::vector<WellPositioned>& slab : slabs) {
+    pairs += slab.size();
+    for (const WellPositioned& pair : slab) touching += pair.proper ? 0U : 1U;
+  }
+  return counted(pairs, "well positioned pair") + " of contours (" + std::to_string(touching) +
+         " whose skeletons only touch)\n";
+}
+
 Result<int> run(const Arguments& arguments, Console& console) {
   const auto output = arguments.text("--output");
   if (!output) return usage_error("missing option --output (-o) OUT.vtp");
@@ -123,22 +184,18 @@ Result<int> run(const Arguments& arguments, Console& console) {
   const Box box = box_of(input->stack);
   LineSet lines{{}, {{"section", {}}, {"kind", {}}, {"contour_a", {}}, {"contour_b", {}}}};
   Counts counts;
-  for (std::size_t s = 0; s < input->stack.sections.size(); ++s) {
-    const Result<ConformingSection> section =
-        conform(input->stack.sections[SectionId(s)], SectionId(s));
-    if (!section) {
-      Error error = section.error();
-      error.where.file = arguments.operand(0);
-      return error;
-    }
+  const auto sections = conform_all(input->stack, arguments.operand(0));
+  if (!sections) return sections.error();
+  for (std::size_t s = 0; s < sections->size(); ++s) {
     for (const EdgeKind each : {EdgeKind::internal, EdgeKind::external}) {
       if (kind != "both" && (each == EdgeKind::internal) != (kind == "internal")) continue;
-      add_skeleton(*section, s, each, box, lines, counts);
+      add_skeleton((*sections)[s], s, each, box, lines, counts);
     }
   }
   Result<void> written =
       write_lines(*output, lines, arguments.has("--ascii") ? Encoding::ascii : Encoding::binary);
   if (!written) return written.error();
+  const auto positions = all_well_positioned(*sections);
   if (console.json()) {
     JsonWriter json;
     json.begin_object();
@@ -146,6 +203,7 @@ Result<int> run(const Arguments& arguments, Console& console) {
     json.member("internal", counts.internal);
     json.member("external", counts.external);
     json.member("outside", counts.outside);
+    write_well_positioned(json, positions);
     write_preparation(json, *input);
     write_warnings(json, console.warnings());
     json.end_object();
@@ -154,7 +212,8 @@ Result<int> run(const Arguments& arguments, Console& console) {
     console.print(describe_preparation(*input) + counted(input->stack.sections.size(), "section") +
                   ", " + counted(counts.internal, "internal skeleton edge") + ", " +
                   counted(counts.external, "external one") + " (" + std::to_string(counts.outside) +
-                  " outside the box)\nwritten: " + *output + '\n');
+                  " outside the box)\n" + describe_well_positioned(positions) +
+                  "written: " + *output + '\n');
   }
   return 0;
 }

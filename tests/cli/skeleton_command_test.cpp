@@ -75,6 +75,34 @@ TEST_F(SkeletonCommand, SelectsKinds) {
   EXPECT_EQ(json.at("internal").number, 0);
 }
 
+// Rhombi: a flat one; above it one that stands across it and one far away; above the latter a flat
+// one again, whose skeleton ends that of the standing one.
+TEST_F(SkeletonCommand, TellsWhichContoursAreWellPositioned) {
+  test::put(in_,
+            "S 3\nv 4 z 0\n{ -4 0 0 -1 4 0 0 1 }\n"
+            "v 8 z 1\n{ 100 -4 101 0 100 4 99 0 }\n{ 0 -4 1 0 0 4 -1 0 }\n"
+            "v 4 z 2\n{ 96 1.875 100 0.875 104 1.875 100 2.875 }\n");
+  const JsonValue json = run_json({"skeleton", in_, "-o", out_});
+  std::ostringstream pairs;
+  for (const JsonValue& pair : json.at("well_positioned").array) {
+    EXPECT_EQ(pair.object.size(), 4U);
+    pairs << pair.at("slab").number << ' ' << pair.at("below").number << ' '
+          << pair.at("above").number << (pair.at("proper").boolean ? " proper\n" : " touch\n");
+  }
+  EXPECT_EQ(pairs.str(), "0 0 1 proper\n1 0 0 touch\n");
+  const test::Outcome text = run({"skeleton", in_, "-o", out_, "--kind", "internal"});
+  EXPECT_NE(text.out.find("2 well positioned pairs of contours (1 whose skeletons only touch)\n"),
+            std::string::npos)
+      << text.out;
+}
+
+TEST_F(SkeletonCommand, FindsNoWellPositionedContoursInOneSection) {
+  test::put(in_, "S 1\nv 4 z 0\n{ -4 0 0 -1 4 0 0 1 }\n");
+  const JsonValue json = run_json({"skeleton", in_, "-o", out_});
+  EXPECT_EQ(json.at("well_positioned").kind, JsonValue::Kind::array);
+  EXPECT_TRUE(json.at("well_positioned").array.empty());
+}
+
 TEST_F(SkeletonCommand, RefusesWrongUse) {
   expect_failure({"skeleton", in_}, 2, "usage", "--output");
   expect_failure({"skeleton", in_, "-o", out_, "--kind", "medial"}, 2, "usage", "medial", {out_});

@@ -1,6 +1,4 @@
-// Proposition 1 of Nonato et al. (2000): the slab has a reverse tet on an edge below and an edge
-// above iff the Voronoi edges dual to them cross in projection. Crossings are computed in
-// rationals, from the vertices alone.
+// Propositions 1 to 3 of Nonato et al. (2000) on generated stacks.
 //
 // Skeletons that only touch decide nothing: in degenerate positions D is one of several Delaunay
 // triangulations, and a tet may or may not be there. So what is tested is that tets have dual
@@ -8,91 +6,74 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
-#include "support/exact/rational.hpp"
-#include "support/rational_geometry.hpp"
+#include "core/union_find.hpp"
+#include "reconstruct/correspondence.hpp"
+#include "support/voronoi_crossings.hpp"
 #include "unit/reconstruct/cases.hpp"
 
 namespace tetloft::testing {
 namespace {
 
-using oracle::Point2Q;
-using oracle::Rational;
+using oracle::Meeting;
+using EdgePair = std::pair<EdgeId, EdgeId>;
+using ContourPair = std::pair<ContourId, ContourId>;
 
-Point2Q circumcentre_of(const ConformingSection& section, TriangleId t) {
-  const TriangleVertices& v = section.triangulation.triangles[t];
-  const Point2Q a = oracle::exactly(section.point(v[0]));
-  const Point2Q b = oracle::exactly(section.point(v[1]));
-  const Point2Q c = oracle::exactly(section.point(v[2]));
-  const Rational bx = b.x - a.x, by = b.y - a.y, cx = c.x - a.x, cy = c.y - a.y;
-  const Rational b2 = bx * bx + by * by, c2 = cx * cx + cy * cy;
-  const Rational twice = Rational(2) * (bx * cy - by * cx);
-  return {a.x + (cy * b2 - by * c2) / twice, a.y + (bx * c2 - cx * b2) / twice};
+// The edges below and above of all reverse tets.
+std::set<EdgePair> reverse_tets(const Slab& slab) {
+  std::set<EdgePair> result;
+  for (std::size_t k = 0; k < slab.mesh().tet_slots(); ++k) {
+    const TetId t(k);
+    if (slab.kind(t) != TetKind::ii && slab.kind(t) != TetKind::ie) continue;
+    std::vector<VertexId> low, high;
+    for (const VertexId v : slab.mesh().vertices(t)) {
+      (slab.is_upper(v) ? high : low).push_back(slab.in_section(v));
+    }
+    result.emplace(slab.lower().find_edge(low[0], low[1]),
+                   slab.upper().find_edge(high[0], high[1]));
+  }
+  return result;
 }
 
-// A Voronoi edge, from + t · along with t from 0 to 1, or without end.
-struct DualEdge {
-  Point2Q from, along;
-  bool ray = false;
-  // A box around a segment, with room for the rounding of its corners.
-  double low_x = 0, high_x = 0, low_y = 0, high_y = 0;
-
-  void set_box() {
-    const double x = from.x.approximate(), y = from.y.approximate();
-    const double dx = along.x.approximate(), dy = along.y.approximate();
-    const double room = 1e-9 * (std::abs(x) + std::abs(y) + std::abs(dx) + std::abs(dy));
-    low_x = std::min(x, x + dx) - room;
-    high_x = std::max(x, x + dx) + room;
-    low_y = std::min(y, y + dy) - room;
-    high_y = std::max(y, y + dy) + room;
-  }
-  [[nodiscard]] bool is_far_from(const DualEdge& other) const {
-    return !ray && !other.ray &&
-           (high_x < other.low_x || other.high_x < low_x || high_y < other.low_y ||
-            other.high_y < low_y);
-  }
-};
-
-DualEdge dual_of(const ConformingSection& section, EdgeId e) {
-  const ConformingSection::Edge& edge = section.edges[e];
-  const TriangleId inner = edge.left.valid() ? edge.left : edge.right;
-  DualEdge dual;
-  dual.from = circumcentre_of(section, inner);
-  if (edge.left.valid() && edge.right.valid()) {
-    const Point2Q to = circumcentre_of(section, edge.right);
-    dual.along = {to.x - dual.from.x, to.y - dual.from.y};
-    dual.set_box();
-    return dual;
-  }
-  const Point2Q a = oracle::exactly(section.point(edge.a));
-  const Point2Q b = oracle::exactly(section.point(edge.b));
-  const Rational sign(edge.left.valid() ? 1 : -1);
-  dual.along = {sign * (b.y - a.y), sign * (a.x - b.x)};
-  dual.ray = true;
-  return dual;
+// Every element of a is one of b.
+template <class T>
+bool is_within(const std::set<T>& a, const std::set<T>& b) {
+  return std::includes(b.begin(), b.end(), a.begin(), a.end());
 }
 
-enum class Meeting { apart, touch, cross };
-
-Meeting meeting_of(const DualEdge& p, const DualEdge& q) {
-  const auto cross = [](const Point2Q& u, const Point2Q& v) { return u.x * v.y - u.y * v.x; };
-  const Rational zero(0), one(1);
-  const Rational denominator = cross(p.along, q.along);
-  const Point2Q d{q.from.x - p.from.x, q.from.y - p.from.y};
-  // Parallel ones, and those of length zero, can only touch; whether they do is not asked.
-  if (denominator == zero) return Meeting::touch;
-  const Rational s = cross(d, q.along) / denominator;
-  const Rational t = cross(d, p.along) / denominator;
-  if (s < zero || t < zero || (!p.ray && s > one) || (!q.ray && t > one)) return Meeting::apart;
-  const bool inside = s > zero && t > zero && (p.ray || s < one) && (q.ray || t < one);
-  return inside ? Meeting::cross : Meeting::touch;
-}
-
+// Proposition 1: the slab has a reverse tet on an edge below and an edge above iff the Voronoi
+// edges dual to them cross in projection.
 TEST(SkeletonCrossing, IsWhereReverseTetsAre) {
+  std::size_t tets = 0, crossings = 0, touching_tets = 0, touches_without = 0;
+  for (const NamedSlab& named : generated_slabs(900, 4)) {
+    if (!named.built) continue;
+    SCOPED_TRACE(named.name);
+    const Slab& slab = *named.built->slab;
+    const std::set<EdgePair> of_tets = reverse_tets(slab);
+    std::set<EdgePair> proper, all;
+    for (const SkeletonCrossing& crossing : skeleton_crossings(slab.lower(), slab.upper())) {
+      all.emplace(crossing.below, crossing.above);
+      if (crossing.proper) proper.emplace(crossing.below, crossing.above);
+    }
+    EXPECT_TRUE(is_within(proper, of_tets));
+    EXPECT_TRUE(is_within(of_tets, all));
+    tets += of_tets.size();
+    crossings += proper.size();
+    touching_tets += of_tets.size() - proper.size();
+    touches_without += all.size() - of_tets.size();
+  }
+  EXPECT_GT(tets, 1000U);
+  EXPECT_GT(crossings, 1000U);
+  EXPECT_GT(touching_tets, 0U);  // the degenerate case is among them
+  EXPECT_GT(touches_without, 0U);
+}
+
+// The same from the vertices alone, in rationals; and that skeleton_crossings() finds all.
+TEST(SkeletonCrossing, InRationalsIsWhereReverseTetsAre) {
   std::size_t tets = 0, crossings = 0, touching_tets = 0;
   for (const NamedSlab& named : generated_slabs(900, 2)) {
     if (!named.built) continue;
@@ -100,32 +81,25 @@ TEST(SkeletonCrossing, IsWhereReverseTetsAre) {
     // Rationals are slow, most of all of coordinates from 1e-150 to 1e150.
     if (slab.vertex_count() > 40 || named.name.starts_with("scale_offset")) continue;
     SCOPED_TRACE(named.name);
-    std::set<std::pair<EdgeId, EdgeId>> of_tets;
-    for (std::size_t k = 0; k < slab.mesh().tet_slots(); ++k) {
-      const TetId t(k);
-      if (slab.kind(t) != TetKind::ii && slab.kind(t) != TetKind::ie) continue;
-      std::vector<VertexId> low, high;
-      for (const VertexId v : slab.mesh().vertices(t)) {
-        (slab.is_upper(v) ? high : low).push_back(slab.in_section(v));
-      }
-      of_tets.emplace(slab.lower().find_edge(low[0], low[1]),
-                      slab.upper().find_edge(high[0], high[1]));
-    }
-    std::vector<DualEdge> above;
-    for (std::size_t e = 0; e < slab.upper().edges.size(); ++e) {
-      above.push_back(dual_of(slab.upper(), EdgeId(e)));
+    const std::set<EdgePair> of_tets = reverse_tets(slab);
+    std::vector<SkeletonCrossing> expected;
+    std::vector<oracle::VoronoiEdge> above;
+    for (std::size_t f = 0; f < slab.upper().edges.size(); ++f) {
+      above.push_back(oracle::voronoi_edge(slab.upper(), EdgeId(f)));
     }
     for (std::size_t e = 0; e < slab.lower().edges.size(); ++e) {
-      const DualEdge below = dual_of(slab.lower(), EdgeId(e));
-      const EdgeKind kind = slab.lower().edges[EdgeId(e)].kind;
+      const oracle::VoronoiEdge below = oracle::voronoi_edge(slab.lower(), EdgeId(e));
       for (std::size_t f = 0; f < above.size(); ++f) {
-        const EdgeKind other = slab.upper().edges[EdgeId(f)].kind;
-        const bool reverse = kind != EdgeKind::contour && other != EdgeKind::contour &&
-                             (kind == EdgeKind::internal || other == EdgeKind::internal);
-        if (!reverse) continue;
+        if (!oracle::are_reverse(slab.lower().edges[EdgeId(e)].kind,
+                                 slab.upper().edges[EdgeId(f)].kind)) {
+          continue;
+        }
         const bool has_tet = of_tets.contains({EdgeId(e), EdgeId(f)});
         if (!has_tet && below.is_far_from(above[f])) continue;
-        const Meeting meeting = meeting_of(below, above[f]);
+        const Meeting meeting = oracle::meeting_of(below, above[f]);
+        if (meeting != Meeting::apart) {
+          expected.push_back({EdgeId(e), EdgeId(f), meeting == Meeting::cross});
+        }
         tets += has_tet ? 1U : 0U;
         crossings += meeting == Meeting::cross ? 1U : 0U;
         touching_tets += has_tet && meeting == Meeting::touch ? 1U : 0U;
@@ -137,10 +111,184 @@ TEST(SkeletonCrossing, IsWhereReverseTetsAre) {
         }
       }
     }
+    EXPECT_EQ(skeleton_crossings(slab.lower(), slab.upper()), expected);
   }
   EXPECT_GT(tets, 15U);
   EXPECT_GT(crossings, 15U);
-  EXPECT_GT(touching_tets, 0U);  // the degenerate case is among them
+  EXPECT_GT(touching_tets, 0U);
+}
+
+// Proposition 2, in one slab: two contours of neighbouring sections are well positioned, or there
+// is no reverse tet between them.
+TEST(WellPositionedContours, AreThoseWithAReverseTet) {
+  std::size_t with = 0, without = 0;
+  for (const NamedSlab& named : generated_slabs(910, 4)) {
+    if (!named.built) continue;
+    SCOPED_TRACE(named.name);
+    const ConformingSection& below = named.built->lower;
+    const ConformingSection& above = named.built->upper;
+    std::set<ContourPair> of_tets, proper, all;
+    for (const auto& [e, f] : reverse_tets(*named.built->slab)) {
+      for (const VertexId v : {below.edges[e].a, below.edges[e].b}) {
+        for (const VertexId w : {above.edges[f].a, above.edges[f].b}) {
+          of_tets.emplace(below.contour[v], above.contour[w]);
+        }
+      }
+    }
+    for (const WellPositioned& pair : well_positioned(below, above)) {
+      EXPECT_TRUE(all.emplace(pair.below, pair.above).second);
+      if (pair.proper) proper.emplace(pair.below, pair.above);
+    }
+    EXPECT_TRUE(is_within(proper, of_tets));
+    EXPECT_TRUE(is_within(of_tets, all));
+    with += of_tets.size();
+    without += below.nesting.region.size() * above.nesting.region.size() - of_tets.size();
+  }
+  EXPECT_GT(with, 100U);
+  EXPECT_GT(without, 100U);
+}
+
+// Contours of a stack united by pairs of contours, besides those of one region.
+class Closure {
+ public:
+  explicit Closure(const std::vector<ConformingSection>& sections)
+      : first_(numbering(sections)), sets_(first_.back()) {
+    for (std::size_t s = 0; s < sections.size(); ++s) {
+      const Nesting& nesting = sections[s].nesting;
+      for (std::size_t c = 0; c < nesting.region.size(); ++c) {
+        const ContourId outer = nesting.outer[nesting.region[ContourId(c)]];
+        sets_.unite(first_[s] + c, first_[s] + outer.index());
+      }
+    }
+  }
+
+  void unite(std::size_t slab, const WellPositioned& pair) {
+    sets_.unite(first_[slab] + pair.below.index(), first_[slab + 1] + pair.above.index());
+  }
+
+  // Are two contours that are in one set in one component?
+  [[nodiscard]] bool is_finer_than(const std::vector<ComponentId>& component) const {
+    for (std::size_t c = 0; c < sets_.size(); ++c) {
+      if (component[c] != component[sets_.find(c)]) return false;
+    }
+    return true;
+  }
+  // Are two contours of one component in one set?
+  [[nodiscard]] bool is_coarser_than(const std::vector<ComponentId>& component) const {
+    std::vector<std::size_t> first(component.size(), component.size());
+    for (std::size_t c = 0; c < sets_.size(); ++c) {
+      std::size_t& of_component = first[component[c].index()];
+      if (of_component == component.size()) of_component = c;
+      if (!sets_.same(of_component, c)) return false;
+    }
+    return true;
+  }
+
+ private:
+  static std::vector<std::size_t> numbering(const std::vector<ConformingSection>& sections) {
+    std::vector<std::size_t> first{0};
+    for (const ConformingSection& s : sections) {
+      first.push_back(first.back() + s.nesting.region.size());
+    }
+    return first;
+  }
+
+  std::vector<std::size_t> first_;  // first_[s]: the first contour of section s
+  UnionFind sets_;
+};
+
+struct Tally {
+  std::size_t decided = 0;    // stacks where no pair only touches
+  std::size_t several = 0;    // of these: of more than one component
+  std::size_t undecided = 0;  // where touching pairs make a difference
+};
+
+// Proposition 2, in a stack: the partition is that by well positioned pairs, unless some only
+// touch; then it lies between that without and that with these.
+void expect_partition_by_positions(const SectionStack& stack, const ContourPartition& partition,
+                                   Tally& tally) {
+  std::vector<ConformingSection> sections;
+  for (std::size_t s = 0; s < stack.sections.size(); ++s) {
+    sections.push_back(conform(stack.sections[SectionId(s)], SectionId(s)).value());
+  }
+  Closure proper(sections), all(sections);
+  bool touch = false;
+  for (std::size_t k = 0; k + 1 < sections.size(); ++k) {
+    for (const WellPositioned& pair : well_positioned(sections[k], sections[k + 1])) {
+      if (pair.proper) proper.unite(k, pair);
+      all.unite(k, pair);
+      touch = touch || !pair.proper;
+    }
+  }
+  std::vector<ComponentId> component;
+  for (const auto& of_section : partition) {
+    component.insert(component.end(), of_section.begin(), of_section.end());
+  }
+  EXPECT_TRUE(proper.is_finer_than(component));
+  EXPECT_TRUE(all.is_coarser_than(component));
+  if (!touch) {
+    EXPECT_TRUE(proper.is_coarser_than(component));
+    ++tally.decided;
+    const bool one = std::all_of(component.begin(), component.end(),
+                                 [&](ComponentId c) { return c == component.front(); });
+    tally.several += one ? 0U : 1U;
+  } else if (!proper.is_coarser_than(component) || !all.is_finer_than(component)) {
+    ++tally.undecided;
+  }
+}
+
+Result<Correspondence> reverse_correspondence(const SectionStack& stack) {
+  IdVector<SectionId, Nesting> nestings;
+  for (const Section& section : stack.sections) nestings.push_back(nest(section));
+  IdVector<SlabId, std::vector<Link>> candidates(stack.sections.size() - 1);
+  for (std::size_t k = 0; k + 1 < stack.sections.size(); ++k) {
+    const auto built = slab_case(stack, k);
+    if (built) candidates[SlabId(k)] = reverse_links(SlabId(k), *built->slab);
+  }
+  return decide_correspondence(stack, nestings, candidates, {});
+}
+
+TEST(WellPositionedContours, ArePartitionedAsByReverseTets) {
+  Tally tally;
+  for (const StackKind kind : all_kinds()) {
+    // Conforming itself may be refused there.
+    if (is_near_coincident(kind)) continue;
+    for (std::uint64_t seed = 920; seed < 928; ++seed) {
+      SCOPED_TRACE(std::string(name_of(kind)) + " seed " + std::to_string(seed));
+      const SectionStack stack = generate(kind, seed).stack;
+      expect_partition_by_positions(stack, reverse_correspondence(stack).value().partition, tally);
+    }
+  }
+  EXPECT_GT(tally.decided, 30U);
+  EXPECT_GT(tally.several, 10U);
+  EXPECT_GT(tally.undecided, 0U);
+}
+
+// Proposition 3: what is built on well positioned contours is a manifold.
+TEST(WellPositionedContours, GiveManifolds) {
+  ReconstructOptions options;
+  options.correspondence.criterion = Criterion::reverse;
+  options.threads = 1;
+  Tally tally;
+  std::size_t tets = 0;
+  for (const StackKind kind : all_kinds()) {
+    if (is_near_coincident(kind) || kind == StackKind::large_contours) continue;
+    for (std::uint64_t seed = 930; seed < 938; ++seed) {
+      SCOPED_TRACE(std::string(name_of(kind)) + " seed " + std::to_string(seed));
+      const SectionStack stack = generate(kind, seed).stack;
+      const Result<Reconstruction> result = reconstruct(stack, options);
+      ASSERT_TRUE(result.ok()) << to_string(result.error());
+      const Result<CheckReport> report =
+          check(result->model, stack, {.correspondence = options.correspondence});
+      ASSERT_TRUE(report.ok()) << to_string(report.error());
+      EXPECT_EQ(report->guarantees.front().number, 1);
+      EXPECT_TRUE(report->guarantees.front().pass);
+      tets += result->model.tets.size();
+      expect_partition_by_positions(stack, result->partition, tally);
+    }
+  }
+  EXPECT_GT(tets, 10000U);
+  EXPECT_GT(tally.decided, 50U);
 }
 
 }  // namespace
