@@ -4,79 +4,17 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
 #include <tetloft/io.hpp>
 
-#include "support/stacks/bitmap.hpp"
-#include "support/stacks/shapes.hpp"
+#include "tools/implicit.hpp"
 
 namespace {
 
 using namespace tetloft;
 using namespace tetloft::testing;
-
-/// Positive inside.
-using Field = std::function<double(Point2 p)>;
-
-// Rounding to thousandths keeps the files short and the same whatever the last bits of a
-// mathematical library are.
-double rounded(double x) { return std::round(1000 * x) / 1000; }
-
-// The outlines of field > 0 in [−size, size]², traced on a grid of the given step.
-Layer level_set(const Field& field, double size, double step) {
-  const int n = static_cast<int>(std::ceil(2 * size / step)) + 1;
-  const auto at = [&](int x, int y) { return Point2{step * x - size, step * y - size}; };
-  Bitmap inside(n, n);
-  for (int y = 0; y < n; ++y) {
-    for (int x = 0; x < n; ++x) inside.set(x, y, field(at(x, y)) > 0);
-  }
-  return marching_squares(inside, true, [&](int x2, int y2) {
-    // Linear interpolation on the lattice edge, kept off its ends: two crossings near one
-    // lattice point would round to the same vertex.
-    const Point2 a = at(x2 / 2, y2 / 2);
-    const Point2 b = at((x2 + 1) / 2, (y2 + 1) / 2);
-    const double fa = field(a);
-    const double t = std::clamp(fa / (fa - field(b)), 0.1, 0.9);
-    return Point2{rounded(a.x + t * (b.x - a.x)), rounded(a.y + t * (b.y - a.y))};
-  });
-}
-
-// A disc of a cross section. Radius 0: absent.
-struct Lobe {
-  Point2 centre;
-  double radius = 0;
-};
-
-// Union of discs, blended: positive inside, about the distance in radii.
-double blended(const std::vector<Lobe>& lobes, Point2 p) {
-  constexpr double kSharpness = 6;
-  double sum = 0;
-  for (const Lobe& lobe : lobes) {
-    if (lobe.radius <= 0) continue;
-    const double distance = std::hypot(p.x - lobe.centre.x, p.y - lobe.centre.y);
-    sum += std::exp(kSharpness * (1 - distance / lobe.radius));
-  }
-  return std::log(std::max(sum, 1e-300));
-}
-
-// Smooth from 0 at `from` to 1 at `to`.
-double ramp(double z, double from, double to) {
-  const double t = std::clamp((z - from) / (to - from), 0.0, 1.0);
-  return t * t * (3 - 2 * t);
-}
-
-// The radius of a rounded end: 0 at `tip`, 1 from `tip` + `length` on.
-double rounded_end(double z, double tip, double length) {
-  const double t = std::clamp((z - tip) / length, 0.0, 1.0);
-  return std::sqrt(t * (2 - t));
-}
-
-Point2 on_circle(double radius, double degrees) {
-  return {radius * std::cos(degrees * kPi / 180), radius * std::sin(degrees * kPi / 180)};
-}
 
 // A molar: three roots that join below the crown, four cusps on top, and inside a pulp
 // chamber with three canals. Heights in millimetres from the longest root's tip.
@@ -125,10 +63,6 @@ std::vector<Lobe> bifurcating_tube(double z) {
   return lobes;
 }
 
-Layer sections_of(const std::vector<Lobe>& lobes, double size, double step) {
-  return level_set([&](Point2 p) { return blended(lobes, p); }, size, step);
-}
-
 SectionStack tooth() {
   std::vector<Layer> layers;
   std::vector<double> heights;
@@ -169,13 +103,6 @@ SectionStack torus() {
   return stack_of(std::move(layers), heights);
 }
 
-bool write(const std::string& folder, const char* name, const SectionStack& stack) {
-  const Result<void> valid = validate(stack);
-  const Result<void> written = valid ? write_cnt(folder + "/" + name, stack) : valid;
-  if (!written) std::fprintf(stderr, "%s: %s\n", name, to_string(written.error()).c_str());
-  return written.ok();
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -186,8 +113,8 @@ int main(int argc, char** argv) {
   const std::string folder = argv[1];
   std::error_code failed;
   std::filesystem::create_directories(folder, failed);
-  const bool good = write(folder, "tooth.cnt", tooth()) &&
-                    write(folder, "bifurcation.cnt", bifurcation()) &&
-                    write(folder, "torus.cnt", torus());
+  const bool good = write_sample(folder, "tooth.cnt", tooth()) &&
+                    write_sample(folder, "bifurcation.cnt", bifurcation()) &&
+                    write_sample(folder, "torus.cnt", torus());
   return good ? 0 : 1;
 }
