@@ -370,6 +370,8 @@ TEST(Aggregate, CountsRefusedStacksAsNotValid) {
   good.valid = true;
   good.deviation = 0.5;
   good.seconds = 2;
+  good.component_error = 0;
+  good.cavity_error = 1;
   refused.refusal = "no room";
   refused.deviation = 9;
   const Aggregate all = aggregate({{&good, 1000}, {&refused, 500}});
@@ -377,6 +379,8 @@ TEST(Aggregate, CountsRefusedStacksAsNotValid) {
   EXPECT_EQ(*all.valid, 0.5);
   EXPECT_EQ(all.deviation, 0.5);
   EXPECT_EQ(all.seconds_per_10k, 20);
+  EXPECT_EQ(*all.right_topology, 0);
+  EXPECT_EQ(*all.cavity_errors, 1);
   EXPECT_FALSE(all.genus_errors);
 }
 

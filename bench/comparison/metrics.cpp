@@ -45,11 +45,11 @@ TriangleMesh measure_tets(const Model& model, const Method& method, const Sectio
   const CheckReport checked = check(model, stack, options).value();
   std::array<bool, 4> verdicts{};
   for (const GuaranteeVerdict& verdict : checked.guarantees) {
-    const bool holds = std::all_of(
-        verdict.failures.begin(), verdict.failures.end(), [&](const CheckFailure& failure) {
-          return method.inner_vertices && failure.what.starts_with(kInnerVertices);
-        });
-    verdicts[static_cast<std::size_t>(verdict.number - 1)] = holds;
+    const bool not_asked =
+        method.inner_vertices &&
+        std::all_of(verdict.failures.begin(), verdict.failures.end(),
+                    [](const CheckFailure& f) { return f.what.starts_with(kInnerVertices); });
+    verdicts[static_cast<std::size_t>(verdict.number - 1)] = verdict.pass || not_asked;
   }
   run.guarantees = verdicts;
   run.valid = verdicts[0] && verdicts[1] && verdicts[2] && (verdicts[3] || !method.correspondence);
@@ -100,6 +100,14 @@ class Mean {
   std::size_t count_ = 0;
 };
 
+// 1 if all that is known of the topology is met, else 0.
+std::optional<double> topology_is_right(const Run& run) {
+  if (!run.component_error && !run.cavity_error && !run.genus_error) return std::nullopt;
+  const long errors =
+      run.component_error.value_or(0) + run.cavity_error.value_or(0) + run.genus_error.value_or(0);
+  return errors == 0 ? 1 : 0;
+}
+
 void add(std::optional<long>& sum, const std::optional<long>& value) {
   if (value) sum = sum.value_or(0) + *value;
 }
@@ -137,7 +145,7 @@ Run measure_run(const Method& method, const Subject& subject, const Reference& r
 
 Aggregate aggregate(const std::vector<SizedRun>& runs) {
   Aggregate result;
-  Mean deviation, volume, distance, hausdorff;
+  Mean deviation, topology, volume, distance, hausdorff;
   std::size_t judged = 0, valid = 0, resampled = 0, vertices = 0;
   double seconds = 0;
   for (const SizedRun& sized : runs) {
@@ -159,6 +167,7 @@ Aggregate aggregate(const std::vector<SizedRun>& runs) {
     add(result.cavity_errors, run.cavity_error);
     add(result.genus_errors, run.genus_error);
     deviation.add(run.deviation);
+    topology.add(topology_is_right(run));
     volume.add(run.volume_error);
     if (run.distance) {
       distance.add(run.distance->mean);
@@ -173,6 +182,7 @@ Aggregate aggregate(const std::vector<SizedRun>& runs) {
     result.resampled = static_cast<double>(resampled) / all;
   }
   result.deviation = deviation.value().value_or(0);
+  result.right_topology = topology.value();
   result.volume_error = volume.value();
   result.mean_distance = distance.value();
   result.hausdorff = hausdorff.value();

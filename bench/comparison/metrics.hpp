@@ -61,8 +61,9 @@ struct Run {
 struct Aggregate {
   std::size_t stacks = 0;
   std::size_t refused = 0;
-  std::optional<double> valid;      ///< share of all stacks
-  std::optional<double> resampled;  ///< share of all stacks with guarantee 2
+  std::optional<double> right_topology;  ///< share, where truth tells components, cavities or genus
+  std::optional<double> valid;           ///< share of all stacks
+  std::optional<double> resampled;       ///< share of all stacks with guarantee 2
   std::size_t singular_vertices = 0, singular_edges = 0;
   std::size_t lost = 0;
   double deviation = 0;                                               ///< mean

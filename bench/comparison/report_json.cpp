@@ -79,6 +79,7 @@ void write_line(JsonWriter& json, const Table::Line& line) {
   json.member("singular_edges", a.singular_edges);
   json.member("lost_contours", a.lost);
   json.member("section_deviation", a.deviation);
+  optional_member(json, "right_topology", a.right_topology);
   optional_member(json, "component_errors", a.component_errors);
   optional_member(json, "cavity_errors", a.cavity_errors);
   optional_member(json, "genus_errors", a.genus_errors);
