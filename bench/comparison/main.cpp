@@ -27,7 +27,7 @@ using namespace tetloft::bench;
 constexpr const char* kUsage =
     "tetloft_compare [--solids N] [--size N] [--seed S] [--stacks FOLDER]... [--largest VERTICES]\n"
     "                [--samples N] [--json OUT.json] [--markdown OUT.md]\n"
-    "N random solids of each kind (12) in SIZE^3 samples (96), and all .cnt below the folders "
+    "N random solids of each kind (10) in SIZE^3 samples (96), and all .cnt below the folders "
     "with\n"
     "no more than VERTICES (60000); see bench/comparison/README.md.\n";
 

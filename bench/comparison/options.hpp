@@ -11,7 +11,7 @@
 namespace tetloft::bench {
 
 struct CompareOptions {
-  std::size_t solids = 12;  ///< of each kind
+  std::size_t solids = 10;  ///< of each kind
   std::size_t size = 96;    ///< samples along an axis
   std::uint64_t seed = 1;
   std::size_t largest = 60'000;  ///< vertices of stacks from folders
