@@ -16,7 +16,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <numeric>
 #include <optional>
@@ -27,9 +26,12 @@
 
 #include <tetloft/tetloft.hpp>
 
+#include "stack_truth.hpp"
+
 namespace {
 
 using namespace tetloft;
+using namespace tetloft::bench;
 
 struct Options {
   std::vector<std::filesystem::path> files;
@@ -40,38 +42,6 @@ struct Options {
   bool check = true;
   unsigned jobs = 1;
 };
-
-// The first number behind "key": in the text, if any: enough for the flat truth files.
-std::optional<double> find_number(const std::string& text, const std::string& key) {
-  const std::size_t at = text.find('"' + key + "\":");
-  if (at == std::string::npos) return std::nullopt;
-  char* end = nullptr;
-  const char* begin = text.c_str() + at + key.size() + 3;
-  const double value = std::strtod(begin, &end);
-  if (end == begin) return std::nullopt;
-  return value;
-}
-
-struct Truth {
-  std::optional<double> components, genus, cavities;
-};
-
-Truth read_truth(std::filesystem::path path) {
-  path.replace_extension(".json");
-  std::ifstream in(path);
-  std::stringstream buffer;
-  buffer << in.rdbuf();
-  const std::string text = buffer.str();
-  Truth truth;
-  for (const char* key : {"shells", "components_26", "components"}) {
-    if (!truth.components) truth.components = find_number(text, key);
-  }
-  for (const char* key : {"total_genus", "handles_26", "genus"}) {
-    if (!truth.genus) truth.genus = find_number(text, key);
-  }
-  truth.cavities = find_number(text, "cavities");
-  return truth;
-}
 
 SectionStack split_edges(const SectionStack& stack, std::size_t parts) {
   SectionStack result = stack;
@@ -130,7 +100,7 @@ std::string survey(const std::filesystem::path& path, const Options& options) {
     return row.str();
   }
   const ReconstructReport& report = made->report;
-  const Truth truth = read_truth(path);
+  const StackTruth truth = read_stack_truth(path);
   row << report.input_vertices << " | " << report.tets << " | ";
   if (options.check) {
     CheckOptions check_options;

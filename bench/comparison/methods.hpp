@@ -1,0 +1,39 @@
+// The methods compared: a table {name, what check is to ask, run}.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <tetloft/correspondence.hpp>
+#include <tetloft/model.hpp>
+#include <tetloft/sections.hpp>
+
+#include "comparison/triangle_mesh.hpp"
+
+namespace tetloft::bench {
+
+/// What a method made of a stack.
+struct Outcome {
+  std::string refusal;         ///< why there is nothing; empty if there is
+  std::optional<Model> model;  ///< of tets; none where the method makes a mere surface
+  TriangleMesh surface;        ///< where there is no model
+  /// A contour is kept if the surface passes one of its vertices within this.
+  double tolerance = 0;
+  double seconds = 0;  ///< wall clock, of one thread
+};
+
+struct Method {
+  std::string name;
+  /// What guarantee 4 is judged by; none: the method has no criterion, guarantee 4 is not asked.
+  std::optional<CorrespondenceOptions> correspondence;
+  /// The method adds vertices within sections: condition 2.10 of check, that there are none, is
+  /// not asked.
+  bool inner_vertices = false;
+  std::function<Outcome(const SectionStack&)> run;
+};
+
+[[nodiscard]] std::vector<Method> all_methods();
+
+}  // namespace tetloft::bench

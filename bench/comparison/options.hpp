@@ -1,0 +1,26 @@
+// The command line of tetloft_compare.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tetloft::bench {
+
+struct CompareOptions {
+  std::size_t solids = 10;  ///< of each kind
+  std::size_t size = 96;    ///< samples along an axis
+  std::uint64_t seed = 1;
+  std::size_t largest = 60'000;  ///< vertices of stacks from folders
+  std::size_t samples = 5'000;   ///< on each surface
+  std::vector<std::filesystem::path> folders;
+  std::string json, markdown;  ///< files to write; empty: none
+};
+
+/// Nothing for what is no command line of ours.
+[[nodiscard]] std::optional<CompareOptions> parse_options(int argc, char** argv);
+
+}  // namespace tetloft::bench
