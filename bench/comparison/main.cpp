@@ -26,7 +26,7 @@ using namespace tetloft::bench;
 
 constexpr const char* kUsage =
     "tetloft_compare [--solids N] [--size N] [--seed S] [--stacks FOLDER]... [--largest VERTICES]\n"
-    "                [--samples N] [--json OUT.json] [--markdown OUT.md]\n"
+    "                [--samples N] [--only METHOD] [--json OUT.json] [--markdown OUT.md]\n"
     "N random solids of each kind (10) in SIZE^3 samples (96), and all .cnt below the folders "
     "with\n"
     "no more than VERTICES (60000); see bench/comparison/README.md.\n";
@@ -100,6 +100,7 @@ class Comparison {
     row.vertices = subject.stack.vertex_count();
     std::cerr << subject.name << ", " << row.vertices << " vertices:" << std::flush;
     for (const Method& method : methods_) {
+      if (method.name.find(options_.only) == std::string::npos) continue;
       row.runs.push_back(measure_run(method, subject, reference, options_.samples));
       const Run& last = row.runs.back();
       std::cerr << ' ' << last.seconds << " s" << (last.refusal.empty() ? "" : " (refused)")

@@ -32,6 +32,28 @@ Outcome timed(Make&& make, Keep&& keep) {
   return outcome;
 }
 
+struct Marched {
+  TriangleMesh surface;
+  double step = 0;
+};
+
+Method distance_field_method() {
+  const auto run = [](const SectionStack& stack) {
+    const auto make = [&]() -> Result<Marched> {
+      const Result<ScalarGrid> grid = distance_field(stack);
+      if (!grid) return grid.error();
+      return Marched{marching_tets(*grid), grid->step};
+    };
+    return timed(make, [](Marched&& made, Outcome& outcome) {
+      outcome.surface = std::move(made.surface);
+      outcome.tolerance = made.step;
+    });
+  };
+  return {"distance field", std::nullopt, false, run};
+}
+
+}  // namespace
+
 Method tetloft_by(std::string name, const CorrespondenceOptions& correspondence) {
   const auto run = [correspondence](const SectionStack& stack) {
     ReconstructOptions options;
@@ -56,28 +78,6 @@ Method geiger() {
   };
   return {"geiger", std::nullopt, true, run};
 }
-
-struct Marched {
-  TriangleMesh surface;
-  double step = 0;
-};
-
-Method distance_field_method() {
-  const auto run = [](const SectionStack& stack) {
-    const auto make = [&]() -> Result<Marched> {
-      const Result<ScalarGrid> grid = distance_field(stack);
-      if (!grid) return grid.error();
-      return Marched{marching_tets(*grid), grid->step};
-    };
-    return timed(make, [](Marched&& made, Outcome& outcome) {
-      outcome.surface = std::move(made.surface);
-      outcome.tolerance = made.step;
-    });
-  };
-  return {"distance field", std::nullopt, false, run};
-}
-
-}  // namespace
 
 std::vector<Method> all_methods() {
   return {tetloft_by("tetloft overlap", {}),

@@ -34,6 +34,11 @@ struct Method {
   std::function<Outcome(const SectionStack&)> run;
 };
 
+/// tetloft's own method.
+[[nodiscard]] Method tetloft_by(std::string name, const CorrespondenceOptions& correspondence);
+/// Geiger's.
+[[nodiscard]] Method geiger();
+
 [[nodiscard]] std::vector<Method> all_methods();
 
 }  // namespace tetloft::bench

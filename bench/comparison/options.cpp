@@ -32,6 +32,8 @@ std::optional<CompareOptions> parse_options(int argc, char** argv) {
       good = parse_number(value, options.largest);
     } else if (option == "--samples") {
       good = parse_number(value, options.samples);
+    } else if (option == "--only") {
+      options.only = value;
     } else if (option == "--stacks") {
       options.folders.emplace_back(value);
       good = std::filesystem::is_directory(options.folders.back());

@@ -16,6 +16,7 @@ struct CompareOptions {
   std::uint64_t seed = 1;
   std::size_t largest = 60'000;  ///< vertices of stacks from folders
   std::size_t samples = 5'000;   ///< on each surface
+  std::string only;              ///< methods with this in their name; empty: all
   std::vector<std::filesystem::path> folders;
   std::string json, markdown;  ///< files to write; empty: none
 };
