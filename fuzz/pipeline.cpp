@@ -1,6 +1,7 @@
-// The whole pipeline: bytes become a stack on a tiny grid, where degeneracy is the normal case;
-// what is reconstructed keeps all guarantees, by brute force and by check().
+// The whole pipeline, and the baseline: bytes become a stack on a tiny grid, where degeneracy is
+// the normal case; what is reconstructed keeps all guarantees, by brute force and by check().
 #include <tetloft/check.hpp>
+#include <tetloft/geiger.hpp>
 #include <tetloft/reconstruct.hpp>
 
 #include "fuzz/decode_stack.hpp"
@@ -29,6 +30,18 @@ void check_model(const Reconstruction& made, const SectionStack& stack,
   }
 }
 
+// The baseline keeps guarantee 3 and no other.
+void check_baseline(const SectionStack& stack) {
+  const auto made = reconstruct_geiger(stack);
+  if (!made) {
+    require_clean(made.error());
+    return;
+  }
+  if (made->model.tets.empty()) return;
+  const auto report = check(made->model, stack);
+  require(report.ok() && report->guarantees[2].pass, "tets of the baseline overlap");
+}
+
 }  // namespace
 }  // namespace tetloft::fuzz
 
@@ -52,5 +65,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   require(valid.ok(), "a stack that is not valid is reconstructed");
   check_model(*made, decoded.stack, decoded.options.correspondence);
+  check_baseline(decoded.stack);
   return 0;
 }

@@ -1,6 +1,7 @@
-// The model reader, and check() on whatever model it reads.
+// The model reader, and check() and pictures of whatever model it reads.
 #include <tetloft/check.hpp>
 #include <tetloft/io.hpp>
+#include <tetloft/render.hpp>
 
 #include "fuzz/target.hpp"
 
@@ -19,6 +20,23 @@ SectionStack tube() {
   return stack;
 }
 
+// Each kind of picture is drawn, or refused cleanly.
+void draw(const Model& model) {
+  RenderOptions options;
+  options.width = options.height = 24;
+  options.explode = 0.5;
+  options.edges = true;
+  options.cut = PictureCut{2, 0.5};
+  for (const auto render : {render_png, render_svg, render_html}) {
+    const auto picture = render(model, nullptr, options);
+    if (!picture) {
+      require_clean(picture.error());
+    } else {
+      require(!picture->empty(), "an empty picture");
+    }
+  }
+}
+
 }  // namespace
 }  // namespace tetloft::fuzz
 
@@ -31,6 +49,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     require(!model.error().where.file.empty(), "an error without the file's name");
     return 0;
   }
+  draw(*model);
   const auto report = check(*model, tube());
   if (!report) {
     require_clean(report.error());

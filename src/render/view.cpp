@@ -45,7 +45,10 @@ View::View(const Scene& scene, const RenderOptions& options) : toward_(toward(op
 }
 
 Projected View::project(const Point3& p) const {
-  return {x_ + scale_ * dot(p, right_), y_ - scale_ * dot(p, up_), scale_ * dot(p, toward_)};
+  // float32 must hold the depth of needles that point to the eye.
+  constexpr double kFarthest = 1e30;
+  return {x_ + scale_ * dot(p, right_), y_ - scale_ * dot(p, up_),
+          std::clamp(scale_ * dot(p, toward_), -kFarthest, kFarthest)};
 }
 
 Point3 View::turned(const Point3& vector) const {
