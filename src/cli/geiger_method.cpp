@@ -9,6 +9,7 @@
 #include "cli/outputs.hpp"
 #include "cli/progress.hpp"
 #include "cli/stack_input.hpp"
+#include "cli/verdicts.hpp"
 #include "io/numbers.hpp"
 
 namespace tetloft::cli {
@@ -31,11 +32,7 @@ Result<void> tell_broken_guarantees(const Model& model, const SectionStack& stac
   if (!report) return report.error();
   for (const GuaranteeVerdict& verdict : report->guarantees) {
     for (const CheckFailure& failure : verdict.failures) {
-      std::string text = "guarantee " + std::to_string(verdict.number) + " (" + verdict.name +
-                         ") is broken: " + failure.what + ", " + std::to_string(failure.count) +
-                         " times";
-      if (!failure.places.empty()) text += ", first at " + failure.places.front();
-      console.warn({text, {}});
+      console.warn({"broken: " + describe(verdict, failure), {}});
     }
   }
   return {};

@@ -8,6 +8,7 @@
 #include "cli/outputs.hpp"
 #include "cli/progress.hpp"
 #include "cli/stack_input.hpp"
+#include "cli/verdicts.hpp"
 #include "io/numbers.hpp"
 
 namespace tetloft::cli {
@@ -97,14 +98,9 @@ Result<void> verify(const Model& model, const StackInput& input, const Request& 
   if (!report) return report.error();
   for (const GuaranteeVerdict& verdict : report->guarantees) {
     if (verdict.pass) continue;
-    std::string message = "verification failed: guarantee " + std::to_string(verdict.number) +
-                          " (" + verdict.name + ")";
-    if (!verdict.failures.empty()) {
-      const CheckFailure& failure = verdict.failures.front();
-      message += ": " + failure.what + ", " + std::to_string(failure.count) + " times";
-      if (!failure.places.empty()) message += ", first at " + failure.places.front();
-    }
-    return Error{ErrorCode::internal, message, {}};
+    return Error{ErrorCode::internal,
+                 "verification failed: " + describe(verdict, verdict.failures.front()),
+                 {}};
   }
   return {};
 }

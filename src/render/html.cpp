@@ -263,8 +263,6 @@ class Page {
 Result<std::string> render_html(const Model& model, const SectionStack* contours,
                                 const RenderOptions& options) {
   return guard_internal([&]() -> Result<std::string> {
-    Result<void> checked = render::check_options(options);
-    if (!checked) return checked.error();
     if (options.cut && options.cut->axis != 2) {
       return Error{ErrorCode::usage, "the viewer cuts by z only", {}};
     }

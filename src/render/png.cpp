@@ -94,8 +94,6 @@ std::string png(const Picture& picture, bool opaque) {
 Result<std::string> render_png(const Model& model, const SectionStack* contours,
                                const RenderOptions& options) {
   return guard_internal([&]() -> Result<std::string> {
-    Result<void> checked = render::check_options(options);
-    if (!checked) return checked.error();
     const Result<render::Subject> subject = render::subject_of(model, contours, options);
     if (!subject) return subject.error();
     return png(

@@ -54,6 +54,32 @@ float smallest_dihedral(const std::array<Point3, 4>& p) {
                             std::numbers::pi);
 }
 
+// Usage error for what is out of range.
+Result<void> check_options(const RenderOptions& options) {
+  const auto usage = [](const char* what) { return Error{ErrorCode::usage, what, {}}; };
+  constexpr int kMost = 8192;
+  if (options.width < 1 || options.width > kMost || options.height < 1 || options.height > kMost) {
+    return usage("width and height of a picture are 1 to 8192 pixels");
+  }
+  if (!std::isfinite(options.azimuth)) return usage("azimuth is not finite");
+  if (!(options.elevation >= -90 && options.elevation <= 90)) {
+    return usage("elevation is not between -90 and 90 degrees");
+  }
+  if (!(options.explode >= 0 && options.explode <= 100)) {
+    return usage("slabs can be moved apart by 0 to 100 heights");
+  }
+  if (!(options.stretch > 0 && options.stretch <= 1e6 && options.stretch >= 1e-6)) {
+    return usage("z can be stretched by 1e-6 to 1e6");
+  }
+  if (options.cut && (options.cut->axis < 0 || options.cut->axis > 2)) {
+    return usage("a cut is by x, y or z");
+  }
+  if (options.cut && !std::isfinite(options.cut->position)) {
+    return usage("the position of the cut is not finite");
+  }
+  return {};
+}
+
 Result<void> check_model(const Model& model) {
   const std::size_t n = model.tets.size();
   if (n == 0) return invalid("the model has no tets to draw");
@@ -244,35 +270,11 @@ Rgb Subject::colour(std::size_t tet, ColourBy by) const {
   return {};
 }
 
-Result<void> check_options(const RenderOptions& options) {
-  const auto usage = [](const char* what) { return Error{ErrorCode::usage, what, {}}; };
-  constexpr int kMost = 8192;
-  if (options.width < 1 || options.width > kMost || options.height < 1 || options.height > kMost) {
-    return usage("width and height of a picture are 1 to 8192 pixels");
-  }
-  if (!std::isfinite(options.azimuth)) return usage("azimuth is not finite");
-  if (!(options.elevation >= -90 && options.elevation <= 90)) {
-    return usage("elevation is not between -90 and 90 degrees");
-  }
-  if (!(options.explode >= 0 && options.explode <= 100)) {
-    return usage("slabs can be moved apart by 0 to 100 heights");
-  }
-  if (!(options.stretch > 0 && options.stretch <= 1e6 && options.stretch >= 1e-6)) {
-    return usage("z can be stretched by 1e-6 to 1e6");
-  }
-  if (options.cut && (options.cut->axis < 0 || options.cut->axis > 2)) {
-    return usage("a cut is by x, y or z");
-  }
-  if (options.cut && !std::isfinite(options.cut->position)) {
-    return usage("the position of the cut is not finite");
-  }
-  return {};
-}
-
 Result<Subject> subject_of(const Model& model, const SectionStack* contours,
                            const RenderOptions& options) {
-  Result<void> checked = check_model(model);
-  if (!checked) return checked.error();
+  for (Result<void> checked : {check_options(options), check_model(model)}) {
+    if (!checked) return checked.error();
+  }
   if (options.colour == ColourBy::kind && model.kind.empty()) {
     return Error{ErrorCode::usage, "the model does not tell the kind of its tets", {}};
   }

@@ -48,11 +48,8 @@ struct Subject {
   [[nodiscard]] Rgb colour(std::size_t tet, ColourBy by) const;
 };
 
-/// Requires options checked by check_options(). Errors as render_png().
+/// Errors as render_png().
 [[nodiscard]] Result<Subject> subject_of(const Model& model, const SectionStack* contours,
                                          const RenderOptions& options);
-
-/// Usage error for what is out of range.
-[[nodiscard]] Result<void> check_options(const RenderOptions& options);
 
 }  // namespace tetloft::render

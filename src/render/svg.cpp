@@ -174,8 +174,6 @@ std::string svg(const Scene& scene, const RenderOptions& options) {
 Result<std::string> render_svg(const Model& model, const SectionStack* contours,
                                const RenderOptions& options) {
   return guard_internal([&]() -> Result<std::string> {
-    Result<void> checked = render::check_options(options);
-    if (!checked) return checked.error();
     const Result<render::Subject> subject = render::subject_of(model, contours, options);
     if (!subject) return subject.error();
     return svg(render::scene_of(*subject, render::View::toward(options), options), options);
