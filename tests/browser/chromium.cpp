@@ -12,7 +12,7 @@ namespace tetloft::test {
 
 namespace {
 
-constexpr int kPatience = 60'000;  // milliseconds
+constexpr int kPatience = 240'000;  // milliseconds
 
 class Chromium : public Browser {
  public:
@@ -22,7 +22,7 @@ class Chromium : public Browser {
         std::vector<std::string>{
             program, "--headless=new", "--no-sandbox", "--no-first-run", "--disable-dev-shm-usage",
             "--remote-debugging-pipe", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
-            "--window-size=600,420", "--user-data-dir=" + folder_.file("user"), "about:blank"},
+            "--window-size=500,360", "--user-data-dir=" + folder_.file("user"), "about:blank"},
         folder_.file("log"), std::vector<std::pair<int, int>>{{commands_[0], 3}, {answers_[1], 4}});
     close(commands_[0]);
     close(answers_[1]);

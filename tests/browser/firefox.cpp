@@ -17,7 +17,7 @@ namespace tetloft::test {
 
 namespace {
 
-constexpr int kPatience = 60'000;  // milliseconds
+constexpr int kPatience = 240'000;  // milliseconds
 
 class Firefox : public Browser {
  public:
@@ -31,7 +31,7 @@ class Firefox : public Browser {
         "user_pref('app.update.enabled', false);\n");
     const std::string folder = std::filesystem::path(folder_.file("user.js")).parent_path();
     std::vector<std::string> words{
-        program, "--marionette", "--no-remote", "--window-size=600,420", "--profile", folder};
+        program, "--marionette", "--no-remote", "--window-size=500,360", "--profile", folder};
     // Without a display Firefox has no WebGL.
     if (const auto display = find_program({"xvfb-run"})) {
       words.insert(words.begin(), {*display, "-a"});
