@@ -8,6 +8,16 @@
 //    between two well-connected regions: r < 1/4 while each of the two has another link
 //    of ratio ≥ 1/4 in the same slab. By `reverse`: the pairs (region of a vertex below,
 //    region of a vertex above) of every reverse tetrahedron (type II or IE).
+//    By `overlap` with `drift`, further ones, found from those above alone. A region without
+//    candidate in a slab is single there. A single region with exactly one candidate in the
+//    slab on its other side, to a region B, drifts: in this slab by
+//    d = (centre − centre of B) · (gap of this slab / gap of that slab), per coordinate, in
+//    doubles, in this order. A gap is the difference in z; a centre is that of the bounding
+//    box of the region's outer contour, (least + largest) / 2. The region moved by d has the
+//    vertices (x + d.x, y + d.y), rounded, and counts if it is still a region: as a section
+//    it is valid and nested as before. Two single regions A below and C above are a candidate
+//    iff A moved by its drift and C, or A and C moved by its drift, have a ratio > drift
+//    (exactly).
 // 2. Without labels every candidate is accepted.
 // 3. With labels: candidates in order of decreasing overlap_ratio (both criteria), then
 //    by (slab, lower region, upper region); one is accepted unless it joins two sets of
@@ -57,6 +67,10 @@ struct Label {
 struct CorrespondenceOptions {
   Criterion criterion = Criterion::overlap;
   double tau = kDefaultOverlap;
+  /// For oblique tubes whose neighbouring sections do not overlap: with `overlap` only, also
+  /// unites regions without link whose overlap exceeds this ratio, in [0, 1), where one of
+  /// them is moved on as far as it came from the section before (or after). Off: not done.
+  std::optional<double> drift = std::nullopt;
   /// Same label: same component; different labels: different components, whatever the
   /// geometry. Regions without label follow the criterion.
   std::vector<Label> labels;

@@ -31,6 +31,14 @@ Result<void> check_arguments(const Model& model, const SectionStack& stack,
   if (!(options.correspondence.tau >= 0) || !std::isfinite(options.correspondence.tau)) {
     return Error{ErrorCode::usage, "tau must be finite and not negative", {}};
   }
+  if (const auto& drift = options.correspondence.drift) {
+    if (!(*drift >= 0 && *drift < 1)) {
+      return Error{ErrorCode::usage, "drift must be in [0, 1)", {}};
+    }
+    if (options.correspondence.criterion != Criterion::overlap) {
+      return Error{ErrorCode::usage, "drift belongs to the overlap criterion", {}};
+    }
+  }
   if (model.tets.size() >= kMostTets) {
     return Error{ErrorCode::invalid_input, "2^30 tets or more", {}};
   }

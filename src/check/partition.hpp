@@ -43,6 +43,11 @@ struct Link {
 [[nodiscard]] std::vector<Link> overlap_links(const SectionStack& stack, const Regions& regions,
                                               double tau);
 
+/// Rule 1: the further candidates by drift (drift_links.cpp), sorted. overlap: the candidates
+/// by overlap.
+[[nodiscard]] std::vector<Link> drift_links(const SectionStack& stack, const Regions& regions,
+                                            const std::vector<Link>& overlap, double drift);
+
 /// Rule 1: the candidates by reverse tetrahedra (reverse_links.cpp), sorted. `refined` is
 /// the stack with the model's inserted vertices.
 [[nodiscard]] Result<std::vector<Link>> reverse_links(const SectionStack& refined,

@@ -14,6 +14,9 @@ std::vector<Option> stack_options() {
        "which contours form one component: overlap (default) or reverse (reverse tetrahedra)"},
       {"--overlap", "TAU",
        "overlap unites two regions above this ratio of areas, from 0 to below 1 (default 0.02)"},
+      {"--drift", "RATIO",
+       "overlap also unites regions without link that overlap above this ratio, from 0 to below "
+       "1, where moved on as they came: for oblique tubes (default: not done)"},
       {"--labels", "FILE", "lines \"section contour label\", zero-based, # comments"},
   };
   for (const Option& option : preparation_options()) options.push_back(option);
@@ -54,6 +57,18 @@ Result<CorrespondenceOptions> correspondence_options(const Arguments& arguments,
     if (options.criterion == Criterion::reverse) {
       console.warn({"--overlap has no effect with --correspondence reverse", {}});
     }
+  }
+  const auto drift = arguments.number("--drift");
+  if (!drift) return drift.error();
+  if (drift->has_value()) {
+    if (**drift < 0 || **drift >= 1) {
+      return usage_error("option --drift: " + io::in_quotes(*arguments.text("--drift")) +
+                         " is not from 0 to below 1");
+    }
+    if (options.criterion == Criterion::reverse) {
+      return usage_error("option --drift has no meaning with --correspondence reverse");
+    }
+    options.drift = **drift;
   }
   return options;
 }

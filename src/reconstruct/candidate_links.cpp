@@ -2,30 +2,10 @@
 #include <algorithm>
 #include <array>
 
+#include "reconstruct/contour_box.hpp"
 #include "reconstruct/correspondence.hpp"
 
 namespace tetloft {
-
-namespace {
-
-struct Box {
-  Point2 low, high;
-  [[nodiscard]] bool meets(const Box& other) const {
-    return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y &&
-           other.low.y <= high.y;
-  }
-};
-
-Box box_of(const Contour& contour) {
-  Box box{contour.vertices.front(), contour.vertices.front()};
-  for (const Point2& p : contour.vertices) {
-    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
-  }
-  return box;
-}
-
-}  // namespace
 
 std::vector<Link> overlap_links(SlabId slab, const Section& below, const Nesting& nesting_below,
                                 const Section& above, const Nesting& nesting_above, double tau) {
@@ -35,7 +15,7 @@ std::vector<Link> overlap_links(SlabId slab, const Section& below, const Nesting
   };
   const std::size_t lows = nesting_below.outer.size();
   const std::size_t highs = nesting_above.outer.size();
-  std::vector<Box> high_box(highs);
+  std::vector<ContourBox> high_box(highs);
   const IdVector<RegionId, RegionOutline> low_outline = outlines(below, nesting_below);
   const IdVector<RegionId, RegionOutline> high_outline = outlines(above, nesting_above);
   for (std::size_t j = 0; j < highs; ++j) {
@@ -46,7 +26,7 @@ std::vector<Link> overlap_links(SlabId slab, const Section& below, const Nesting
   std::vector<std::uint32_t> strong_below(lows, 0);  // number of strong links of a region
   std::vector<std::uint32_t> strong_above(highs, 0);
   for (std::size_t i = 0; i < lows; ++i) {
-    const Box low_box = box_of(below.contours[nesting_below.outer[RegionId(i)]]);
+    const ContourBox low_box = box_of(below.contours[nesting_below.outer[RegionId(i)]]);
     for (std::size_t j = 0; j < highs; ++j) {
       if (!low_box.meets(high_box[j])) continue;
       const auto [against_strong, against_tau] = compare_overlap(

@@ -13,6 +13,7 @@
 #include "core/parallel.hpp"
 #include "reconstruct/assembly.hpp"
 #include "reconstruct/correspondence.hpp"
+#include "reconstruct/drift_links.hpp"
 #include "reconstruct/slab_solid.hpp"
 
 namespace tetloft {
@@ -102,6 +103,14 @@ class Reconstructor {
     if (!(tau >= 0 && tau < 1)) {
       return Error{ErrorCode::usage, "the overlap threshold must be in [0, 1)", {}};
     }
+    if (const auto& drift = options_.correspondence.drift) {
+      if (!(*drift >= 0 && *drift < 1)) {
+        return Error{ErrorCode::usage, "the drift threshold must be in [0, 1)", {}};
+      }
+      if (options_.correspondence.criterion != Criterion::overlap) {
+        return Error{ErrorCode::usage, "drift belongs to the overlap criterion", {}};
+      }
+    }
     if (options_.thickness && !(*options_.thickness > 0 && std::isfinite(*options_.thickness))) {
       return Error{ErrorCode::usage, "the thickness must be positive and finite", {}};
     }
@@ -138,6 +147,9 @@ class Reconstructor {
       return find_candidates(SlabId(k), candidates[SlabId(k)]);
     });
     if (error) return error;
+    if (options_.correspondence.drift) {
+      if (auto stopped = add_drift_links(candidates)) return stopped;
+    }
     Result<Correspondence> decided =
         decide_correspondence(stack_, nestings_, candidates, options_.correspondence.labels);
     if (!decided) return decided.error();
@@ -161,6 +173,20 @@ class Reconstructor {
     if (!d) return d.error();
     links = reverse_links(slab, Slab(sections_[below], sections_[above], std::move(d.value())));
     return std::nullopt;
+  }
+
+  std::optional<Error> add_drift_links(IdVector<SlabId, std::vector<Link>>& candidates) const {
+    IdVector<SlabId, std::vector<Link>> further(slab_count());
+    auto error = parallel_errors(slab_count(), [&](std::size_t k) -> std::optional<Error> {
+      further[SlabId(k)] =
+          drift_links(SlabId(k), stack_, nestings_, candidates, *options_.correspondence.drift);
+      return std::nullopt;
+    });
+    for (std::size_t k = 0; k < slab_count(); ++k) {
+      std::vector<Link>& links = candidates[SlabId(k)];
+      links.insert(links.end(), further[SlabId(k)].begin(), further[SlabId(k)].end());
+    }
+    return error;
   }
 
   // Builds all parts, each glued as soon as those below it are; or the lowest class that is

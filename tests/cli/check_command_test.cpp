@@ -104,6 +104,22 @@ TEST_F(CheckCommand, FailsAnInvertedTet) {
   EXPECT_EQ(run({"check", model_, in_, "--quiet"}).out, "");
 }
 
+TEST_F(CheckCommand, TakesDriftAsReconstructDoes) {
+  test::put(in_, test::kLeaning);
+  const auto made = [&](const std::vector<std::string>& extra) {
+    std::vector<std::string> words{"reconstruct", in_, "-o", model_, "--verify"};
+    words.insert(words.end(), extra.begin(), extra.end());
+    return run_json(words).at("components").number;
+  };
+  EXPECT_EQ(made({}), 2);
+  EXPECT_EQ(made({"--drift", "0.3"}), 1);
+  EXPECT_TRUE(run_json({"check", model_, in_, "--drift", "0.3"}).at("pass").boolean);
+  const JsonValue without = run_json({"check", model_, in_}, 1);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(without.at("guarantees").array[i].at("pass").boolean, i != 3);
+  }
+}
+
 TEST_F(CheckCommand, TellsWhatCannotBeRead) {
   write(cube());
   expect_failure({"check", folder_.file("none.vtu"), in_}, 4, "io", "none.vtu");

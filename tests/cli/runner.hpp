@@ -37,6 +37,10 @@ inline const std::string kTube =
 inline const std::string kFork =
     "S 2\nv 4 z 0\n{ -3 -1 3 -1 3 1 -3 1 }\nv 8 z 1\n{ -3 -1 -0.5 -1 -0.5 1 -3 1 }\n"
     "{ 0.5 -1 3 -1 3 1 0.5 1 }\n";
+/// A square that moves by 1, then by 3: more than its width.
+inline const std::string kLeaning =
+    "S 3\nv 4 z 0\n{ 0 0 2 0 2 2 0 2 }\nv 4 z 1\n{ 1 0 3 0 3 2 1 2 }\n"
+    "v 4 z 4\n{ 4 0 6 0 6 2 4 2 }\n";
 /// Crosses itself, in line 3.
 inline const std::string kBowtie =
     "S 2\nv 4 z 0\n{ 0 0 10 10 10 0 0 10 }\nv 4 z 1\n{ 0 0 10 0 10 10 0 10 }\n";

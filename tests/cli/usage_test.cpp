@@ -29,9 +29,10 @@ TEST(Help, IsPrintedByEveryCommand) {
 
 TEST(Help, NamesEveryOption) {
   const std::string help = run({"reconstruct", "--help"}).out;
-  for (const char* option : {"-o", "--surface", "--correspondence", "--overlap", "--labels",
-                             "--ends", "--thickness", "--repair", "--repair-distance", "--snap",
-                             "--threads", "--verify", "--ascii", "--json", "--quiet", "--help"}) {
+  for (const char* option :
+       {"-o", "--surface", "--correspondence", "--overlap", "--drift", "--labels", "--ends",
+        "--thickness", "--repair", "--repair-distance", "--snap", "--threads", "--verify",
+        "--ascii", "--json", "--quiet", "--help"}) {
     EXPECT_NE(help.find(option), std::string::npos) << option;
   }
   const std::string general = run({"--help"}).out;
@@ -80,6 +81,7 @@ TEST(Usage, NamesTheOptionThatIsWrong) {
   expect({"--overlap", "--quiet"}, "--overlap");
   for (const char* tau : {"1", "-0.1", "x", "nan", "", "0.5x"}) {
     expect({"--overlap=" + std::string(tau)}, "--overlap");
+    expect({"--drift=" + std::string(tau)}, "--drift");
   }
   for (const char* bits : {"0", "51", "-3", "2.5", "x", ""}) {
     expect({"--snap=" + std::string(bits)}, "--snap");
@@ -92,6 +94,9 @@ TEST(Usage, NamesTheOptionThatIsWrong) {
   }
   expect({"--ends", "round"}, "--ends");
   expect({"--correspondence", "psychic"}, "--correspondence");
+  expect({"--drift"}, "--drift");
+  expect({"--drift", "0.3", "--correspondence", "reverse"}, "--drift");
+  expect_failure({"check", "none.vtu", "none.cnt", "--drift", "1"}, 2, "usage", "--drift");
   expect({"--verify=yes"}, "--verify");
   expect({"--ascii", "--ascii"}, "--ascii");
   expect({"--surface", folder.file("s.vtk")}, "--surface");

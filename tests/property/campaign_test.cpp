@@ -49,5 +49,31 @@ TEST_F(Campaign, EveryRuleFiresAtLeastTenTimes) {
   }
 }
 
+// The kinds with regions that overlap nothing.
+TEST(DriftCampaign, EveryModelKeepsTheGuarantees) {
+  using tetloft::testing::Outcome;
+  using tetloft::testing::StackKind;
+  const std::uint64_t seeds = TETLOFT_CAMPAIGN_COUNT;
+  std::size_t models = 0;
+  std::size_t refused = 0;
+  for (const StackKind kind :
+       {StackKind::oblique, StackKind::isolated_contours, StackKind::far_apart,
+        StackKind::extreme_gaps, StackKind::scale_offset, StackKind::small_grid, StackKind::slivers,
+        StackKind::branching_many_to_many, StackKind::random_labels, StackKind::few_ulps}) {
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+      auto generated = tetloft::testing::generate(kind, seed);
+      generated.correspondence.drift = seed % 2 == 0 ? 0.0 : 0.3;
+      const auto attempt = tetloft::testing::attempt(generated, Criterion::overlap,
+                                                     tetloft::testing::excuse_of(kind));
+      models += attempt.outcome == Outcome::model ? 1U : 0U;
+      refused += attempt.outcome == Outcome::refused ? 1U : 0U;
+      EXPECT_LE(attempt.outcome, Outcome::refused)
+          << name_of(kind) << " seed " << seed << ": " << attempt.detail;
+    }
+  }
+  std::printf("drift: %zu models, %zu refused\n", models, refused);
+  EXPECT_GT(models, 9 * seeds);
+}
+
 }  // namespace
 }  // namespace tetloft

@@ -1,11 +1,109 @@
 // Guarantee 4: components by spreading, overlaps by areas.
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include "support/guarantee_oracle_parts.hpp"
 
 namespace tetloft::oracle {
+
+namespace {
+
+struct Region {
+  std::size_t section;
+  std::vector<const Contour*> shape;  // the outer contour first
+  std::vector<Polygon> outline;
+  Rational area;  // twice
+  std::vector<std::size_t> contours;
+};
+
+using Links = std::vector<std::pair<std::size_t, std::size_t>>;  // of regions, lower first
+
+bool linked(const Links& links, std::size_t lower, std::size_t upper) {
+  return std::count(links.begin(), links.end(), std::pair(lower, upper)) != 0;
+}
+
+Point2 centre(const Region& region) {
+  std::vector<double> x;
+  std::vector<double> y;
+  for (const Point2& p : region.shape[0]->vertices) {
+    x.push_back(p.x);
+    y.push_back(p.y);
+  }
+  const auto middle = [](const std::vector<double>& v) {
+    return (*std::min_element(v.begin(), v.end()) + *std::max_element(v.begin(), v.end())) / 2;
+  };
+  return {middle(x), middle(y)};
+}
+
+// Do a, moved on as it came from `origin`, and b overlap by more than `drift`?
+bool drifts_onto(const SectionStack& stack, const Region& origin, const Region& a, const Region& b,
+                 double drift) {
+  const auto gap = [&](const Region& r, const Region& q) {
+    return std::abs(stack.sections[SectionId(r.section)].z -
+                    stack.sections[SectionId(q.section)].z);
+  };
+  const double scale = gap(a, b) / gap(a, origin);
+  const Point2 d{(centre(a).x - centre(origin).x) * scale,
+                 (centre(a).y - centre(origin).y) * scale};
+  std::vector<Polygon> moved;
+  Rational area(0);
+  for (const Contour* contour : a.shape) {
+    Polygon polygon;
+    for (const Point2& p : contour->vertices) {
+      const Point2 q{p.x + d.x, p.y + d.y};
+      if (!(std::max(std::abs(q.x), std::abs(q.y)) < kLargestCoordinate)) return false;
+      polygon.push_back(exactly(q));
+    }
+    const Rational enclosed = twice_area(polygon).abs();
+    area = moved.empty() ? enclosed : area - enclosed;
+    moved.push_back(std::move(polygon));
+  }
+  if (!are_disjoint_simple(moved)) return false;
+  for (std::size_t h = 1; h < moved.size(); ++h) {
+    for (std::size_t c = 0; c < moved.size(); ++c) {
+      if (c != h && is_inside(moved[h][0], moved[c]) != (c == 0)) return false;
+    }
+  }
+  return Rational(2) * common_area(moved, b.outline) >
+         Rational::exactly(drift) * std::min(area, b.area);
+}
+
+// The further links by drift, by definition.
+Links drift_links(const SectionStack& stack, const std::vector<Region>& regions,
+                  const Links& overlap, double drift) {
+  // The regions of section s that r is linked with.
+  const auto partners = [&](std::size_t r, std::size_t s) {
+    std::vector<std::size_t> result;
+    for (std::size_t q = 0; q < regions.size(); ++q) {
+      if (regions[q].section != s) continue;
+      if (linked(overlap, r, q) || linked(overlap, q, r)) result.push_back(q);
+    }
+    return result;
+  };
+  Links links;
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    for (std::size_t j = 0; j < regions.size(); ++j) {
+      const std::size_t s = regions[i].section;
+      if (regions[j].section != s + 1) continue;
+      if (!partners(i, s + 1).empty() || !partners(j, s).empty()) continue;
+      const auto from_below = s == 0 ? std::vector<std::size_t>() : partners(i, s - 1);
+      const auto from_above = partners(j, s + 2);
+      if ((from_below.size() == 1 &&
+           drifts_onto(stack, regions[from_below[0]], regions[i], regions[j], drift)) ||
+          (from_above.size() == 1 &&
+           drifts_onto(stack, regions[from_above[0]], regions[j], regions[i], drift))) {
+        links.emplace_back(i, j);
+      }
+    }
+  }
+  return links;
+}
+
+}  // namespace
 
 void Oracle::components() {
   std::vector<std::size_t> component(tets_.size());
@@ -55,18 +153,15 @@ void Oracle::components() {
 }
 
 std::vector<std::size_t> Oracle::expected_sets() const {
-  struct Region {
-    std::size_t section;
-    std::vector<Polygon> outline;
-    Rational area;  // twice
-    std::vector<std::size_t> contours;
-  };
   std::vector<Region> regions;
   std::size_t number = 0;
   for (std::size_t s = 0; s < stack_.sections.size(); ++s) {
+    const auto contour = [&](std::size_t c) {
+      return &stack_.sections[SectionId(s)].contours[ContourId(c)];
+    };
     std::vector<Polygon> polygons;
-    for (const Contour& contour : stack_.sections[SectionId(s)].contours) {
-      polygons.push_back(input_polygon(contour));
+    for (const Contour& c : stack_.sections[SectionId(s)].contours) {
+      polygons.push_back(input_polygon(c));
     }
     const auto around = [&](std::size_t c) {
       std::vector<std::size_t> result;
@@ -77,13 +172,14 @@ std::vector<std::size_t> Oracle::expected_sets() const {
     };
     for (std::size_t c = 0; c < polygons.size(); ++c) {
       if (around(c).size() % 2 == 1) continue;
-      Region region{s, {polygons[c]}, twice_area(polygons[c]).abs(), {number + c}};
+      Region region{s, {contour(c)}, {polygons[c]}, twice_area(polygons[c]).abs(), {number + c}};
       for (std::size_t d = 0; d < polygons.size(); ++d) {
         const auto outside = around(d);
         if (outside.size() != around(c).size() + 1 ||
             std::count(outside.begin(), outside.end(), c) == 0) {
           continue;
         }
+        region.shape.push_back(contour(d));
         region.outline.push_back(polygons[d]);
         region.area = region.area - twice_area(polygons[d]).abs();
         region.contours.push_back(number + d);
@@ -116,6 +212,7 @@ std::vector<std::size_t> Oracle::expected_sets() const {
   for (const Region& region : regions) {
     for (const std::size_t c : region.contours) unite(region.contours[0], c);
   }
+  Links links;
   for (const Pair& pair : pairs) {
     const auto strong_at = [&](auto same) {
       return std::any_of(pairs.begin(), pairs.end(),
@@ -124,7 +221,14 @@ std::vector<std::size_t> Oracle::expected_sets() const {
     const bool outruled = !pair.strong &&
                           strong_at([&](const Pair& p) { return p.lower == pair.lower; }) &&
                           strong_at([&](const Pair& p) { return p.upper == pair.upper; });
-    if (!outruled) unite(regions[pair.lower].contours[0], regions[pair.upper].contours[0]);
+    if (!outruled) links.emplace_back(pair.lower, pair.upper);
+  }
+  if (const auto& drift = options_.correspondence.drift) {
+    const Links further = drift_links(stack_, regions, links, *drift);
+    links.insert(links.end(), further.begin(), further.end());
+  }
+  for (const auto& [lower, upper] : links) {
+    unite(regions[lower].contours[0], regions[upper].contours[0]);
   }
   return set;
 }

@@ -97,6 +97,45 @@ TEST(Partition, CountsARatioOfAHalfAsStrong) {
             (Classes{0, 1, 0, 1}));
 }
 
+CorrespondenceOptions drifting(double drift) {
+  CorrespondenceOptions options;
+  options.drift = drift;
+  return options;
+}
+
+TEST(Partition, FollowsDriftWhereNothingOverlaps) {
+  const SectionStack stack = stack_of({{box(0, 0, 4, 4)}, {box(2, 0, 6, 4)}, {box(7, 0, 11, 4)}});
+  EXPECT_EQ(classes(stack), (Classes{0, 0, 1}));
+  // Moved by 2, to 8, it covers a quarter.
+  EXPECT_EQ(classes(stack, drifting(0.25)), (Classes{0, 0, 1}));
+  EXPECT_EQ(classes(stack, drifting(std::nextafter(0.25, 0.0))), (Classes{0, 0, 0}));
+  SectionStack uneven = stack;
+  uneven.sections[SectionId(2)].z = 3.5;
+  EXPECT_EQ(classes(uneven, drifting(0.9)), (Classes{0, 0, 0}));
+  EXPECT_EQ(
+      classes(stack_of({{box(7, 0, 11, 4)}, {box(2, 0, 6, 4)}, {box(0, 0, 4, 4)}}), drifting(0.2)),
+      (Classes{0, 0, 0}));
+}
+
+TEST(Partition, FollowsNoDriftOfTwoCandidatesNorToWhatIsLinked) {
+  const std::vector<Contour> high{box(7, 0, 11, 4)};
+  EXPECT_EQ(
+      classes(stack_of({{box(0, 0, 4, 4), box(5, 0, 9, 4)}, {box(2, 0, 6, 4)}, high}), drifting(0)),
+      (Classes{0, 0, 0, 1}));
+  EXPECT_EQ(classes(stack_of({{box(0, 0, 4, 4)}, {box(2, 0, 6, 4), box(8, 0, 12, 4)}, high}),
+                    drifting(0)),
+            (Classes{0, 0, 1, 1}));
+}
+
+TEST(Partition, FollowsDriftToRegionsAndOverHoles) {
+  const std::vector<Contour> low{box(0, 0, 8, 8), box(1, 1, 7, 7)};
+  const std::vector<Contour> high{box(5, 0, 13, 8), box(6, 1, 12, 7)};
+  EXPECT_EQ(classes(stack_of({low, high, {box(13.5, 3, 15, 5)}}), drifting(0)),
+            (Classes{0, 0, 0, 0, 1}));
+  EXPECT_EQ(classes(stack_of({low, high, {box(13.5, 3, 17.5, 5)}}), drifting(0)),
+            (Classes{0, 0, 0, 0, 0}));
+}
+
 TEST(Partition, RefusesLinksBetweenDifferentLabels) {
   const SectionStack stack = stack_of({{box(0, 0, 4, 4)}, {box(0, 0, 4, 4)}, {box(0, 0, 4, 4)}});
   EXPECT_EQ(classes(stack, labelled({{0, 0, 1}, {2, 0, 2}})), (Classes{0, 0, 1}));
