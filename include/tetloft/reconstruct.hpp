@@ -59,8 +59,9 @@ enum class Rule : std::uint8_t {
   prism,
   gluing,
   gabriel_refinement,
+  opened_pit,
 };
-inline constexpr int kRules = 15;
+inline constexpr int kRules = 16;
 [[nodiscard]] const char* name_of(Rule rule);
 
 /// The steps that time is told for.

@@ -23,9 +23,16 @@ SlabClasses::SlabClasses(const ConformingSection& lower, const ConformingSection
   }
 
   region_of_vertex_.reserve(lower.vertex_count() + upper.vertex_count());
-  for (const RegionId r : lower.region) region_of_vertex_.push_back(SlabRegionId(r.index()));
-  for (const RegionId r : upper.region) {
-    region_of_vertex_.push_back(SlabRegionId(lower_regions_ + r.index()));
+  bool exterior = false;
+  const auto add_vertex = [&](RegionId r, std::size_t first) {
+    region_of_vertex_.push_back(SlabRegionId(r.valid() ? first + r.index() : regions));
+    exterior = exterior || !r.valid();
+  };
+  for (const RegionId r : lower.region) add_vertex(r, 0);
+  for (const RegionId r : upper.region) add_vertex(r, lower_regions_);
+  if (exterior) {
+    exterior_ = members_.push_back({});
+    class_of_region_.push_back(exterior_);
   }
 }
 

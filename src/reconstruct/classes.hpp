@@ -29,7 +29,11 @@ class SlabClasses {
   /// A class without counterpart in the other plane: a single region.
   [[nodiscard]] bool is_lone(ClassId c) const { return members_[c].size() == 1; }
 
-  /// Region and class of a slab vertex (numbering of Slab).
+  /// The class of exterior vertices (pits.hpp), which has no region; invalid without any.
+  [[nodiscard]] ClassId exterior() const { return exterior_; }
+
+  /// Region and class of a slab vertex (numbering of Slab). Exterior vertices have the region
+  /// behind the last one.
   [[nodiscard]] SlabRegionId region(VertexId v) const { return region_of_vertex_[v]; }
   [[nodiscard]] ClassId of(VertexId v) const { return class_of_region_[region_of_vertex_[v]]; }
 
@@ -41,6 +45,7 @@ class SlabClasses {
 
  private:
   std::size_t lower_regions_;
+  ClassId exterior_;
   IdVector<SlabRegionId, ClassId> class_of_region_;
   IdVector<ClassId, std::vector<SlabRegionId>> members_;
   IdVector<VertexId, SlabRegionId> region_of_vertex_;

@@ -17,7 +17,8 @@ IdVector<RegionId, std::vector<TriangleId>> triangles_by_region(const Conforming
 IdVector<RegionId, std::vector<VertexId>> vertices_by_region(const ConformingSection& section) {
   IdVector<RegionId, std::vector<VertexId>> result(section.nesting.outer.size());
   for (std::size_t v = 0; v < section.vertex_count(); ++v) {
-    result[section.region[VertexId(v)]].push_back(VertexId(v));
+    const RegionId r = section.region[VertexId(v)];
+    if (r.valid()) result[r].push_back(VertexId(v));
   }
   return result;
 }

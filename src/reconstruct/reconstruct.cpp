@@ -378,6 +378,7 @@ const char* name_of(Rule rule) {
     case Rule::prism: return "prism";
     case Rule::gluing: return "gluing";
     case Rule::gabriel_refinement: return "gabriel_refinement";
+    case Rule::opened_pit: return "opened_pit";
   }
   return "unknown";
 }

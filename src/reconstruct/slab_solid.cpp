@@ -1,10 +1,13 @@
 #include "reconstruct/slab_solid.hpp"
 
+#include <algorithm>
 #include <chrono>
+#include <optional>
 #include <utility>
 
 #include "core/check.hpp"
 #include "reconstruct/embedding.hpp"
+#include "reconstruct/pits.hpp"
 #include "reconstruct/trimming.hpp"
 
 namespace tetloft {
@@ -55,11 +58,14 @@ void extrude_all(const ConformingSection& section, double z, SlabSolid& solid) {
   }
 }
 
-Result<SlabSolid> build_between(SlabId id, const ConformingSection& lower,
-                                const ConformingSection& upper, const std::vector<Link>& links,
-                                DelaunayEngine engine) {
+// The solid over the sections of `pits`; none if these changed, since a pit was sealed.
+Result<std::optional<SlabSolid>> build_once(SlabId id, Pits& pits, const std::vector<Link>& links,
+                                            DelaunayEngine engine,
+                                            std::array<double, kSteps>& seconds) {
+  const ConformingSection& lower = pits.lower();
+  const ConformingSection& upper = pits.upper();
   SlabSolid solid;
-  StepClock clock(solid.seconds);
+  StepClock clock(seconds);
   Result<TetMesh> d = slab_delaunay(lower, upper, engine);
   if (!d) return d.error();
   const Slab slab(lower, upper, std::move(d.value()));
@@ -67,6 +73,7 @@ Result<SlabSolid> build_between(SlabId id, const ConformingSection& lower,
 
   const SlabClasses classes(lower, upper, links);
   IdVector<ClassId, std::uint8_t> active(classes.class_count(), 1);
+  if (classes.exterior().valid()) active[classes.exterior()] = 0;
   std::vector<LoneEnd> lone;
   for (std::size_t k = 0; k < classes.class_count(); ++k) {
     const ClassId c(k);
@@ -80,9 +87,13 @@ Result<SlabSolid> build_between(SlabId id, const ConformingSection& lower,
     Completion completion(slab, classes, active, seed(slab, classes, active, rules), rules);
     solid.unconnectable = completion.run();
     clock.end(Step::complex);
-    if (!solid.unconnectable.empty()) return solid;
+    if (!solid.unconnectable.empty()) return std::optional(std::move(solid));
 
     const Complex& complex = completion.complex();
+    if (pits.open_sealed(slab, classes, complex)) {
+      clock.end(Step::complex);
+      return std::optional<SlabSolid>();
+    }
     for (std::size_t k = 0; k < complex.kept.size(); ++k) {
       // Kept at an own corner and not attached there.
       if ((complex.kept[TetId(k)] & ~complex.attached[TetId(k)]) != 0) {
@@ -97,8 +108,8 @@ Result<SlabSolid> build_between(SlabId id, const ConformingSection& lower,
     Embedding embedding(slab, classes, subdivision, lifting, truncation, lone, rules);
     const Embedding::Outcome outcome = embedding.settle();
     clock.end(Step::subdivision);
-    solid.seconds[static_cast<std::size_t>(Step::subdivision)] -= embedding.contact_seconds();
-    solid.seconds[static_cast<std::size_t>(Step::contact)] += embedding.contact_seconds();
+    seconds[static_cast<std::size_t>(Step::subdivision)] -= embedding.contact_seconds();
+    seconds[static_cast<std::size_t>(Step::contact)] += embedding.contact_seconds();
     if (outcome == Embedding::Outcome::more_truncated) continue;
     if (outcome == Embedding::Outcome::failed) {
       return no_room(id, embedding.at());
@@ -115,6 +126,42 @@ Result<SlabSolid> build_between(SlabId id, const ConformingSection& lower,
     solid.smallest_lift = embedding.smallest_lift();
     for (const LoneEnd& end : lone) count(rules, Rule::prism, end.is_prism() ? 1 : 0);
     solid.rules = rules;
+    return std::optional(std::move(solid));
+  }
+}
+
+// Numbers the nodes as if the sections had no exterior vertices.
+void drop_exterior_vertices(const Pits& pits, SlabSolid& solid) {
+  const std::vector<VertexId> original = pits.original_numbers();
+  const auto exterior = static_cast<std::size_t>(
+      std::count_if(original.begin(), original.end(), [](VertexId v) { return !v.valid(); }));
+  solid.section_vertices -= exterior;
+  for (Piece& piece : solid.pieces) {
+    for (VertexId& v : piece.node) {
+      v = v.index() < original.size() ? original[v.index()] : VertexId(v.index() - exterior);
+      TETLOFT_CHECK(v.valid());
+    }
+  }
+}
+
+Result<SlabSolid> build_between(SlabId id, const ConformingSection& lower,
+                                const ConformingSection& upper, const std::vector<Link>& links,
+                                DelaunayEngine engine) {
+  Pits pits(lower, upper);
+  std::array<double, kSteps> seconds{};
+  // Each round but the last opens a pit at least, or gives all of them up.
+  for (;;) {
+    Result<std::optional<SlabSolid>> built = build_once(id, pits, links, engine, seconds);
+    if (built && !*built) continue;
+    if (pits.opened() > 0 && (!built || !(*built)->unconnectable.empty())) {
+      pits.give_up();
+      continue;
+    }
+    if (!built) return built.error();
+    SlabSolid solid = std::move(**built);
+    drop_exterior_vertices(pits, solid);
+    count(solid.rules, Rule::opened_pit, pits.opened());
+    solid.seconds = seconds;
     return solid;
   }
 }

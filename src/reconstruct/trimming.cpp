@@ -19,6 +19,7 @@ double distance_to_region(const ConformingSection& section, const Point2& p, dou
   bool inside = false;
   for (std::size_t k = 0; k < section.vertex_count(); ++k) {
     const Point2 a = section.point(VertexId(k));
+    if (!section.next[VertexId(k)].valid()) continue;
     const Point2 b = section.point(section.next[VertexId(k)]);
     const double dx = b.x - a.x;
     const double dy = b.y - a.y;
