@@ -106,8 +106,9 @@ SectionStack draft_oblique(Prng& prng) {
 }
 
 SectionStack draft_large_contours(Prng& prng) {
-  // Most are of medium size, or a campaign would do nothing else.
-  const std::size_t most = prng.chance(0.02) ? 20000 : 600;
+  // Two circles about different centres: D has tets by the product of their vertices, and the
+  // completion of such a slab takes half a minute from 1000 on.
+  const std::size_t most = prng.chance(0.02) ? 1000 : 600;
   std::vector<Layer> layers(2);
   for (Layer& layer : layers) {
     const std::size_t n = number(prng, most / 3, most);
