@@ -2,6 +2,7 @@
 // edges are added where that changes no topology (see completion.hpp).
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <utility>
 
 #include <tetloft/predicates.hpp>
@@ -11,6 +12,8 @@
 namespace tetloft {
 
 namespace {
+
+constexpr std::uint8_t kAllCorners = 0xF;
 
 // Does the whole tet lie on the region's side of the contour edge u v of one plane, in
 // projection?
@@ -38,7 +41,8 @@ bool Completion::is_convex_filling(TetId t) const {
 
 // Adding a tet is an elementary expansion if it meets the complex in a disc: here in three
 // faces, or in two whose opposite edge is not in the complex. All four corners are own
-// vertices, so fewer faces would leave out a vertex that is in the complex.
+// vertices, so fewer faces would leave out a vertex that is in the complex. Links stay discs:
+// no vertex has to be settled anew.
 bool Completion::is_expansion(TetId t) {
   std::array<bool, 4> shared{};
   int faces = 0;
@@ -90,8 +94,9 @@ void Completion::fill_convex() {
         left.push_back(t);
         continue;
       }
-      keep(t, classes_.of(slab_.mesh().vertex(t, 0)));
-      settle_queue();
+      // Each corner is on a shared face, so that the tet belongs to its primary sheet.
+      complex_.kept[t] = kAllCorners;
+      complex_.attached[t] = kAllCorners;
       grown = true;
     }
     candidates = std::move(left);

@@ -133,11 +133,10 @@ Code code_for(std::vector<std::uint32_t> count, std::uint8_t limit) {
   code.bits.resize(code.length.size());
   for (std::size_t k = 0; k < code.length.size(); ++k) {
     unsigned value = next[code.length[k]]++;
-    std::uint16_t reversed = 0;
-    for (unsigned b = 0; b < code.length[k]; ++b, value >>= 1) {
-      reversed = static_cast<std::uint16_t>(reversed << 1U | (value & 1U));
-    }
-    code.bits[k] = reversed;
+    unsigned reversed = 0;
+    for (unsigned b = 0; b < code.length[k]; ++b, value >>= 1)
+      reversed = reversed << 1 | (value & 1U);
+    code.bits[k] = static_cast<std::uint16_t>(reversed);
   }
   return code;
 }

@@ -106,8 +106,7 @@ SectionStack draft_oblique(Prng& prng) {
 }
 
 SectionStack draft_large_contours(Prng& prng) {
-  // Two circles about different centres: D has tets by the product of their vertices, and the
-  // completion of such a slab takes half a minute from 1000 on.
+  // Two circles about different centres: D has as many tets as the product of their vertices.
   const std::size_t most = prng.chance(0.02) ? 1000 : 600;
   std::vector<Layer> layers(2);
   for (Layer& layer : layers) {
