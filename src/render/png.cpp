@@ -94,11 +94,9 @@ std::string png(const Picture& picture, bool opaque) {
 Result<std::string> render_png(const Model& model, const SectionStack* contours,
                                const RenderOptions& options) {
   return guard_internal([&]() -> Result<std::string> {
-    const Result<render::Subject> subject = render::subject_of(model, contours, options);
-    if (!subject) return subject.error();
-    return png(
-        render::draw(render::scene_of(*subject, render::View::toward(options), options), options),
-        options.white);
+    const auto scene = render::scene_of(model, contours, render::View::toward(options), options);
+    if (!scene) return scene.error();
+    return png(render::draw(*scene, options), options.white);
   });
 }
 

@@ -174,8 +174,11 @@ class Builder {
 
 }  // namespace
 
-Scene scene_of(const Subject& subject, const Point3& toward, const RenderOptions& options) {
-  return Builder(subject, toward, options).build();
+Result<Scene> scene_of(const Model& model, const SectionStack* contours, const Point3& toward,
+                       const RenderOptions& options) {
+  const Result<Subject> subject = subject_of(model, contours, options);
+  if (!subject) return subject.error();
+  return Builder(*subject, toward, options).build();
 }
 
 }  // namespace tetloft::render

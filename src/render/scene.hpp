@@ -24,8 +24,8 @@ struct Scene {
   double line_gap = 0;  ///< mean height between lines
 };
 
-/// `toward`: the direction in which the eye stands.
-[[nodiscard]] Scene scene_of(const Subject& subject, const Point3& toward,
-                             const RenderOptions& options);
+/// `toward`: the direction in which the eye stands. Errors as subject_of().
+[[nodiscard]] Result<Scene> scene_of(const Model& model, const SectionStack* contours,
+                                     const Point3& toward, const RenderOptions& options);
 
 }  // namespace tetloft::render

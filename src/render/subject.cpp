@@ -57,7 +57,7 @@ float smallest_dihedral(const std::array<Point3, 4>& p) {
 // Usage error for what is out of range.
 Result<void> check_options(const RenderOptions& options) {
   const auto usage = [](const char* what) { return Error{ErrorCode::usage, what, {}}; };
-  constexpr int kMost = 8192;
+  constexpr int kMost = 8192;  // samples of a picture of this side take half a gigabyte
   if (options.width < 1 || options.width > kMost || options.height < 1 || options.height > kMost) {
     return usage("width and height of a picture are 1 to 8192 pixels");
   }
@@ -68,7 +68,9 @@ Result<void> check_options(const RenderOptions& options) {
   if (!(options.explode >= 0 && options.explode <= 100)) {
     return usage("slabs can be moved apart by 0 to 100 heights");
   }
-  if (!(options.stretch > 0 && options.stretch <= 1e6 && options.stretch >= 1e-6)) {
+  // Heights below kLargestDrawn stay far within float32, and visible.
+  constexpr double kMostStretched = 1e6;
+  if (!(options.stretch <= kMostStretched && options.stretch >= 1 / kMostStretched)) {
     return usage("z can be stretched by 1e-6 to 1e6");
   }
   if (options.cut && (options.cut->axis < 0 || options.cut->axis > 2)) {

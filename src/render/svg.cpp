@@ -174,9 +174,9 @@ std::string svg(const Scene& scene, const RenderOptions& options) {
 Result<std::string> render_svg(const Model& model, const SectionStack* contours,
                                const RenderOptions& options) {
   return guard_internal([&]() -> Result<std::string> {
-    const Result<render::Subject> subject = render::subject_of(model, contours, options);
-    if (!subject) return subject.error();
-    return svg(render::scene_of(*subject, render::View::toward(options), options), options);
+    const auto scene = render::scene_of(model, contours, render::View::toward(options), options);
+    if (!scene) return scene.error();
+    return svg(*scene, options);
   });
 }
 

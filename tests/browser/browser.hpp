@@ -10,6 +10,9 @@
 
 namespace tetloft::test {
 
+/// Milliseconds to wait for an answer: software drawing on a busy machine is slow.
+inline constexpr int kPatience = 240'000;
+
 class Browser {
  public:
   virtual ~Browser() = default;

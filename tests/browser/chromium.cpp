@@ -12,8 +12,6 @@ namespace tetloft::test {
 
 namespace {
 
-constexpr int kPatience = 240'000;  // milliseconds
-
 class Chromium : public Browser {
  public:
   explicit Chromium(const std::string& program) {

@@ -17,8 +17,6 @@ namespace tetloft::test {
 
 namespace {
 
-constexpr int kPatience = 240'000;  // milliseconds
-
 class Firefox : public Browser {
  public:
   explicit Firefox(const std::string& program) {

@@ -66,6 +66,7 @@ void main() {
   vec4 p = projection * vec4((view * vec4(a + shift, 1.0)).xyz * 0.998, 1.0);
   vec4 q = projection * vec4((view * vec4(b + shift, 1.0)).xyz * 0.998, 1.0);
   vec2 along = (q.xy / q.w - p.xy / p.w) * size;
+  // In pixels: a line seen end on has no direction, and must not divide by zero.
   float length = max(length(along), 1e-6);
   vec2 aside = vec2(-along.y, along.x) / length;
   bool end = gl_VertexID > 1;
