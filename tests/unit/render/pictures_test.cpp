@@ -241,14 +241,10 @@ TEST(Png, ACutFaceHasNoGapsAlsoThroughVertices) {
       std::set<double> rows;
       for (std::size_t y = 0; y < image.height; ++y) {
         double covered = 0;
-        bool whole = true;
-        for (std::size_t x = 0; x < image.width; ++x) {
-          covered += image.at(x, y, 3);
-          whole =
-              whole && (image.at(x, y, 3) == 0 || image.at(x, y, 3) == 255 || x < 20 || x > 180);
-        }
+        for (std::size_t x = 0; x < image.width; ++x) covered += image.at(x, y, 3);
         if (covered > 0) rows.insert(std::round(covered / 255));
       }
+      EXPECT_GE(rows.size(), 1U) << axis << ' ' << position;
       EXPECT_LE(rows.size(), 2U) << axis << ' ' << position;
     }
   }
