@@ -250,6 +250,34 @@ TEST(Png, ACutFaceHasNoGapsAlsoThroughVertices) {
   }
 }
 
+TEST(Png, ACutThroughAVertexIsCoveredHoweverTheTetIsNumbered) {
+  // Cut at z = 0 through the first vertex, between the second and the others: from above the cut
+  // face hides all that is left.
+  Model model;
+  for (const Point3& p :
+       {Point3{0, 0, 0}, Point3{0.2, 0.2, -1}, Point3{0, 2, 1}, Point3{2, 0, 1}}) {
+    model.points.push_back(p);
+  }
+  std::array<std::uint32_t, 4> order{0, 1, 2, 3};
+  std::set<long> covered;
+  do {
+    std::size_t swaps = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      for (std::size_t j = 0; j < i; ++j) swaps += order[j] > order[i] ? 1U : 0U;
+    }
+    if (swaps % 2 != 0) continue;  // a negative tet
+    model.tets.clear();
+    model.tets.push_back(
+        {VertexId(order[0]), VertexId(order[1]), VertexId(order[2]), VertexId(order[3])});
+    RenderOptions options = small();
+    options.elevation = 90;
+    options.cut = PictureCut{2, 0};
+    covered.insert(std::lround(picture(model, options).covered()));
+  } while (std::next_permutation(order.begin(), order.end()));
+  ASSERT_EQ(covered.size(), 1U);
+  EXPECT_GT(*covered.begin(), 5000);
+}
+
 TEST(Png, ColoursTellComponentsSlabsAndQualityApart) {
   const auto colours_of = [](ColourBy by) {
     RenderOptions options = small();
