@@ -10,6 +10,7 @@
 #include <tetloft/version.hpp>
 
 #include "cli/commands.hpp"
+#include "cli/signals.hpp"
 #include "io/numbers.hpp"
 
 namespace tetloft::cli {
@@ -103,6 +104,7 @@ int run(const std::vector<std::string>& words) {
 }  // namespace tetloft::cli
 
 int main(int argc, char** argv) {
+  tetloft::cli::handle_signals();
   try {
     return tetloft::cli::run({argv + (argc > 0 ? 1 : 0), argv + argc});
   } catch (...) {

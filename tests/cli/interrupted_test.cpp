@@ -64,9 +64,11 @@ class Interrupted : public ::testing::Test {
 };
 
 TEST_F(Interrupted, KilledAtAnyTimeItLeavesAWholeFile) {
+  const std::vector<std::string> names = folder_.names();
   int killed = 0;
-  for (const int number : {SIGKILL, SIGTERM, SIGINT}) {
-    for (int milliseconds = 0; milliseconds < 60; milliseconds += 3) {
+  for (const int number :
+       {SIGKILL, SIGTERM, SIGINT, SIGHUP, SIGPIPE, SIGQUIT, SIGXFSZ, SIGALRM, SIGUSR1}) {
+    for (int milliseconds = number % 7; milliseconds < 60; milliseconds += 7) {
       test::put(out_, earlier_);
       std::vector<std::string> words{TETLOFT_EXECUTABLE, "reconstruct", in_, "-o", out_, "--quiet"};
       std::vector<char*> argv;
@@ -78,34 +80,42 @@ TEST_F(Interrupted, KilledAtAnyTimeItLeavesAWholeFile) {
       kill(child, number);
       int status = 0;
       waitpid(child, &status, 0);
-      if (WIFSIGNALED(status)) ++killed;
+      if (WIFSIGNALED(status)) {
+        ++killed;
+        EXPECT_EQ(WTERMSIG(status), number);
+      }
       const std::string now = test::get(out_);
       EXPECT_TRUE(now == earlier_ || now == later_)
           << "signal " << number << " after " << milliseconds << " ms: " << now.size();
+      EXPECT_EQ(folder_.names(), names) << "signal " << number << " after " << milliseconds;
     }
   }
   EXPECT_GT(killed, 0);
-  // What a killed run left beside the file does not keep the next from writing.
   EXPECT_EQ(run({"reconstruct", in_, "-o", out_}).code, 0);
   EXPECT_EQ(test::get(out_), later_);
 }
 
 TEST_F(Interrupted, WithoutRoomForTheFileItSaysSoAndLeavesTheEarlierOne) {
-  // A limit of the size of files stands for a full disk; with its signal ignored a write fails
-  // in the same way. Both are handed down to the program.
+  // A limit of the size of files stands for a full disk. Both it and what is done with its
+  // signal are handed down to the program, whose message must find room.
   rlimit before{};
   ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
-  const rlimit small{20000, before.rlim_max};
-  ASSERT_LT(small.rlim_cur, later_.size());
-  const auto handler = ::signal(SIGXFSZ, SIG_IGN);
-  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
-  const test::Outcome outcome = run({"reconstruct", in_, "-o", out_});
-  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
-  ::signal(SIGXFSZ, handler);
-  EXPECT_EQ(outcome.code, 4) << outcome.err;
-  EXPECT_NE(outcome.err.find("cannot be written"), std::string::npos) << outcome.err;
-  EXPECT_EQ(test::get(out_), earlier_);
-  EXPECT_EQ(folder_.names().size(), 3U);
+  for (const auto disposition : {SIG_IGN, SIG_DFL}) {
+    for (const rlim_t bytes : {1000U, 20000U, 65536U, 100000U}) {
+      ASSERT_LT(bytes, later_.size());
+      const rlimit small{bytes, before.rlim_max};
+      const auto handler = ::signal(SIGXFSZ, disposition);
+      ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+      const test::Outcome outcome = run({"reconstruct", in_, "-o", out_});
+      ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
+      ::signal(SIGXFSZ, handler);
+      EXPECT_EQ(outcome.code, 4) << outcome.err;
+      EXPECT_NE(outcome.err.find("cannot be written: File too large"), std::string::npos)
+          << outcome.err;
+      EXPECT_EQ(test::get(out_), earlier_);
+      EXPECT_EQ(folder_.names().size(), 3U);
+    }
+  }
 }
 
 // A file system of 64 KB of its own, seen by the child alone. Everything worth knowing comes
