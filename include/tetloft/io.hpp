@@ -17,6 +17,16 @@
 
 namespace tetloft {
 
+/// Larger files, and longer streams (pipes, devices), are refused (io), for a reader holds what
+/// it reads. Bytes that the caller has go through parse_… whatever their size.
+inline constexpr std::uint64_t kLargestFile = std::uint64_t{1} << 32;
+inline constexpr std::uint64_t kLargestStream = std::uint64_t{1} << 28;
+
+/// Whatever a file holds, reading it takes at most this many bytes of memory for each of its
+/// own, and kReaderBytes.
+inline constexpr std::size_t kReaderMultiple = 64;
+inline constexpr std::size_t kReaderBytes = std::size_t{1} << 21;
+
 struct ReadStack {
   SectionStack stack;
   std::vector<Warning> warnings;  ///< harmless slips, mended

@@ -40,7 +40,7 @@ struct SectionStack {
   [[nodiscard]] std::size_t vertex_count() const;
 };
 
-/// Verifies, exactly: at least one section; z strictly increasing; all coordinates finite
+/// Verifies, exactly: at least one section and one contour; z strictly increasing; all coordinates finite
 /// and of magnitude below kLargestCoordinate; contours simple, with at least three
 /// vertices and non-zero area, pairwise without contact. The error names section, contour,
 /// vertex, coordinates and the reason; the first defect by (section, contour, vertex) is
@@ -56,6 +56,12 @@ inline constexpr double kLargestCoordinate = 0x1p1000;
 /// duplicate vertices. Returns one warning for each contour changed. Contours left with
 /// fewer than three vertices stay as they are, for validate() to name.
 std::vector<Warning> mend(SectionStack& stack);
+
+/// Gaps between planes that are a thousandth, or less, of the gaps around them: one warning for
+/// each, naming the upper section. A slice written as two planes becomes a body of its own where
+/// its contours are parted. Only gaps between sections with contours, alone or two in a row, are
+/// told: more than that is a finer sampling.
+[[nodiscard]] std::vector<Warning> suspicious_gaps(const SectionStack& stack);
 
 struct RepairOptions {
   /// How far the boundary may move; without it 2^-20 of the section's largest coordinate.

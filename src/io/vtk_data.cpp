@@ -84,7 +84,8 @@ Result<Payload> base64_payload(const DataArray& array, std::string_view text,
 Result<Payload> binary_payload(const DataArray& array, const DataSource& source,
                                const XmlScanner& scanner) {
   if (!source.compressor.empty()) {
-    return scanner.complain(array.position, "the data are compressed (" + source.compressor +
+    return scanner.complain(array.position, "the data are compressed (" +
+                                                in_quotes(source.compressor) +
                                                 "); write the file without compression");
   }
   if (!source.little_endian) {
@@ -146,9 +147,20 @@ std::optional<T> parse(std::string_view token) {
   }
 }
 
+std::size_t count_tokens(std::string_view text) {
+  std::size_t count = 0;
+  bool white = true;
+  for (const char c : text) {
+    if (white && !is_white(c)) ++count;
+    white = is_white(c);
+  }
+  return count;
+}
+
 template <class T>
 Result<std::vector<T>> parse_text(const DataArray& array, const XmlScanner& scanner) {
   std::vector<T> values;
+  values.reserve(count_tokens(array.text));
   TextCursor cursor(array.text);
   for (cursor.skip_white(); !cursor.at_end(); cursor.skip_white()) {
     const std::string_view token = cursor.token();
@@ -184,10 +196,26 @@ Result<std::vector<T>> read_values(const DataArray& array, const DataSource& sou
 
 }  // namespace
 
-Result<DataArray> declare_array(const XmlTag& tag, const XmlScanner& scanner) {
+std::optional<AppendedExtent> appended_extent(const DataArray& array, const DataSource& source) {
+  if (array.format != DataArray::Format::appended || !source.appended) return std::nullopt;
+  const std::string_view all = *source.appended;
+  if (array.offset >= all.size()) return std::nullopt;
+  const std::string_view from = all.substr(array.offset);
+  std::string header(from.substr(0, source.header_bytes));
+  if (source.appended_base64) header = decode_base64(from, source.header_bytes).value_or("");
+  if (header.size() < source.header_bytes) return std::nullopt;
+  const std::uint64_t count = load_count(header.data(), source.header_bytes);
+  if (count == 0 || count > from.size()) return std::nullopt;
+  std::size_t bytes = source.header_bytes + static_cast<std::size_t>(count);
+  if (source.appended_base64) bytes = (bytes + 2) / 3 * 4;
+  return AppendedExtent{array.offset, array.offset + bytes, &array};
+}
+
+Result<DataArray> declare_array(const XmlTag& tag, std::string_view name,
+                                const XmlScanner& scanner) {
   DataArray array;
   array.position = tag.position;
-  if (const std::string* name = tag.find("Name")) array.name = *name;
+  array.name = name;
   const std::string* const type = tag.find("type");
   bool known = false;
   for (const TypeRow& row : kTypes) {

@@ -1,7 +1,7 @@
 // The values of DataArray elements: text, base64, or appended bytes.
 //
 // Every size that a file claims is compared with the bytes that are there before anything
-// is allocated, so memory is bounded by the size of the file.
+// is allocated, so what an array takes is bounded by the bytes it has in the file.
 #pragma once
 
 #include <cstddef>
@@ -37,7 +37,7 @@ enum class ScalarType : std::uint8_t {
 /// A DataArray as declared.
 struct DataArray {
   enum class Format : std::uint8_t { ascii, binary, appended };
-  std::string name;
+  std::string_view name;
   ScalarType type = ScalarType::float32;
   std::size_t components = 1;
   Format format = Format::ascii;
@@ -51,12 +51,23 @@ struct DataSource {
   bool little_endian = true;
   std::size_t header_bytes = 4;              ///< of the byte counts before binary data
   std::string compressor;                    ///< empty: uncompressed
-  std::optional<std::string_view> appended;  ///< behind the underscore, to the end of file
+  std::optional<std::string_view> appended;  ///< behind the underscore, to the closing tag
   bool appended_base64 = false;
 };
 
-/// The declaration in a DataArray tag.
-[[nodiscard]] Result<DataArray> declare_array(const XmlTag& tag, const XmlScanner& scanner);
+/// The declaration in a DataArray tag; `name` must outlive it.
+[[nodiscard]] Result<DataArray> declare_array(const XmlTag& tag, std::string_view name,
+                                              const XmlScanner& scanner);
+
+/// Which part of the appended data an array takes, in the file's encoding.
+struct AppendedExtent {
+  std::size_t from = 0;
+  std::size_t to = 0;
+  const DataArray* array = nullptr;
+};
+/// Nothing for arrays without values, not appended, or beyond the data, which no one can read.
+[[nodiscard]] std::optional<AppendedExtent> appended_extent(const DataArray& array,
+                                                            const DataSource& source);
 
 /// All values, converted. Integer arrays may be read as double (inexactly above 2^53);
 /// floating arrays are refused as integers.

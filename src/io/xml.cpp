@@ -16,6 +16,7 @@ std::string decode_entities(std::string_view raw) {
   static constexpr std::array<std::pair<std::string_view, char>, 5> kEntities{
       {{"&lt;", '<'}, {"&gt;", '>'}, {"&amp;", '&'}, {"&quot;", '"'}, {"&apos;", '\''}}};
   std::string text;
+  text.reserve(raw.size());
   while (!raw.empty()) {
     const auto entity = std::find_if(kEntities.begin(), kEntities.end(), [&](const auto& e) {
       return raw.substr(0, e.first.size()) == e.first;
@@ -43,7 +44,7 @@ const std::string* XmlTag::find(std::string_view attribute) const {
 Error XmlScanner::complain(std::size_t position, const std::string& message) const {
   Error error{ErrorCode::invalid_input, message, {}};
   error.where.file = name_;
-  const std::string_view before = text_.substr(0, position);
+  const std::string_view before = text_.substr(0, std::min(position, text_.size()));
   error.where.line = static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')) + 1;
   return error;
 }
@@ -85,6 +86,13 @@ std::optional<Error> XmlScanner::read_attributes(XmlTag& tag) {
       return std::nullopt;
     }
     const std::string_view key = take_name();
+    if (tag.find(key) != nullptr) {
+      return complain(tag.position, "a tag has the attribute " + in_quotes(key) + " twice");
+    }
+    if (tag.attributes.size() == kMostAttributes) {
+      return complain(tag.position,
+                      "a tag has more than " + std::to_string(kMostAttributes) + " attributes");
+    }
     skip_white();
     if (key.empty() || at_ >= text_.size() || text_[at_] != '=') {
       return complain(tag.position, "a tag is malformed");

@@ -26,15 +26,22 @@ struct XmlTag {
 
 class XmlScanner {
  public:
+  static constexpr std::size_t kMostAttributes = 64;
+
   /// `name` stands for the file in errors; both must outlive the scanner.
   XmlScanner(std::string_view text, const std::string& name) : text_(text), name_(name) {}
 
-  /// The next tag; comments, declarations and text before it are passed over.
+  /// The next tag (invalid_input where one has an attribute twice, or more than kMostAttributes);
+  /// comments, declarations and text before it are passed over.
   [[nodiscard]] Result<XmlTag> next_tag();
   /// The text up to the next '<' or the end.
   [[nodiscard]] std::string_view take_text();
   /// Everything behind the last tag, unread.
   [[nodiscard]] std::string_view rest() const { return text_.substr(at_); }
+
+  /// Goes on `bytes` further.
+  void pass_over(std::size_t bytes) { at_ += bytes; }
+  [[nodiscard]] std::size_t position() const { return at_; }
 
   /// invalid_input, naming the file and the line of byte `position`.
   [[nodiscard]] Error complain(std::size_t position, const std::string& message) const;

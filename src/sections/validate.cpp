@@ -105,6 +105,16 @@ std::string number(double value) {
   return text;
 }
 
+// What to do about heights that do not increase.
+std::string order_remedy(const SectionStack& stack, bool same) {
+  if (same) return "put all contours of one height into one section";
+  const std::vector<Section>& sections = stack.sections.raw();
+  const auto rise = std::adjacent_find(sections.begin(), sections.end(),
+                                       [](const auto& a, const auto& b) { return !(a.z > b.z); });
+  return rise == sections.end() ? "the sections descend; put them in the opposite order"
+                                : "the sections are not sorted; put them in the order of their z";
+}
+
 std::optional<std::string> height_defect(const SectionStack& stack, std::size_t s) {
   const double z = stack.sections[SectionId(s)].z;
   if (const char* reason = coordinate_reason(z)) {
@@ -113,7 +123,8 @@ std::optional<std::string> height_defect(const SectionStack& stack, std::size_t 
   if (s == 0) return std::nullopt;
   const double below = stack.sections[SectionId(s - 1)].z;
   if (z > below) return std::nullopt;
-  return "z does not increase (" + number(z) + " after " + number(below) + ')';
+  return "z does not increase (" + number(z) + " after " + number(below) +
+         "): " + order_remedy(stack, z == below);
 }
 
 Error error_at(const Section& section, std::size_t s, const Defect& defect) {
@@ -173,6 +184,10 @@ Result<void> validate(const SectionStack& stack, unsigned threads) {
       }
     });
     if (lowest < errors.size()) return *std::move(errors[lowest]);
+    if (stack.contour_count() == 0) {
+      return Error{
+          ErrorCode::invalid_input, "the stack has no contour: all its sections are empty", {}};
+    }
     return {};
   });
 }

@@ -1,0 +1,241 @@
+// Scanning the tags of unstructured grids (VTK File Formats, "XML File Formats").
+#include "io/vtu_scan.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "io/cursor.hpp"
+#include "io/numbers.hpp"
+
+namespace tetloft::io {
+
+namespace {
+
+// Grids are nested five deep; those of other writers have keys inside of arrays.
+constexpr std::size_t kDeepest = 64;
+
+// Role of an array, by the group it stands in and its name.
+struct RoleRow {
+  std::string_view group;
+  std::string_view name;
+  VtuRole role;
+};
+constexpr std::array<RoleRow, 9> kRoles{{{"Cells", "connectivity", VtuRole::connectivity},
+                                         {"Cells", "offsets", VtuRole::offsets},
+                                         {"Cells", "types", VtuRole::types},
+                                         {"CellData", "component", VtuRole::component},
+                                         {"CellData", "slab", VtuRole::slab},
+                                         {"CellData", "kind", VtuRole::kind},
+                                         {"PointData", "section", VtuRole::section},
+                                         {"PointData", "contour", VtuRole::contour},
+                                         {"PointData", "origin", VtuRole::origin}}};
+
+constexpr std::array<std::string_view, 4> kGroups{"Points", "Cells", "PointData", "CellData"};
+
+std::string quoted_tag(std::string_view name) { return in_quotes('<' + std::string(name) + '>'); }
+
+class VtuScanner {
+ public:
+  explicit VtuScanner(XmlScanner& scanner) : scanner_(scanner) {}
+
+  Result<VtuDeclaration> scan() {
+    for (;;) {
+      const Result<XmlTag> tag = scanner_.next_tag();
+      if (!tag) return tag.error();
+      if (tag->kind == XmlTag::Kind::end_of_file) break;
+      Result<void> taken = tag->kind == XmlTag::Kind::close ? close(*tag) : open(*tag);
+      if (!taken) return taken.error();
+    }
+    if (!seen_root_) return scanner_.complain(0, "this is no VTK XML file");
+    if (!open_.empty()) {
+      return scanner_.complain(
+          scanner_.position(),
+          "the file ends inside of " + quoted_tag(open_.back()) + ": its end is missing");
+    }
+    if (grid_.pieces.empty()) return scanner_.complain(0, "the file holds no Piece");
+    return std::move(grid_);
+  }
+
+ private:
+  Result<void> open(const XmlTag& tag) {
+    if (open_.empty()) {
+      if (tag.name != "VTKFile") {
+        return scanner_.complain(tag.position, seen_root_ ? "something follows the end of the grid"
+                                                          : "this is no VTK XML file");
+      }
+      if (seen_root_) return scanner_.complain(tag.position, "the file holds two grids");
+    }
+    if (open_.size() >= kDeepest) {
+      return scanner_.complain(
+          tag.position, "the tags are nested more than " + std::to_string(kDeepest) + " deep");
+    }
+    Result<void> taken = take(tag);
+    if (taken && tag.kind == XmlTag::Kind::open) open_.push_back(tag.name);
+    return taken;
+  }
+
+  Result<void> close(const XmlTag& tag) {
+    if (open_.empty() || open_.back() != tag.name) {
+      return scanner_.complain(tag.position,
+                               "the tag " + quoted_tag('/' + std::string(tag.name)) +
+                                   (open_.empty() ? " closes nothing" : " does not close ") +
+                                   (open_.empty() ? std::string() : quoted_tag(open_.back())));
+    }
+    open_.pop_back();
+    return {};
+  }
+
+  // The element that holds what comes next, `up` levels above it.
+  [[nodiscard]] std::string_view inside(std::size_t up = 0) const {
+    return up < open_.size() ? open_[open_.size() - 1 - up] : std::string_view();
+  }
+
+  Result<void> take(const XmlTag& tag) {
+    if (tag.name == "VTKFile") return take_root(tag);
+    if (tag.name == "Piece") return take_piece(tag);
+    if (tag.name == "AppendedData") return take_appended(tag);
+    if (inside() == "Piece") return take_group(tag);
+    const bool in_group = std::find(kGroups.begin(), kGroups.end(), inside()) != kGroups.end();
+    if (tag.name == "DataArray" && in_group && inside(1) == "Piece") return take_array(tag);
+    return {};
+  }
+
+  Result<void> take_root(const XmlTag& tag) {
+    if (!open_.empty()) return scanner_.complain(tag.position, "the file holds two grids");
+    seen_root_ = true;
+    const std::string* const type = tag.find("type");
+    if (type == nullptr || *type != "UnstructuredGrid") {
+      return scanner_.complain(tag.position,
+                               "this VTK file is no UnstructuredGrid" +
+                                   (type == nullptr ? "" : " but " + in_quotes(*type)));
+    }
+    const std::string* const order = tag.find("byte_order");
+    grid_.source.little_endian = order == nullptr || *order == "LittleEndian";
+    const std::string* const header = tag.find("header_type");
+    if (header != nullptr && *header != "UInt32" && *header != "UInt64") {
+      return scanner_.complain(tag.position, "unknown header_type " + in_quotes(*header));
+    }
+    grid_.source.header_bytes = header != nullptr && *header == "UInt64" ? 8 : 4;
+    if (const std::string* compressor = tag.find("compressor")) {
+      grid_.source.compressor = *compressor;
+    }
+    return {};
+  }
+
+  Result<void> take_piece(const XmlTag& tag) {
+    if (std::find(open_.begin(), open_.end(), "Piece") != open_.end()) {
+      return scanner_.complain(tag.position, "a piece stands inside of another");
+    }
+    VtuPiece piece;
+    piece.position = tag.position;
+    piece.first_array = grid_.arrays.size();
+    for (const auto& [key, count] :
+         {std::pair{"NumberOfPoints", &piece.points}, std::pair{"NumberOfCells", &piece.cells}}) {
+      const std::string* const text = tag.find(key);
+      const auto value = text == nullptr ? std::nullopt : parse_integer(*text);
+      if (!value || *value < 0) {
+        return scanner_.complain(tag.position, std::string("the piece has no valid ") + key);
+      }
+      *count = *value;
+    }
+    grid_.pieces.push_back(piece);
+    seen_groups_ = {};
+    return {};
+  }
+
+  Result<void> take_group(const XmlTag& tag) {
+    const auto group = std::find(kGroups.begin(), kGroups.end(), tag.name);
+    if (group == kGroups.end()) return {};
+    bool& seen = seen_groups_[static_cast<std::size_t>(group - kGroups.begin())];
+    if (seen) {
+      return scanner_.complain(tag.position, "the piece has two elements " + in_quotes(tag.name));
+    }
+    seen = true;
+    names_.clear();
+    return {};
+  }
+
+  Result<void> take_array(const XmlTag& tag) {
+    const std::string_view group = inside();
+    const std::string* const name = tag.find("Name");
+    const bool is_points = group == "Points";
+    // Arrays without a name are several of none. Of Points there is one, whatever its name.
+    const std::string key = is_points ? "Points" : name != nullptr ? *name : std::string();
+    if (!key.empty() && !names_.insert(key).second) {
+      return scanner_.complain(tag.position, in_quotes(group) + " has two arrays " +
+                                                 (is_points ? std::string() : in_quotes(key)));
+    }
+    VtuArray array;
+    std::string_view known = "Points";
+    if (!is_points) {
+      const auto row = std::find_if(kRoles.begin(), kRoles.end(), [&](const RoleRow& r) {
+        return r.group == group && r.name == key;
+      });
+      if (row == kRoles.end()) return {};
+      array.role = row->role;
+      known = row->name;
+      // Another writer's array of that name, which may have any type.
+      const std::string* const type = tag.find("type");
+      const bool text = type != nullptr && (*type == "String" || *type == "Bit");
+      if (text && group != "Cells") return {};
+    }
+    Result<DataArray> declared = declare_array(tag, known, scanner_);
+    if (!declared) return declared.error();
+    array.data = *declared;
+    if (tag.kind == XmlTag::Kind::open) array.data.text = scanner_.take_text();
+    grid_.arrays.push_back(array);
+    return {};
+  }
+
+  // Raw data may hold anything, tags too: their end is that of the file's last closing tag.
+  Result<void> take_appended(const XmlTag& tag) {
+    if (grid_.source.appended) {
+      return scanner_.complain(tag.position, "the file has two elements 'AppendedData'");
+    }
+    const std::string* const encoding = tag.find("encoding");
+    if (encoding == nullptr || (*encoding != "raw" && *encoding != "base64")) {
+      return scanner_.complain(tag.position, "the appended data have no known encoding");
+    }
+    grid_.source.appended_base64 = *encoding == "base64";
+    grid_.source.appended = std::string_view();
+    if (tag.kind != XmlTag::Kind::open) return {};
+    std::string_view rest = scanner_.rest();
+    const std::size_t end = rest.rfind("</AppendedData");
+    if (end == std::string_view::npos) {
+      return scanner_.complain(tag.position,
+                               "the appended data do not end: the end of the file is missing");
+    }
+    scanner_.pass_over(end);
+    rest = rest.substr(0, end);
+    while (!rest.empty() && is_white(rest.front())) rest.remove_prefix(1);
+    if (rest.empty() || rest.front() != '_') {
+      return scanner_.complain(tag.position, "the appended data do not begin with '_'");
+    }
+    grid_.source.appended = rest.substr(1);
+    return {};
+  }
+
+  XmlScanner& scanner_;
+  VtuDeclaration grid_;
+  bool seen_root_ = false;
+  std::vector<std::string_view> open_;              // elements not closed yet, outermost first
+  std::array<bool, kGroups.size()> seen_groups_{};  // in the piece
+  std::set<std::string> names_;                     // of the arrays in the group
+};
+
+}  // namespace
+
+const DataArray* VtuDeclaration::find(std::size_t piece, VtuRole role) const {
+  const std::size_t end = piece + 1 < pieces.size() ? pieces[piece + 1].first_array : arrays.size();
+  for (std::size_t i = pieces[piece].first_array; i < end; ++i) {
+    if (arrays[i].role == role) return &arrays[i].data;
+  }
+  return nullptr;
+}
+
+Result<VtuDeclaration> scan_vtu(XmlScanner& scanner) { return VtuScanner(scanner).scan(); }
+
+}  // namespace tetloft::io
