@@ -2,15 +2,17 @@
 //   S n            sections
 //   v n z z        for each section: vertices, height
 //   { x y x y … }  for each contour
-// Both counts are redundant here; they are compared with what follows and used for nothing
-// else.
+// Commas or semicolons may stand between numbers, # begins a comment. Both counts are redundant
+// here: they are compared with what follows, and tell pairs from triples where that is open.
 #include <cmath>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <tetloft/io.hpp>
 
 #include "core/check.hpp"
+#include "io/cnt_contents.hpp"
 #include "io/cursor.hpp"
 #include "io/files.hpp"
 #include "io/numbers.hpp"
@@ -28,36 +30,37 @@ class CntReader {
   CntReader(std::string_view text, const std::string& name) : cursor_(text), name_(name) {}
 
   Result<ReadStack> read(Validity validity) {
-    if (Result<void> parsed = read_sections(); !parsed) return parsed.error();
-    for (Warning& warning : mend(result_.stack)) {
-      locate(warning.where);
-      result_.warnings.push_back(std::move(warning));
+    Result<void> parsed = read_sections();
+    // Nothing is wrong before the first odd contour, whatever follows.
+    if (!parsed && contents_.odd.empty()) return parsed.error();
+    Result<std::optional<Warning>> settled = io::settle_vertices(contents_);
+    if (!settled) return with_file(settled.error());
+    if (!parsed) return parsed.error();
+    compare_counts();
+    if (settled->has_value()) warn(**std::move(settled));
+    mend_contours();
+    for (Warning& warning : suspicious_gaps(contents_.stack)) warn(std::move(warning));
+    for (Warning& warning : io::open_lines(contents_.stack, kMostWarnings)) {
+      warn(std::move(warning));
     }
-    if (validity == Validity::unchecked) return std::move(result_);
-    if (Result<void> valid = validate(result_.stack); !valid) {
-      Error error = valid.error();
-      locate(error.where);
-      return error;
+    sum_up();
+    if (validity == Validity::required) {
+      if (Result<void> valid = validate(contents_.stack); !valid) return refusal(valid.error());
     }
-    return std::move(result_);
+    return ReadStack{std::move(contents_.stack), std::move(warnings_), std::move(contents_.lines)};
   }
 
  private:
   Result<void> read_sections() {
-    cursor_.skip_white();
+    skip_space();
     if (cursor_.at_end()) return complain("the file is empty");
-    const std::size_t header_line = cursor_.line();
+    header_line_ = cursor_.line();
     if (!take_letter('S')) return complain("expected 'S' and the number of sections");
     Result<double> sections = read_count("number of sections");
     if (!sections) return sections.error();
-    for (cursor_.skip_white(); !cursor_.at_end(); cursor_.skip_white()) {
+    announced_sections_ = *sections;
+    for (skip_space(); !cursor_.at_end(); skip_space()) {
       if (Result<void> section = read_section(); !section) return section;
-    }
-    const std::size_t found = result_.stack.sections.size();
-    if (*sections != static_cast<double>(found)) {
-      warn("the header announces " + number_text(*sections) + " sections, the file has " +
-               std::to_string(found),
-           header_line);
     }
     return {};
   }
@@ -70,56 +73,105 @@ class CntReader {
     }
     Result<double> announced = read_count("number of vertices");
     if (!announced) return announced.error();
-    cursor_.skip_white();
+    skip_space();
     if (!take_letter('Z')) return complain("expected 'z' and the height of the section");
     Result<double> z = read_coordinate("height of the section");
     if (!z) return z.error();
 
-    Section section;
-    section.z = *z;
-    IdVector<ContourId, std::size_t> lines;
-    std::size_t vertices = 0;
-    for (cursor_.skip_white(); cursor_.peek() == '{'; cursor_.skip_white()) {
-      lines.push_back(cursor_.line());
-      Contour contour;
-      if (Result<void> parsed = read_contour(contour); !parsed) return parsed;
-      vertices += contour.vertices.size();
-      section.contours.push_back(std::move(contour));
-    }
-    const SectionId id = result_.stack.sections.push_back(std::move(section));
-    result_.lines.push_back(std::move(lines));
-    header_lines_.push_back(header_line);
-    if (*announced != static_cast<double>(vertices)) {
-      warn("the section announces " + number_text(*announced) + " vertices and has " +
-               std::to_string(vertices),
-           header_line, id);
+    const SectionId id = contents_.stack.sections.push_back({*z, {}});
+    contents_.lines.push_back({});
+    contents_.header_lines.push_back(header_line);
+    contents_.announced.push_back(*announced);
+    for (skip_space(); cursor_.peek() == '{'; skip_space()) {
+      if (Result<void> parsed = read_contour(id); !parsed) return parsed;
     }
     return {};
   }
 
   // From the opening brace to behind the closing one.
-  Result<void> read_contour(Contour& contour) {
+  Result<void> read_contour(SectionId section) {
     const std::size_t opened = cursor_.line();
+    contents_.lines[section].push_back(opened);
+    const ContourId id = contents_.stack.sections[section].contours.push_back({});
+    std::vector<Point2>& vertices = contents_.stack.sections[section].contours[id].vertices;
     cursor_.advance();
     bool have_x = false;
     double x = 0;
-    for (cursor_.skip_white(); cursor_.peek() != '}'; cursor_.skip_white()) {
-      const std::string_view token = cursor_.token('{', '}');
+    for (skip_space(); cursor_.peek() != '}'; skip_separator()) {
+      const char next = cursor_.peek();
+      if (next == ',' || next == ';') {
+        return complain(std::string("a number is missing before '") + next + '\'');
+      }
+      const std::string_view token = cursor_.token(kStops);
       if (token.empty() || is_header(token)) {
         return complain("the contour opened in line " + std::to_string(opened) + " is not closed");
       }
       const ParsedNumber number = io::parse_number(token);
       if (!number.ok()) return complain(complaint(token, number.status));
-      if (have_x) contour.vertices.push_back({x, number.value});
+      if (have_x) vertices.push_back({x, number.value});
       x = number.value;
       have_x = !have_x;
     }
     if (have_x) {
-      return complain("the contour opened in line " + std::to_string(opened) +
-                      " has an odd number of coordinates");
+      contents_.odd.push_back({section.index(), id.index(), x, cursor_.line(), opened});
     }
     cursor_.advance();
     return {};
+  }
+
+  // White space and comments.
+  void skip_space() {
+    for (cursor_.skip_white(); cursor_.peek() == '#'; cursor_.skip_white()) cursor_.skip_line();
+  }
+
+  // What may follow a number: one comma or semicolon, with space around.
+  void skip_separator() {
+    skip_space();
+    const char next = cursor_.peek();
+    if (next != ',' && next != ';') return;
+    if (next == ',') contents_.commas = true;
+    cursor_.advance();
+    skip_space();
+  }
+
+  void compare_counts() {
+    for (std::size_t s = 0; s < contents_.stack.sections.size(); ++s) {
+      const SectionId id(s);
+      std::size_t vertices = 0;
+      for (const Contour& contour : contents_.stack.sections[id].contours.raw()) {
+        vertices += contour.vertices.size();
+      }
+      if (contents_.announced[id] == static_cast<double>(vertices)) continue;
+      warn_at("the section announces " + number_text(contents_.announced[id]) +
+                  " vertices and has " + std::to_string(vertices),
+              contents_.header_lines[id], id);
+    }
+    const std::size_t found = contents_.stack.sections.size();
+    if (announced_sections_ == static_cast<double>(found)) return;
+    warn_at("the header announces " + number_text(announced_sections_) +
+                " sections, the file has " + std::to_string(found),
+            header_line_);
+  }
+
+  // One contour after the other: the warnings of a whole file may be larger than the file.
+  void mend_contours() {
+    for (std::size_t s = 0; s < contents_.stack.sections.size(); ++s) {
+      Section& section = contents_.stack.sections[SectionId(s)];
+      for (std::size_t c = 0; c < section.contours.size(); ++c) {
+        Contour& contour = section.contours[ContourId(c)];
+        if (contour.vertices.size() < 2) continue;
+        SectionStack alone;
+        alone.sections.push_back({section.z, {}});
+        auto& contours = alone.sections[SectionId(0)].contours;
+        contours.push_back(std::move(contour));
+        for (Warning& warning : mend(alone)) {
+          warning.where.section = s;
+          warning.where.contour = c;
+          warn(std::move(warning));
+        }
+        contour = std::move(contours[ContourId(0)]);
+      }
+    }
   }
 
   static bool is_header(std::string_view token) {
@@ -135,8 +187,8 @@ class CntReader {
   }
 
   Result<double> read_coordinate(const char* what) {
-    cursor_.skip_white();
-    const std::string_view token = cursor_.token('{', '}');
+    skip_space();
+    const std::string_view token = cursor_.token(kStops);
     if (token.empty()) return complain(std::string("the ") + what + " is missing");
     const ParsedNumber number = io::parse_number(token);
     if (!number.ok()) {
@@ -172,31 +224,71 @@ class CntReader {
     return error;
   }
 
-  void warn(const std::string& message, std::size_t line, SectionId section = {}) {
+  void warn_at(const std::string& message, std::size_t line, SectionId section = {}) {
     Warning warning{message, {}};
-    warning.where.file = name_;
     warning.where.line = line;
     if (section.valid()) warning.where.section = section.index();
-    result_.warnings.push_back(std::move(warning));
+    warn(std::move(warning));
+  }
+
+  void warn(Warning warning) {
+    if (warnings_.size() >= kMostWarnings) {
+      ++untold_;
+      return;
+    }
+    locate(warning.where);
+    warnings_.push_back(std::move(warning));
+  }
+
+  void sum_up() {
+    if (untold_ == 0) return;
+    Warning warning{"and " + std::to_string(untold_) + " more warnings of this file", {}};
+    warning.where.file = name_;
+    warnings_.push_back(std::move(warning));
+  }
+
+  // What validate() refuses; where a contour may be an open line, that is why.
+  Error refusal(Error error) {
+    locate(error.where);
+    if (!error.where.section || !error.where.contour) return error;
+    const auto& contours = contents_.stack.sections[SectionId(*error.where.section)].contours;
+    const auto times = io::conspicuous_closing(contours[ContourId(*error.where.contour)]);
+    if (!times) return error;
+    error.message += "; the edge that closes the contour is " + number_text(std::floor(*times)) +
+                     " times as long as its longest other: if it is an open line, close it along "
+                     "the frame";
+    return error;
+  }
+
+  [[nodiscard]] Error with_file(Error error) const {
+    error.where.file = name_;
+    return error;
   }
 
   // Adds file and line to a place that names section and contour.
   void locate(Place& where) const {
     where.file = name_;
-    if (!where.section || *where.section >= result_.lines.size()) return;
+    if (where.line || !where.section || *where.section >= contents_.lines.size()) return;
     const SectionId section(*where.section);
-    where.line = header_lines_[section];
-    const auto& lines = result_.lines[section];
+    where.line = contents_.header_lines[section];
+    const auto& lines = contents_.lines[section];
     if (where.contour && *where.contour < lines.size()) {
       where.line = lines[ContourId(*where.contour)];
     }
   }
 
+  // Where a number ends, but for white space.
+  static constexpr std::string_view kStops = "{},;#";
+  // A file of a million slips gets this many warnings, and one that counts the others.
+  static constexpr std::size_t kMostWarnings = 1000;
+
   io::TextCursor cursor_;
   const std::string& name_;
-  ReadStack result_;
-  // Line of each section's "v".
-  IdVector<SectionId, std::size_t> header_lines_;
+  io::CntContents contents_;
+  std::vector<Warning> warnings_;
+  std::size_t untold_ = 0;
+  std::size_t header_line_ = 0;
+  double announced_sections_ = 0;
 };
 
 }  // namespace

@@ -38,9 +38,9 @@ class TextCursor {
   [[nodiscard]] std::size_t line() const { return line_; }
 
   /// The bytes up to the next white space or one of `stops`, passed over.
-  std::string_view token(char stop_a = ' ', char stop_b = ' ') {
+  std::string_view token(std::string_view stops = {}) {
     const char* const from = at_;
-    while (at_ != end_ && !is_white(*at_) && *at_ != stop_a && *at_ != stop_b) ++at_;
+    while (at_ != end_ && !is_white(*at_) && stops.find(*at_) == std::string_view::npos) ++at_;
     return {from, static_cast<std::size_t>(at_ - from)};
   }
 

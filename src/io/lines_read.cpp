@@ -34,7 +34,7 @@ Result<void> for_each_row(std::string_view text, const std::string& name, const 
     std::array<std::string_view, 3> fields;
     std::size_t count = 0;
     for (; !cursor.at_end() && cursor.peek() != '\n' && cursor.peek() != '#'; ++count) {
-      const std::string_view field = cursor.token('#');
+      const std::string_view field = cursor.token("#");
       if (count < fields.size()) fields[count] = field;
       cursor.skip_blanks();
     }

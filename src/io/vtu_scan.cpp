@@ -165,8 +165,8 @@ class VtuScanner {
     // Arrays without a name are several of none. Of Points there is one, whatever its name.
     const std::string key = is_points ? "Points" : name != nullptr ? *name : std::string();
     if (!key.empty() && !names_.insert(key).second) {
-      return scanner_.complain(tag.position, in_quotes(group) + " has two arrays " +
-                                                 (is_points ? std::string() : in_quotes(key)));
+      return scanner_.complain(tag.position, in_quotes(group) + " has two arrays" +
+                                                 (is_points ? "" : ' ' + in_quotes(key)));
     }
     VtuArray array;
     std::string_view known = "Points";

@@ -39,6 +39,8 @@ std::vector<Warning> suspicious_gaps(const SectionStack& stack) {
   for (std::size_t s = 0; s + 1 < stack.sections.size(); ++s) {
     gaps.push_back(stack.sections[SectionId(s + 1)].z - stack.sections[SectionId(s)].z);
   }
+  // Heights that do not increase are for validate() to name.
+  if (std::any_of(gaps.begin(), gaps.end(), [](double gap) { return !(gap > 0); })) return {};
   std::vector<Warning> warnings;
   const auto tell = [&](std::size_t s, double around) {
     if (stack.sections[SectionId(s)].contours.empty()) return;
