@@ -16,19 +16,17 @@ namespace {
 // The numbers of a contour, one after the other.
 class Numbers {
  public:
-  Numbers(const Contour& contour, const OddContour* odd)
-      : vertices_(contour.vertices), last_(odd == nullptr ? 0 : odd->last) {
-    size_ = 2 * vertices_.size() + (odd == nullptr ? 0 : 1);
+  explicit Numbers(const Contour& contour) : vertices_(contour.vertices) {
+    size_ = 2 * vertices_.size();
+    if (size_ > 0 && std::isnan(vertices_.back().y)) --size_;
   }
   [[nodiscard]] std::size_t size() const { return size_; }
   double operator[](std::size_t i) const {
-    if (i / 2 == vertices_.size()) return last_;
     return i % 2 == 0 ? vertices_[i / 2].x : vertices_[i / 2].y;
   }
 
  private:
   const std::vector<Point2>& vertices_;
-  double last_;
   std::size_t size_;
 };
 
@@ -51,13 +49,10 @@ struct Reading {
 // Calls take(section, contour, numbers) for every contour.
 template <class Take>
 void for_each_contour(const CntContents& contents, Take&& take) {
-  auto odd = contents.odd.begin();
   for (std::size_t s = 0; s < contents.stack.sections.size(); ++s) {
     const Section& section = contents.stack.sections[SectionId(s)];
     for (std::size_t c = 0; c < section.contours.size(); ++c) {
-      const bool is_odd = odd != contents.odd.end() && odd->section == s && odd->contour == c;
-      take(s, c, Numbers(section.contours[ContourId(c)], is_odd ? &*odd : nullptr));
-      if (is_odd) ++odd;
+      take(s, c, Numbers(section.contours[ContourId(c)]));
     }
   }
 }
@@ -103,7 +98,7 @@ void take_threes(CntContents& contents) {
     stack.sections[SectionId(s)].contours.push_back(std::move(contour));
   });
   contents.stack = std::move(stack);
-  contents.odd.clear();
+  contents.odd.reset();
 }
 
 std::string text_of(double value) {
@@ -128,17 +123,16 @@ Error off_plane_error(const CntContents& contents, const OffPlane& off) {
               {}};
   error.where.line = contents.lines[SectionId(off.section)][ContourId(off.contour)];
   error.where.section = off.section;
-  error.where.contour = off.contour;
   error.where.vertex = off.vertex;
   return error;
 }
 
-Error odd_error(const OddContour& odd) {
+Error odd_error(const CntContents::Odd& odd) {
   Error error{ErrorCode::invalid_input,
               "the contour opened in line " + std::to_string(odd.opened) +
                   " has an odd number of coordinates",
               {}};
-  error.where.line = odd.line;
+  error.where.line = odd.closed;
   return error;
 }
 
@@ -147,7 +141,7 @@ Error odd_error(const OddContour& odd) {
 Result<std::optional<Warning>> settle_vertices(CntContents& contents) {
   using Settled = std::optional<Warning>;
   const Reading reading = look_at(contents);
-  const bool odd = !contents.odd.empty();
+  const bool odd = contents.odd.has_value();
   if (!odd && reading.counts_are_twos) return Settled();
   if (contents.commas && reading.counts_are_fours) {
     Error error{ErrorCode::invalid_input,
@@ -158,7 +152,7 @@ Result<std::optional<Warning>> settle_vertices(CntContents& contents) {
     return error;
   }
   if (!reading.in_threes) {
-    if (odd) return odd_error(contents.odd.front());
+    if (odd) return odd_error(*contents.odd);
     return Settled();
   }
   // An odd number of numbers, or three times the announced vertices: no pairs, unless they are

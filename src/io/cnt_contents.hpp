@@ -13,22 +13,19 @@
 
 namespace tetloft::io {
 
-/// A contour with an odd number of numbers: all but the last are in its vertices.
-struct OddContour {
-  std::size_t section = 0;
-  std::size_t contour = 0;
-  double last = 0;
-  std::size_t line = 0;  ///< of its closing brace
-  std::size_t opened = 0;
-};
-
-/// Numbers taken in pairs.
+/// Numbers taken in pairs. What remains of an odd number of them is a last vertex of which y is
+/// NaN, until settle_vertices().
 struct CntContents {
   SectionStack stack;
   IdVector<SectionId, IdVector<ContourId, std::size_t>> lines;  ///< of the opening braces
   IdVector<SectionId, std::size_t> header_lines;                ///< of each "v"
   IdVector<SectionId, double> announced;                        ///< numbers of vertices
-  std::vector<OddContour> odd;                                  ///< in the order of the file
+  /// Where the first odd contour begins and ends.
+  struct Odd {
+    std::size_t opened = 0;
+    std::size_t closed = 0;
+  };
+  std::optional<Odd> odd;
   bool commas = false;  ///< there is one between two numbers
 };
 

@@ -5,6 +5,7 @@
 // Commas or semicolons may stand between numbers, # begins a comment. Both counts are redundant
 // here: they are compared with what follows, and tell pairs from triples where that is open.
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,7 +33,7 @@ class CntReader {
   Result<ReadStack> read(Validity validity) {
     Result<void> parsed = read_sections();
     // Nothing is wrong before the first odd contour, whatever follows.
-    if (!parsed && contents_.odd.empty()) return parsed.error();
+    if (!parsed && !contents_.odd) return parsed.error();
     Result<std::optional<Warning>> settled = io::settle_vertices(contents_);
     if (!settled) return with_file(settled.error());
     if (!parsed) return parsed.error();
@@ -113,7 +114,8 @@ class CntReader {
       have_x = !have_x;
     }
     if (have_x) {
-      contents_.odd.push_back({section.index(), id.index(), x, cursor_.line(), opened});
+      vertices.push_back({x, std::numeric_limits<double>::quiet_NaN()});
+      if (!contents_.odd) contents_.odd = {opened, cursor_.line()};
     }
     cursor_.advance();
     return {};

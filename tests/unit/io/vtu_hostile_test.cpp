@@ -2,6 +2,9 @@
 // (the sanitizers watch) and never memory beyond the size of the file.
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
 #include <tetloft/io.hpp>
 
 #include "core/prng.hpp"
@@ -25,21 +28,121 @@ void expect_invalid(const std::string& bytes) {
   EXPECT_FALSE(read.error().message.empty());
 }
 
-TEST(ReadVtu, RefusesEveryTruncatedBinaryFile) {
-  const std::string whole = written(Encoding::binary);
-  const std::size_t data_end = whole.find("\n</AppendedData>");
-  ASSERT_NE(data_end, std::string::npos);
-  for (std::size_t size = 0; size < data_end; ++size) {
-    expect_invalid(whole.substr(0, size));
+// Cut anywhere, but for white space at its end.
+void expect_refused_when_cut(const std::string& whole) {
+  ASSERT_TRUE(parse_vtu(whole, "m.vtu").ok());
+  const std::size_t end = whole.find_last_not_of(" \n") + 1;
+  for (std::size_t size = 0; size < end; ++size) expect_invalid(whole.substr(0, size));
+  EXPECT_TRUE(parse_vtu(whole.substr(0, end), "m.vtu").ok());
+}
+
+TEST(ReadVtu, RefusesEveryTruncatedFile) {
+  expect_refused_when_cut(written(Encoding::binary));
+  expect_refused_when_cut(written(Encoding::ascii));
+}
+
+// A grid of one tet a piece, its arrays appended: how many pieces, and where each array of each
+// piece finds its block, of five written one after the other (points, then connectivity, offsets
+// and types, and component).
+std::string appended_grid(std::size_t pieces, const std::vector<std::size_t>& offsets,
+                          const std::string& between = "") {
+  std::string text =
+      "<VTKFile type=\"UnstructuredGrid\" byte_order=\"LittleEndian\" "
+      "header_type=\"UInt32\"><UnstructuredGrid>";
+  std::size_t next = 0;
+  const auto array = [&](const char* name, const char* type) {
+    return std::string("<DataArray Name=\"") + name + "\" type=\"" + type +
+           "\" NumberOfComponents=\"" + (*name == 'P' ? "3" : "1") +
+           "\" format=\"appended\" offset=\"" + std::to_string(offsets[next++ % offsets.size()]) +
+           "\"/>";
+  };
+  for (std::size_t p = 0; p < pieces; ++p) {
+    // One after the other: operands of + have no order.
+    text += "<Piece NumberOfPoints=\"4\" NumberOfCells=\"1\"><Points>";
+    text += array("P", "Int8");
+    text += "</Points><Cells>";
+    for (const char* name : {"connectivity", "offsets", "types"}) text += array(name, "Int8");
+    text += "</Cells><CellData>";
+    text += array("component", "Int8");
+    text += "</CellData></Piece>";
+  }
+  text += "</UnstructuredGrid>" + between + "<AppendedData encoding=\"raw\">_";
+  const std::vector<std::string> blocks{std::string("\0\0\0\1\0\0\0\1\0\0\0\1", 12),
+                                        std::string("\0\1\2\3", 4), "\4", "\12",
+                                        std::string(1, '\0')};
+  for (std::size_t p = 0; p < pieces; ++p) {
+    for (const std::string& block : blocks) {
+      text += static_cast<char>(block.size());
+      text += std::string(3, '\0') + block;
+    }
+  }
+  return text + "</AppendedData></VTKFile>";
+}
+
+constexpr std::size_t kPieceBytes = 5 * 4 + 12 + 4 + 1 + 1 + 1;
+
+std::vector<std::size_t> right_offsets(std::size_t pieces) {
+  std::vector<std::size_t> offsets;
+  for (std::size_t p = 0; p < pieces; ++p) {
+    for (const std::size_t o : {0U, 16U, 24U, 29U, 34U}) offsets.push_back(p * kPieceBytes + o);
+  }
+  return offsets;
+}
+
+TEST(ReadVtu, ReadsPiecesOfWhichEachHasItsBlocks) {
+  for (const std::size_t pieces : {1U, 2U, 300U}) {
+    const auto read = parse_vtu(appended_grid(pieces, right_offsets(pieces)), "m.vtu");
+    ASSERT_TRUE(read.ok()) << to_string(read.error());
+    EXPECT_EQ(read->tets.size(), pieces);
+    EXPECT_EQ(read->component.size(), pieces);
   }
 }
 
-TEST(ReadVtu, RefusesTruncatedAsciiFiles) {
+TEST(ReadVtu, RefusesArraysThatShareAppendedData) {
+  // All pieces take the blocks of the first; one takes those of another; one array does.
+  expect_invalid(appended_grid(2, right_offsets(1)));
+  expect_invalid(appended_grid(1000, right_offsets(1)));
+  for (std::size_t a = 0; a < 10; ++a) {
+    std::vector<std::size_t> offsets = right_offsets(2);
+    offsets[a] = offsets[(a + 5) % 10];
+    expect_invalid(appended_grid(2, offsets));
+  }
+}
+
+TEST(ReadVtu, RefusesWhatStandsTwice) {
   const std::string whole = written(Encoding::ascii);
-  // Up to where the last array's last value is complete.
-  const std::size_t data_end = whole.rfind("10\n</DataArray>") + 1;
-  for (std::size_t size = 0; size <= data_end; size += 7) {
-    expect_invalid(whole.substr(0, size));
+  std::size_t tried = 0;
+  // Every array, every group and the whole piece, given again right behind.
+  for (const char* element : {"DataArray", "Points", "Cells", "PointData", "CellData"}) {
+    const std::string open = '<' + std::string(element);
+    const std::string close = "</" + std::string(element) + '>';
+    for (std::size_t from = whole.find(open); from != std::string::npos;
+         from = whole.find(open, from + 1)) {
+      const std::size_t end = whole.find(close, from) + close.size();
+      std::string bytes = whole;
+      bytes.insert(end, whole.substr(from, end - from));
+      expect_invalid(bytes);
+      ++tried;
+    }
+  }
+  EXPECT_EQ(tried, 10U + 4U);
+  for (const char* word : {"type=\"Float64\"", "NumberOfPoints", "version=\"1.0\""}) {
+    std::string bytes = whole;
+    const std::size_t at = bytes.rfind(word);
+    const std::size_t end = bytes.find('"', bytes.find('"', at) + 1) + 1;
+    bytes.insert(end, ' ' + bytes.substr(at, end - at));
+    expect_invalid(bytes);
+  }
+  expect_invalid(whole + whole);
+  expect_invalid(appended_grid(1, right_offsets(1), "<AppendedData encoding=\"raw\"/>"));
+}
+
+TEST(ReadVtu, RefusesTagsThatDoNotMatch) {
+  const std::string whole = written(Encoding::ascii);
+  for (std::size_t at = whole.find("</"); at != std::string::npos; at = whole.find("</", at + 1)) {
+    const std::size_t end = whole.find('>', at) + 1;
+    expect_invalid(whole.substr(0, at) + whole.substr(end));  // missing
+    expect_invalid(whole.substr(0, end) + whole.substr(at, end - at) + whole.substr(end));  // twice
   }
 }
 

@@ -1,0 +1,265 @@
+// What readers take of memory, over files made to take much: counted by this program's own
+// allocation functions.
+#include <gtest/gtest.h>
+#include <malloc.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <functional>
+#include <new>
+#include <string>
+#include <vector>
+
+#include <tetloft/io.hpp>
+
+#include "io/files.hpp"
+#include "unit/io/io_support.hpp"
+
+namespace {
+
+std::atomic<std::size_t> live{0};
+std::atomic<std::size_t> peak{0};
+
+void* counted(std::size_t size) {
+  void* const p = std::malloc(size);
+  if (p == nullptr) throw std::bad_alloc();
+  const std::size_t now = live += malloc_usable_size(p);
+  std::size_t known = peak;
+  while (now > known && !peak.compare_exchange_weak(known, now)) {
+  }
+  return p;
+}
+
+void uncounted(void* p) noexcept {
+  if (p != nullptr) live -= malloc_usable_size(p);
+  std::free(p);
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) { return counted(size); }
+void* operator new[](std::size_t size) { return counted(size); }
+void operator delete(void* p) noexcept { uncounted(p); }
+void operator delete[](void* p) noexcept { uncounted(p); }
+void operator delete(void* p, std::size_t) noexcept { uncounted(p); }
+void operator delete[](void* p, std::size_t) noexcept { uncounted(p); }
+
+namespace tetloft {
+namespace {
+
+// The most that `work` held beyond what there was.
+template <class Work>
+std::size_t peak_of(Work&& work) {
+  const std::size_t before = live;
+  peak = before;
+  work();
+  return peak - before;
+}
+
+std::string repeated(const std::string& piece, std::size_t bytes, const std::string& head = "",
+                     const std::string& tail = "") {
+  std::string text = head;
+  text.reserve(head.size() + bytes + piece.size() + tail.size());
+  while (text.size() < bytes) text += piece;
+  return text + tail;
+}
+
+struct Family {
+  std::string name;
+  std::string bytes;
+};
+
+constexpr std::size_t kSize = 400'000;
+// Small enough that what every reader may take does not hide what a file makes it take.
+static_assert(kSize > kReaderBytes / kReaderMultiple * 10);
+
+std::vector<Family> stacks() {
+  std::vector<Family> families;
+  const std::string head = "S 1\nv 3 z 0\n";
+  for (const char* piece :
+       {"{}", "{ }", "{0}", "{0 0}", "{0 0 0}", "{0 0 0 0}", "{0 0 1 0 0 1}", "{1 0 0}", "{",
+        "{0 0 0 0 0 0}", "{0 1 1 0 0 0 1 0 0}", "0 ", "#\n", "# {{{{{{ v v v\n", "{,}", "v "}) {
+    families.push_back({piece, repeated(piece, kSize, head)});
+  }
+  for (const char* piece : {"v0 z0\n", "v 1 z 0\n", "v1 z0{}", "v3 z0{0 0 1 0 0 1}"}) {
+    families.push_back({piece, repeated(piece, kSize, "S 1\n")});
+  }
+  // Valid, with as little text for each vertex and each contour as can be.
+  std::string triangles = "S 1\nv 0 z 0\n";
+  for (int i = 0; triangles.size() < kSize; ++i) {
+    const std::string y = std::to_string(2 * i);
+    const std::string above = std::to_string(2 * i + 1);
+    triangles += "{0 " + y + " 1 " + y + " 0 " + above + "}";
+  }
+  families.push_back({"triangles", triangles});
+  std::string heights = "S 0\n";
+  for (int i = 0; heights.size() < kSize; ++i) heights += "v1 z" + std::to_string(i) + "{}";
+  families.push_back({"heights", heights});
+  families.push_back({"long contour", repeated("0 1 ", kSize, head + "{", "}")});
+  families.push_back({"triples", repeated("1 2 0 ", kSize, head + "{", "}")});
+  families.push_back({"long token", head + "{ " + std::string(kSize, '7') + " 0}"});
+  families.push_back({"long word", std::string(kSize, 'S')});
+  families.push_back({"huge counts", "S 1e300\n" + repeated("v 1e300 z 0\n", kSize)});
+  families.push_back({"line feeds", std::string(kSize, '\n')});
+  families.push_back({"zeros", std::string(kSize, '\0')});
+  return families;
+}
+
+std::string grid(const std::string& inside) {
+  return "<VTKFile type=\"UnstructuredGrid\"><UnstructuredGrid>" + inside +
+         "</UnstructuredGrid></VTKFile>";
+}
+
+std::string piece(std::size_t points, std::size_t cells, const std::string& inside) {
+  return "<Piece NumberOfPoints=\"" + std::to_string(points) + "\" NumberOfCells=\"" +
+         std::to_string(cells) + "\">" + inside + "</Piece>";
+}
+
+std::string array(const std::string& name, const std::string& type, const std::string& text) {
+  return "<DataArray Name=\"" + name + "\" type=\"" + type + "\" NumberOfComponents=\"" +
+         (name == "P" ? "3" : "1") + "\">" + text + "</DataArray>";
+}
+
+// Text of n numbers.
+std::string numbers(std::size_t n, const std::string& number) {
+  return repeated(number + ' ', n * (number.size() + 1));
+}
+
+std::string cells(std::size_t n) {
+  std::string offsets;
+  for (std::size_t i = 1; i <= n; ++i) offsets += std::to_string(4 * i) + ' ';
+  return "<Cells>" + array("connectivity", "Int8", numbers(4 * n, "0")) +
+         array("offsets", "Int64", offsets) + array("types", "Int8", numbers(n, "10")) + "</Cells>";
+}
+
+std::vector<Family> grids() {
+  std::vector<Family> families;
+  const auto add = [&](const char* name, const std::string& bytes) {
+    families.push_back({name, bytes});
+  };
+  add("empty pieces", grid(repeated(piece(0, 0, ""), kSize)));
+  const std::string empty = piece(0, 0, "<Points><DataArray type=\"Int8\"/></Points>");
+  add("pieces of an empty array", grid(repeated(empty, kSize)));
+  const std::string one =
+      piece(1, 1, "<Points>" + array("P", "Int8", "0 0 0") + "</Points>" + cells(1));
+  add("small pieces", grid(repeated(one, kSize)));
+  add("unnamed arrays",
+      grid(piece(0, 0,
+                 "<CellData>" + repeated("<DataArray type=\"Int8\"/>", kSize) + "</CellData>")));
+  std::string named;
+  for (int i = 0; named.size() < kSize; ++i) {
+    named += "<DataArray Name=\"" + std::to_string(i) + "\"/>";
+  }
+  add("named arrays", grid(piece(0, 0, "<CellData>" + named + "</CellData>")));
+  add("deep", repeated("<a>", kSize, "<VTKFile type=\"UnstructuredGrid\">"));
+  std::string attributes = "<VTKFile type=\"UnstructuredGrid\"";
+  for (int i = 0; attributes.size() < kSize; ++i) attributes += " a" + std::to_string(i) + "=''";
+  add("attributes", attributes + ">");
+  add("long name", '<' + std::string(kSize, 'a') + '>');
+  add("long attribute", "<VTKFile type=\"" + std::string(kSize, '&') + "\">");
+  add("long compressor", "<VTKFile type=\"UnstructuredGrid\" compressor=\"" +
+                             std::string(kSize, 'a') + "\"><UnstructuredGrid>" +
+                             piece(1, 0,
+                                   "<Points><DataArray type=\"Int8\" format=\"binary\">AAAA"
+                                   "</DataArray></Points>") +
+                             "</UnstructuredGrid></VTKFile>");
+  add("comments", repeated("<!---->", kSize));
+  add("points alone",
+      grid(piece(kSize / 6, 0,
+                 "<Points>" + array("P", "Int8", numbers(kSize / 6 * 3, "0")) + "</Points>")));
+  add("cells alone",
+      grid(piece(1, kSize / 20,
+                 "<Points>" + array("P", "Int8", "0 0 0") + "</Points>" + cells(kSize / 20))));
+  const std::size_t n = kSize / 40;
+  std::string labels;
+  for (const char* name : {"component", "slab", "kind"}) {
+    labels += array(name, "Int8", numbers(n, "0"));
+  }
+  add("labels", grid(piece(1, n,
+                           "<Points>" + array("P", "Int8", "0 0 0") + "</Points>" + cells(n) +
+                               "<CellData>" + labels + "</CellData>")));
+  add("long token",
+      grid(piece(1, 0, "<Points>" + array("P", "Int8", std::string(kSize, '1')) + "</Points>")));
+  add("huge counts", grid(repeated("<Piece NumberOfPoints=\"9223372036854775807\" "
+                                   "NumberOfCells=\"9223372036854775807\"/>",
+                                   kSize)));
+  return families;
+}
+
+// Pieces that take the same appended blocks, or overlapping ones, of `count` points.
+std::string shared_blocks(std::size_t count, std::size_t shift) {
+  std::string text = "<VTKFile type=\"UnstructuredGrid\" header_type=\"UInt64\"><UnstructuredGrid>";
+  for (std::size_t p = 0; text.size() < kSize / 2; ++p) {
+    text += piece(count, 0,
+                  "<Points><DataArray type=\"Int8\" NumberOfComponents=\"3\" "
+                  "format=\"appended\" offset=\"" +
+                      std::to_string(p * shift) + "\"/></Points>");
+  }
+  text += "</UnstructuredGrid><AppendedData encoding=\"raw\">_";
+  while (text.size() < kSize) {
+    // Every eighth byte begins a count of the same size.
+    for (std::size_t i = 0; i < 8; ++i) text += static_cast<char>(3 * count >> (8 * i));
+    if (shift == 0) text += std::string(3 * count, '\0');
+  }
+  return text + "</AppendedData></VTKFile>";
+}
+
+template <class Parse>
+void expect_bounded(const std::vector<Family>& families, Parse&& parse) {
+  for (const Family& family : families) {
+    const std::size_t bytes = peak_of([&] { parse(family.bytes); });
+    const std::size_t size = family.bytes.size();
+    EXPECT_LE(bytes + size, kReaderMultiple * size + kReaderBytes)
+        << family.name << ": " << bytes / size << " times its " << size << " bytes";
+  }
+}
+
+TEST(Memory, OfStacksIsBounded) {
+  for (const Validity validity : {Validity::required, Validity::unchecked}) {
+    expect_bounded(stacks(), [&](const std::string& bytes) {
+      static_cast<void>(parse_cnt(bytes, "a.cnt", validity));
+    });
+  }
+}
+
+TEST(Memory, OfGridsIsBounded) {
+  std::vector<Family> families = grids();
+  families.push_back({"shared", shared_blocks(20'000, 0)});
+  families.push_back({"overlapping", shared_blocks(20'000, 8)});
+  expect_bounded(families,
+                 [](const std::string& bytes) { static_cast<void>(parse_vtu(bytes, "a.vtu")); });
+}
+
+TEST(Memory, OfLabelsAndPointsIsBounded) {
+  const std::vector<Family> families{{"rows", repeated("0 0 0\n", kSize)},
+                                     {"comments", repeated("#\n", kSize)},
+                                     {"long line", repeated("0 ", kSize)},
+                                     {"long token", std::string(kSize, '0')},
+                                     {"zeros", std::string(kSize / 24 * 24, '\0')}};
+  expect_bounded(families, [](const std::string& bytes) {
+    static_cast<void>(parse_labels(bytes, "a.txt"));
+    static_cast<void>(parse_points(bytes, "a.txt"));
+    static_cast<void>(parse_points(bytes, "a.bin"));
+  });
+}
+
+TEST(Memory, OfAWholeFileIsItsSize) {
+  test::TempFolder folder;
+  test::put(folder.file("a"), std::string(5'000'000, 'x'));
+  const std::size_t bytes = peak_of([&] { EXPECT_TRUE(io::read_file(folder.file("a")).ok()); });
+  EXPECT_LE(bytes, 5'100'000U);
+}
+
+TEST(Memory, OfAStreamEndsAtItsLimit) {
+  const io::ReadLimits limits{1U << 20, 1U << 20};
+  const std::size_t bytes = peak_of([&] {
+    const auto read = io::read_file("/dev/zero", limits);
+    ASSERT_FALSE(read.ok());
+    EXPECT_EQ(read.error().code, ErrorCode::io);
+    EXPECT_NE(read.error().message.find("1 MiB"), std::string::npos) << read.error().message;
+  });
+  EXPECT_LE(bytes, (std::size_t{3} << 20) + 4096);
+}
+
+}  // namespace
+}  // namespace tetloft
