@@ -1,4 +1,4 @@
-// Readers and writers. Every file is written to a temporary beside it and renamed.
+// Readers and writers. A file appears complete or not at all; symbolic links are followed.
 // Errors: io where a file cannot be read or written, invalid_input naming file and line
 // where its contents are wrong. Counts in headers are checked, never trusted.
 #pragma once
@@ -38,9 +38,11 @@ struct ReadStack {
 enum class Validity { required, unchecked };
 
 /// Reads NUAGES .cnt: "S n", then for each section "v n z z" and contours "{ x y … }". Header
-/// letters in either case, any white space, LF or CRLF, any numeric form that strtod of the
-/// C locale accepts for finite numbers. Mends harmless slips (mend() in sections.hpp, wrong
-/// counts) and validates; errors name file and line.
+/// letters in either case, any white space, LF or CRLF, commas or semicolons between numbers, #
+/// comments, any numeric form that strtod of the C locale accepts for finite numbers. Mends
+/// harmless slips (mend() in sections.hpp, wrong counts, the height as third number of every
+/// vertex) and validates; warns of suspicious_gaps(), and of contours that seem to be open lines
+/// cut off at a frame. At most about a thousand warnings. Errors name file and line.
 [[nodiscard]] Result<ReadStack> read_cnt(const std::string& path,
                                          Validity validity = Validity::required);
 /// The same from text; `name` stands for the file in messages.
@@ -101,7 +103,7 @@ struct LineSet {
 [[nodiscard]] Result<void> write_lines(const std::string& path, const LineSet& lines,
                                        Encoding encoding = Encoding::binary);
 
-/// Writes `text` to a temporary beside `path` and renames it.
+/// Writes `bytes`, which appear at `path` all or not at all; directly where a pipe or a device is.
 [[nodiscard]] Result<void> write_file(const std::string& path, std::string_view bytes);
 
 }  // namespace tetloft

@@ -69,7 +69,7 @@ struct RepairOptions {
 };
 
 struct Repaired {
-  SectionStack stack;            ///< valid
+  SectionStack stack;            ///< valid, unless all contours cancelled
   std::vector<Warning> changes;  ///< all of them, with their places
   double moved = 0;              ///< how far the boundary moved at most
 };

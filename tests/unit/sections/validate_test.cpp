@@ -54,12 +54,37 @@ TEST(Validate, AcceptsCollinearVertices) {
 
 TEST(Validate, NamesAStackWithoutSections) { EXPECT_FALSE(validate(SectionStack{}).ok()); }
 
+TEST(Validate, NamesAStackWithoutContours) {
+  for (std::size_t n = 1; n < 4; ++n) {
+    SectionStack empty;
+    for (std::size_t s = 0; s < n; ++s)
+      empty.sections.push_back(section(static_cast<double>(s), {}));
+    const auto valid = validate(empty);
+    ASSERT_FALSE(valid.ok());
+    EXPECT_EQ(valid.error().code, ErrorCode::invalid_input);
+    EXPECT_NE(valid.error().message.find("all its sections are empty"), std::string::npos);
+    // One contour anywhere is enough.
+    for (std::size_t s = 0; s < n; ++s) {
+      SectionStack filled = empty;
+      filled.sections[SectionId(s)] = section(static_cast<double>(s), {kSquare});
+      EXPECT_TRUE(validate(filled).ok());
+    }
+  }
+}
+
 TEST(Validate, NamesHeights) {
   const auto at = [](double z0, double z1) {
     return stack({section(z0, {kSquare}), section(z1, {kSquare})});
   };
-  expect_verdict(at(1, 1), " z does not increase (1 after 1)");
-  expect_verdict(at(1, 0), " z does not increase (0 after 1)");
+  expect_verdict(at(1, 1),
+                 " z does not increase (1 after 1): put all contours of one height into one "
+                 "section");
+  expect_verdict(at(1, 0),
+                 " z does not increase (0 after 1): the sections descend; put them in the opposite "
+                 "order");
+  expect_verdict(stack({section(0, {kSquare}), section(2, {kSquare}), section(1, {kSquare})}),
+                 " z does not increase (1 after 2): the sections are not sorted; put them in the "
+                 "order of their z");
   expect_verdict(at(0, std::nan("")), " z: coordinate is not finite");
   expect_verdict(at(0, 0x1p1000), " z: coordinate is not below 2^1000");
   EXPECT_EQ(*validate(at(1, 0)).error().where.section, 1U);
