@@ -25,21 +25,29 @@ class Cancelled : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Needs no memory itself: texts this short live in the string.
+[[nodiscard]] Error out_of_memory();
+
+/// What the exception in flight means to a caller. Only in a catch block.
+[[nodiscard]] Error error_of_exception();
+
 /// Runs an API function's body: returns its Result, and turns anything thrown inside
 /// into an Error.
 template <class Body>
 auto guard_internal(Body&& body) -> decltype(body()) {
   try {
     return body();
-  } catch (const std::bad_alloc&) {
-    return Error{ErrorCode::internal, "out of memory", {}};
-  } catch (const Cancelled& e) {
-    return Error{ErrorCode::cancelled, e.what(), {}};
-  } catch (const std::exception& e) {
-    return Error{ErrorCode::internal, e.what(), {}};
   } catch (...) {
-    return Error{ErrorCode::internal, "unknown exception", {}};
+    return error_of_exception();
   }
+}
+
+/// Where a refusal is an answer, as of a trial: whether `result` is none. Throws std::bad_alloc
+/// where memory ended instead: that answers nothing.
+template <class T>
+[[nodiscard]] bool accepted(const Result<T>& result) {
+  if (!result && result.error().code == ErrorCode::out_of_memory) throw std::bad_alloc();
+  return result.ok();
 }
 
 }  // namespace tetloft

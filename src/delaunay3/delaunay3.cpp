@@ -12,6 +12,7 @@
 #include <tetloft/predicates.hpp>
 
 #include "core/check.hpp"
+#include "core/enums.hpp"
 #include "core/parallel.hpp"
 #include "delaunay3/affine_basis.hpp"
 #include "delaunay3/canonical_mesh.hpp"
@@ -162,6 +163,9 @@ Result<bool> insert_points(RankedPoints& ranked, Delaunay3& out) {
 
 Result<Delaunay3> triangulate(std::span<const Point3> points, const Delaunay3Options& options) {
   const DelaunayEngine engine = options.engine;
+  if (!is_enumerator(engine, DelaunayEngine::slab)) {
+    return Error{ErrorCode::usage, "there is no such Delaunay engine", {}};
+  }
   if (Result<void> checked = fp_self_check(); !checked) return checked.error();
   if (Result<void> checked = check_points(points); !checked) return checked.error();
   Delaunay3 out;

@@ -11,6 +11,7 @@
 #include <tetloft/io.hpp>
 
 #include "core/check.hpp"
+#include "io/arguments.hpp"
 #include "io/cursor.hpp"
 #include "io/files.hpp"
 #include "io/numbers.hpp"
@@ -28,6 +29,7 @@ class CntReader {
   CntReader(std::string_view text, const std::string& name) : cursor_(text), name_(name) {}
 
   Result<ReadStack> read(Validity validity) {
+    if (Result<void> known = io::check_validity(validity); !known) return known.error();
     if (Result<void> parsed = read_sections(); !parsed) return parsed.error();
     for (Warning& warning : mend(result_.stack)) {
       locate(warning.where);

@@ -5,6 +5,7 @@
 #include <tetloft/io.hpp>
 
 #include "core/check.hpp"
+#include "io/arguments.hpp"
 #include "io/files.hpp"
 #include "io/numbers.hpp"
 #include "io/vtk_write.hpp"
@@ -13,6 +14,7 @@ namespace tetloft {
 
 Result<void> write_lines(const std::string& path, const LineSet& lines, Encoding encoding) {
   return guard_internal([&]() -> Result<void> {
+    if (Result<void> known = io::check_encoding(encoding); !known) return known;
     const std::size_t n = lines.lines.size();
     io::VtkGroup cell_data{"CellData", {}};
     for (const LineSet::Array& array : lines.data) {
