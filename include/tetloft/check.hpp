@@ -32,7 +32,7 @@ struct GuaranteeVerdict {
 };
 
 struct CheckOptions {
-  CorrespondenceOptions correspondence;
+  CorrespondenceOptions correspondence = {};
   /// An inserted vertex may lie this many ulps (of the largest coordinate magnitude of its
   /// contour edge) off the edge.
   double split_ulps = 4;
@@ -42,10 +42,10 @@ struct CheckOptions {
   unsigned threads = 0;
   /// Once a stop is requested (from any thread), check ends with ErrorCode::cancelled as soon as
   /// the guarantees in work are done.
-  std::stop_token stop;
+  std::stop_token stop = {};
   /// Called from any thread, one call at a time, with steps done and steps in all. What it
   /// throws ends the check with ErrorCode::cancelled.
-  std::function<void(std::size_t done, std::size_t all)> progress;
+  std::function<void(std::size_t done, std::size_t all)> progress = {};
 };
 
 struct CheckReport {

@@ -21,10 +21,10 @@ struct GeigerOptions {
   bool refine = true;
   /// Once a stop is requested (from any thread), the reconstruction ends with ErrorCode::cancelled
   /// as soon as the sections and slabs in work are done.
-  std::stop_token stop;
+  std::stop_token stop = {};
   /// Called from any thread, one call at a time, with steps done and steps in all. What it
   /// throws ends the reconstruction with ErrorCode::cancelled.
-  std::function<void(std::size_t done, std::size_t all)> progress;
+  std::function<void(std::size_t done, std::size_t all)> progress = {};
 };
 
 struct GeigerReport {

@@ -40,20 +40,20 @@ struct RenderOptions {
   /// Pixels; of a page the viewer takes the window instead. 1 to 8192.
   int width = 1200;
   int height = 900;
-  std::optional<PictureCut> cut;  ///< the viewer takes z only
+  std::optional<PictureCut> cut = {};  ///< the viewer takes z only
   /// Slabs are moved apart by this many mean heights of a slab.
   double explode = 0;
-  bool edges = false;    ///< draws the edges of tets
-  bool contours = true;  ///< draws the contours of the sections
-  double stretch = 1;    ///< z is drawn this many times as large
-  bool white = false;    ///< white background instead of none
-  std::string title;     ///< of the page
+  bool edges = false;      ///< draws the edges of tets
+  bool contours = true;    ///< draws the contours of the sections
+  double stretch = 1;      ///< z is drawn this many times as large
+  bool white = false;      ///< white background instead of none
+  std::string title = {};  ///< of the page
   /// Once a stop is requested (from any thread), drawing ends with ErrorCode::cancelled after the
   /// step, or the row of pixels, in work.
-  std::stop_token stop;
+  std::stop_token stop = {};
   /// Called with steps done and steps in all. What it throws ends the drawing with
   /// ErrorCode::cancelled.
-  std::function<void(std::size_t done, std::size_t all)> progress;
+  std::function<void(std::size_t done, std::size_t all)> progress = {};
 };
 
 /// The picture of a model, as the bytes of a file. `contours`: the sections whose contours are

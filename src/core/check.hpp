@@ -6,6 +6,7 @@
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include <tetloft/result.hpp>
 
@@ -42,12 +43,25 @@ auto guard_internal(Body&& body) -> decltype(body()) {
   }
 }
 
-/// Where a refusal is an answer, as of a trial: whether `result` is none. Throws std::bad_alloc
-/// where memory ended instead: that answers nothing.
+/// An Error on its way through code that has no use for it.
+class Failed : public std::exception {
+ public:
+  explicit Failed(Error error) : error_(std::move(error)) {}
+  [[nodiscard]] const char* what() const noexcept override { return error_.message.c_str(); }
+  [[nodiscard]] const Error& error() const noexcept { return error_; }
+
+ private:
+  Error error_;
+};
+
+/// Where a refusal is an answer, as of a trial: whether `result` is none. Throws Failed where the
+/// error says nothing about what was tried: memory ended, say.
 template <class T>
 [[nodiscard]] bool accepted(const Result<T>& result) {
-  if (!result && result.error().code == ErrorCode::out_of_memory) throw std::bad_alloc();
-  return result.ok();
+  if (result) return true;
+  const ErrorCode code = result.error().code;
+  if (code == ErrorCode::invalid_input || code == ErrorCode::unrepresentable) return false;
+  throw Failed(result.error());
 }
 
 }  // namespace tetloft

@@ -77,6 +77,8 @@ Error error_of_exception() {
       return out_of_memory();
     } catch (const std::length_error&) {  // more than any memory holds
       return out_of_memory();
+    } catch (const Failed& e) {
+      return e.error();
     } catch (const Cancelled& e) {
       return Error{ErrorCode::cancelled, e.what(), {}};
     } catch (const std::exception& e) {

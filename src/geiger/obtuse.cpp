@@ -72,7 +72,7 @@ Result<Section> with_feet(const Section& section, SectionId id, std::size_t& fee
   Section current = section;
   for (int round = 0; round < kRounds; ++round) {
     Result<ConformingSection> conforming = conform(current, id);
-    if (!conforming) {
+    if (!accepted(conforming)) {
       if (round == 0) return conforming.error();
       break;
     }
