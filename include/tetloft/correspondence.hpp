@@ -73,7 +73,7 @@ struct CorrespondenceOptions {
   std::optional<double> drift = std::nullopt;
   /// Same label: same component; different labels: different components, whatever the
   /// geometry. Regions without label follow the criterion.
-  std::vector<Label> labels;
+  std::vector<Label> labels = {};
 };
 
 /// A partition of the contours of a stack: class_of[section][contour], classes numbered in

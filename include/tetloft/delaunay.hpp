@@ -51,8 +51,9 @@ struct Delaunay3 {
 
 /// Incremental insertion (Bowyer 1981; Watson 1981) in spatially sorted order with a
 /// ghost vertex, or slab_delaunay3(). Refused (invalid_input) where a coordinate is not finite,
-/// naming the vertex, and where the slab engine is asked for but the points do not lie on two
-/// planes of constant z, three at least on each and not in a row.
+/// naming the vertex, (usage) for an engine that there is none of, and where the slab engine is
+/// asked for but the points do not lie on two planes of constant z, three at least on each and not
+/// in a row.
 [[nodiscard]] Result<Delaunay3> delaunay3(std::span<const Point3> points,
                                           const Delaunay3Options& options = {});
 
@@ -77,7 +78,8 @@ struct Triangulation2 {
 /// then of `upper`, in some plane above. Linear in vertices and tets.
 /// Requires of both: Delaunay triangulations as by delaunay2, with triangles, their points
 /// distinct and in canonical order; together fewer than 2^29. Refused (invalid_input) where
-/// that does not hold, as far as it shows from sizes and order, and at 2^30 tets or more.
+/// that does not hold, as far as it shows from sizes, order, ids and neighbours, and at 2^30 tets
+/// or more.
 [[nodiscard]] Result<TetMesh> slab_delaunay3(const Triangulation2& lower,
                                              const Triangulation2& upper);
 

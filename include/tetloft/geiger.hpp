@@ -4,6 +4,8 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <stop_token>
 
 #include <tetloft/model.hpp>
 #include <tetloft/result.hpp>
@@ -17,6 +19,12 @@ struct GeigerOptions {
   /// Adds feet of obtuse corners to contours (step 1) and projected skeleton vertices to regions
   /// (step 2).
   bool refine = true;
+  /// Once a stop is requested (from any thread), the reconstruction ends with ErrorCode::cancelled
+  /// as soon as the sections and slabs in work are done.
+  std::stop_token stop = {};
+  /// Called from any thread, one call at a time, with steps done and steps in all. What it
+  /// throws ends the reconstruction with ErrorCode::cancelled.
+  std::function<void(std::size_t done, std::size_t all)> progress = {};
 };
 
 struct GeigerReport {
@@ -38,7 +46,8 @@ struct GeigerModel {
 /// The solid by Geiger's algorithm. Its tets are positive and do not overlap, being tets of
 /// Delaunay triangulations. Nothing else is promised: vertices may be singular, contours lost,
 /// sections not met; check() says how. Refused: invalid_input for an invalid stack or fewer than
-/// two sections, unrepresentable where a section cannot be made conforming.
+/// two sections, unrepresentable where a section cannot be made conforming, cancelled if it was
+/// stopped.
 [[nodiscard]] Result<GeigerModel> reconstruct_geiger(const SectionStack& stack,
                                                      const GeigerOptions& options = {});
 

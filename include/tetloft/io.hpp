@@ -1,6 +1,7 @@
 // Readers and writers. A file appears complete or not at all; symbolic links are followed.
 // Errors: io where a file cannot be read or written, invalid_input naming file and line
-// where its contents are wrong. Counts in headers are checked, never trusted.
+// where its contents are wrong, usage for an Encoding or Validity that there is none of. Counts in
+// headers are checked, never trusted.
 #pragma once
 
 #include <array>
@@ -66,10 +67,11 @@ enum class Encoding { binary, ascii };
 
 /// VTK XML unstructured grid: Float64 points; cell data component, slab, kind; point data
 /// section, contour, origin, each left out where the model's is empty; an invalid id is −1.
-/// ASCII digits read back exactly. Refused (invalid_input) where an array has a wrong length.
+/// ASCII digits read back exactly. Refused (invalid_input) where an array has a wrong length, a
+/// tet names a vertex that there is not, or a kind or origin is none.
 [[nodiscard]] Result<void> write_vtu(const std::string& path, const Model& model,
                                      Encoding encoding = Encoding::binary);
-/// Writes any tetrahedral mesh, without provenance.
+/// Writes any tetrahedral mesh, without provenance. Refused as above.
 [[nodiscard]] Result<void> write_vtu(const std::string& path, const std::vector<Point3>& points,
                                      const std::vector<TetVertices>& tets,
                                      Encoding encoding = Encoding::binary);
@@ -83,7 +85,8 @@ enum class Encoding { binary, ascii };
 /// Writes the boundary surface as .obj, .ply (binary double), .vtp or .stl (binary,
 /// float32), by extension. Vertices are those of the surface, renumbered by id. The
 /// warnings say where rounding to float32 merges vertices or flattens triangles. Refused:
-/// other extensions (usage), coordinates beyond float32 in .stl (invalid_input).
+/// other extensions (usage), coordinates beyond float32 in .stl, and models as in write_vtu()
+/// (invalid_input).
 [[nodiscard]] Result<std::vector<Warning>> write_surface(const std::string& path,
                                                          const Model& model,
                                                          Encoding encoding = Encoding::binary);

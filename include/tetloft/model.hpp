@@ -67,7 +67,9 @@ struct Surface {
   std::vector<TetId> tet;  ///< the tet behind each triangle
 };
 
-/// The faces that belong to one tet only. Requires that no face belongs to more than two.
+/// The faces that belong to one tet only. Tets with a vertex that the model lacks count for
+/// nothing, here and in volume(). Requires fewer than 2^30 tets, and that no face belongs to more
+/// than two.
 [[nodiscard]] Surface boundary_surface(const Model& model);
 
 /// Sum of the tets' volumes, in a fixed order.

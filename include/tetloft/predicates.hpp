@@ -87,7 +87,8 @@ class PredicateCounting {
 
 /// Verifies that this build and this thread compute as the predicates need: IEEE double
 /// without contraction, reassociation, excess precision or flush to zero, rounding to
-/// nearest. Every entry of the library that decides geometry calls it once.
+/// nearest. Every entry of the library that decides geometry calls it once, and refuses with this
+/// error, unfit_arithmetic, otherwise.
 [[nodiscard]] Result<void> fp_self_check();
 
 }  // namespace tetloft

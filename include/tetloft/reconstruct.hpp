@@ -25,21 +25,21 @@ enum class Ends : std::uint8_t {
 };
 
 struct ReconstructOptions {
-  CorrespondenceOptions correspondence;
+  CorrespondenceOptions correspondence = {};
   Ends ends = Ends::flat;
   /// The engine that triangulates the slabs; automatic means slab. The result is the same.
   DelaunayEngine delaunay = DelaunayEngine::automatic;
   /// Thickness of the solid made from a single section, centred on its plane. Without it a
   /// tenth of the larger side of the bounding box is taken, and a warning given.
-  std::optional<double> thickness;
+  std::optional<double> thickness = {};
   /// Threads for the slabs; 0: as many as the machine offers. The result is the same.
   unsigned threads = 0;
   /// Once a stop is requested (from any thread), reconstruct ends with ErrorCode::cancelled
   /// as soon as the sections and slabs in work are done.
-  std::stop_token stop;
+  std::stop_token stop = {};
   /// Called from any thread, one call at a time, with steps done and steps in all. What it
   /// throws ends the reconstruction with ErrorCode::cancelled.
-  std::function<void(std::size_t done, std::size_t all)> progress;
+  std::function<void(std::size_t done, std::size_t all)> progress = {};
 };
 
 /// How often each rule of the method fired; see src/reconstruct/README.md for each.

@@ -2,8 +2,11 @@
 // from the file alone. Meant for eyes: colours and shades are computed in plain floating point.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <stop_token>
 #include <string>
 
 #include <tetloft/model.hpp>
@@ -37,21 +40,29 @@ struct RenderOptions {
   /// Pixels; of a page the viewer takes the window instead. 1 to 8192.
   int width = 1200;
   int height = 900;
-  std::optional<PictureCut> cut;  ///< the viewer takes z only
+  std::optional<PictureCut> cut = {};  ///< the viewer takes z only
   /// Slabs are moved apart by this many mean heights of a slab.
   double explode = 0;
-  bool edges = false;    ///< draws the edges of tets
-  bool contours = true;  ///< draws the contours of the sections
-  double stretch = 1;    ///< z is drawn this many times as large
-  bool white = false;    ///< white background instead of none
-  std::string title;     ///< of the page
+  bool edges = false;      ///< draws the edges of tets
+  bool contours = true;    ///< draws the contours of the sections
+  double stretch = 1;      ///< z is drawn this many times as large
+  bool white = false;      ///< white background instead of none
+  std::string title = {};  ///< of the page
+  /// Once a stop is requested (from any thread), drawing ends with ErrorCode::cancelled after the
+  /// step, or the row of pixels, in work.
+  std::stop_token stop = {};
+  /// Called with steps done and steps in all. What it throws ends the drawing with
+  /// ErrorCode::cancelled.
+  std::function<void(std::size_t done, std::size_t all)> progress = {};
 };
 
 /// The picture of a model, as the bytes of a file. `contours`: the sections whose contours are
-/// drawn; null: the outlines of the model in its section planes. Refused: usage for options out
+/// drawn; null: the outlines of the model in its section planes. Refused: cancelled if it was
+/// stopped; usage for options out
 /// of range, a cut of a page that is not by z, or a colour that the model has no data for;
-/// invalid_input for a model without tets, with a face of more than two, ids out of range,
-/// coordinates not finite or too large for float32 squares.
+/// invalid_input for a model without tets, with a face of more than two, ids out of range, arrays
+/// of a wrong length, and coordinates, of contours too, not finite or too large for float32
+/// squares.
 [[nodiscard]] Result<std::string> render_png(const Model& model, const SectionStack* contours,
                                              const RenderOptions& options = {});
 /// Only triangles that are seen are written.

@@ -1,8 +1,12 @@
 // Errors as values.
 //
-// The library never prints, exits or aborts, and no exception leaves its API: a function
-// that can fail returns a Result, which holds either a value or an Error that says what
-// is wrong and where.
+// The library never prints, exits or aborts. A function that can fail returns a Result, which
+// holds either a value or an Error that says what is wrong and where; no exception leaves it, and
+// what the caller gave it stays as it was. Where memory ends it is ErrorCode::out_of_memory, and
+// nothing is lost: no file, no block, no thread.
+//
+// Functions that return anything else (star(), nest(), outlines(), to_string(), …) can fail for
+// want of memory only: then they throw std::bad_alloc, and leave all objects valid.
 #pragma once
 
 #include <optional>
@@ -18,12 +22,14 @@ namespace tetloft {
 
 /// What kind of failure; the values are the exit codes of the command line.
 enum class ErrorCode : int {
-  usage = 2,            ///< options that contradict each other or make no sense
-  invalid_input = 3,    ///< the input is not a valid stack, mesh, label or point set
-  io = 4,               ///< a file cannot be read or written
-  unrepresentable = 5,  ///< double precision holds no valid model of this input
-  cancelled = 6,        ///< stopped at the caller's wish, or by an exception of a callback
-  internal = 70,        ///< a defect of the library
+  usage = 2,              ///< options that contradict each other or make no sense
+  invalid_input = 3,      ///< the input is not a valid stack, mesh, label or point set
+  io = 4,                 ///< a file cannot be read or written
+  unrepresentable = 5,    ///< double precision holds no valid model of this input
+  cancelled = 6,          ///< stopped at the caller's wish, or by an exception of a callback
+  internal = 70,          ///< a defect of the library
+  out_of_memory = 71,     ///< memory ended, or the system's limit on it
+  unfit_arithmetic = 72,  ///< compiled or run without the arithmetic that exactness needs
 };
 
 /// Lower-case name of a code, as printed in JSON ("invalid_input").

@@ -135,7 +135,7 @@ struct Nesting {
   IdVector<RegionId, ContourId> outer;  ///< the outer contour of a region
 };
 
-/// Requires a valid section.
+/// Requires a valid section: validate() tells.
 [[nodiscard]] Nesting nest(const Section& section);
 
 /// Twice the signed area of a closed polygon (positive iff counter-clockwise), rounded.
@@ -216,7 +216,8 @@ struct SkeletonEdge {
 };
 
 /// The internal or external Voronoi skeleton of a section (Nonato et al. 2000, section
-/// 3.1): the duals of its I or E edges, by edge id.
+/// 3.1): the duals of its I or E edges, by edge id; empty for any other kind. Here and below,
+/// `section` is as conform() made it.
 [[nodiscard]] std::vector<SkeletonEdge> voronoi_skeleton(const ConformingSection& section,
                                                          EdgeKind kind);
 /// The part of it dual to edges with an end on `contour`.

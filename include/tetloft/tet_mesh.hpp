@@ -14,7 +14,9 @@
 // half-face opposite the vertex), so corners are named by half-faces; the corners of a
 // vertex form a list, which reaches every sheet of a singular vertex.
 //
-// Const functions are safe to call from several threads at once.
+// Const functions are safe to call from several threads at once. Where memory ends, edits leave
+// the mesh as it was. Ids handed to a mesh must be those of its own vertices, tets and half-faces;
+// only from_tets() and add_tet() verify them.
 #pragma once
 
 #include <array>
@@ -148,7 +150,7 @@ class TetMesh {
   /// and oriented the other way. Linear in the star of its vertices. Refused as from_tets.
   Result<TetId> add_tet(const TetVertices& tet);
   /// Removes a tet; its neighbours get boundary faces. Its slot may be reused. Requires:
-  /// t is live. Constant time.
+  /// t is live. Constant time, amortised.
   void remove_tet(TetId t);
   /// Removes dead slots, keeping order. Returns new ids by old slot (invalid for dead).
   IdVector<TetId, TetId> compact();
@@ -167,7 +169,10 @@ class TetMesh {
   friend struct TetMeshTestAccess;  // lets tests break single conditions
 
   [[nodiscard]] VertexId corner_vertex(HalfFaceId c) const { return vertex(tet_of(c), face_of(c)); }
-  void build_corner_lists();
+  // `last`: one invalid id for each vertex.
+  void build_corner_lists(std::vector<HalfFaceId>& last);
+  // One more in the arrays of tets and corners.
+  void add_slot();
   void insert_corner(HalfFaceId c);
   void erase_corner(HalfFaceId c);
   void check_corner_lists(std::vector<MeshViolation>& violations) const;

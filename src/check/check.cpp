@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include <tetloft/predicates.hpp>
@@ -14,6 +15,9 @@
 #include "check/resampling.hpp"
 #include "check/view.hpp"
 #include "core/check.hpp"
+#include "core/correspondence_options.hpp"
+#include "core/parallel.hpp"
+#include "core/watched_work.hpp"
 
 namespace tetloft {
 
@@ -28,22 +32,83 @@ Result<void> check_arguments(const Model& model, const SectionStack& stack,
   if (!(options.split_ulps >= 0) || !std::isfinite(options.split_ulps)) {
     return Error{ErrorCode::usage, "split_ulps must be finite and not negative", {}};
   }
-  if (!(options.correspondence.tau >= 0) || !std::isfinite(options.correspondence.tau)) {
-    return Error{ErrorCode::usage, "tau must be finite and not negative", {}};
-  }
-  if (const auto& drift = options.correspondence.drift) {
-    if (!(*drift >= 0 && *drift < 1)) {
-      return Error{ErrorCode::usage, "drift must be in [0, 1)", {}};
-    }
-    if (options.correspondence.criterion != Criterion::overlap) {
-      return Error{ErrorCode::usage, "drift belongs to the overlap criterion", {}};
-    }
-  }
+  const Result<void> sensible = check_correspondence_options(options.correspondence);
+  if (!sensible) return sensible;
   if (model.tets.size() >= kMostTets) {
     return Error{ErrorCode::invalid_input, "2^30 tets or more", {}};
   }
-  return validate(stack);
+  return validate(stack, options.threads);
 }
+
+// The checks, each on its own of the same view: run one after the other or at the same time.
+class Checks {
+ public:
+  Checks(const Model& model, const SectionStack& stack, const CheckOptions& options)
+      : model_(model),
+        stack_(stack),
+        options_(options),
+        work_(options.stop, options.progress, kSteps) {}
+
+  Result<CheckReport> run() {
+    work_.step_done_go_on();
+    view_ = checking::look_at(model_, stack_);
+    surface_ = surface_components(view_.boundary);
+    work_.step_done_go_on();
+    parallel_for(kParts, options_.threads, [&](std::size_t part) {
+      work_.go_on();
+      if (part == 0) embedded_ = checking::check_embedded(view_, surface_, options_).verdict();
+      if (part == 1) check_sections();
+      if (part == 2) manifold_ = checking::check_manifold(view_, options_).verdict();
+      if (part == 3) measure();
+      work_.step_done();
+    });
+    if (refused_) return *std::move(refused_);
+    report_.guarantees = {std::move(manifold_), std::move(resampling_), std::move(embedded_),
+                          std::move(components_)};
+    return std::move(report_);
+  }
+
+ private:
+  static constexpr std::size_t kParts = 4;
+  // Arguments checked, the view made, the parts; components are one more.
+  static constexpr std::size_t kSteps = 2 + kParts + 1;
+
+  void check_sections() {
+    const checking::Resampling resampling = checking::check_resampling(view_, stack_, options_);
+    resampling_ = resampling.findings.verdict();
+    report_.largest_split_ulps = resampling.on_contours.largest_split_ulps;
+    work_.step_done_go_on();
+    const auto components = checking::check_components(view_, stack_, resampling, options_);
+    if (components.ok()) {
+      components_ = components->verdict();
+    } else {
+      refused_ = components.error();
+    }
+  }
+
+  void measure() {
+    report_.components = view_.component_count;
+    for (const SurfaceTopology& topology : surface_.topology) {
+      report_.genus.push_back(topology.genus());
+    }
+    Model sound;
+    sound.points = model_.points;
+    sound.tets = IdVector<TetId, TetVertices>(view_.tets);
+    report_.volume = volume(sound);
+    report_.overshoot = checking::overshoot(view_, stack_);
+    report_.smallest_dihedral_degrees = checking::smallest_dihedral_degrees(view_);
+  }
+
+  const Model& model_;
+  const SectionStack& stack_;
+  const CheckOptions& options_;
+  WatchedWork work_;
+  checking::ModelView view_;
+  SurfaceComponents surface_;
+  GuaranteeVerdict manifold_, resampling_, embedded_, components_;
+  std::optional<Error> refused_;
+  CheckReport report_;
+};
 
 }  // namespace
 
@@ -56,30 +121,7 @@ Result<CheckReport> check(const Model& model, const SectionStack& stack,
                           const CheckOptions& options) {
   return guard_internal([&]() -> Result<CheckReport> {
     if (auto good = check_arguments(model, stack, options); !good.ok()) return good.error();
-    const checking::ModelView view = checking::look_at(model, stack);
-    const SurfaceComponents surface = surface_components(view.boundary);
-
-    CheckReport report;
-    report.guarantees.push_back(checking::check_manifold(view, options).verdict());
-    const checking::Resampling resampling = checking::check_resampling(view, stack, options);
-    report.guarantees.push_back(resampling.findings.verdict());
-    report.guarantees.push_back(checking::check_embedded(view, surface, options).verdict());
-    const auto components = checking::check_components(view, stack, resampling, options);
-    if (!components.ok()) return components.error();
-    report.guarantees.push_back(components->verdict());
-
-    report.components = view.component_count;
-    for (const SurfaceTopology& topology : surface.topology) {
-      report.genus.push_back(topology.genus());
-    }
-    Model sound;
-    sound.points = model.points;
-    sound.tets = IdVector<TetId, TetVertices>(view.tets);
-    report.volume = volume(sound);
-    report.overshoot = checking::overshoot(view, stack);
-    report.smallest_dihedral_degrees = checking::smallest_dihedral_degrees(view);
-    report.largest_split_ulps = resampling.on_contours.largest_split_ulps;
-    return report;
+    return Checks(model, stack, options).run();
   });
 }
 

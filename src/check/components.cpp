@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "check/partition.hpp"
+#include "core/check.hpp"
 
 namespace tetloft::checking {
 
@@ -77,7 +78,7 @@ Result<Findings> check_components(const ModelView& view, const SectionStack& sta
   const std::vector<std::uint32_t> component = components_of_contours(view, on, findings);
 
   auto partition = expected_partition(stack, resampling.refined, options.correspondence);
-  if (!partition.ok()) {
+  if (!accepted(partition)) {
     // What conform() makes of a contour that the model bends badly is the model's fault.
     if (partition.error().code == ErrorCode::invalid_input) return partition.error();
     findings.fail(5, "the correspondence cannot be recomputed",

@@ -7,6 +7,7 @@
 
 #include "check/box_tree.hpp"
 #include "check/partition.hpp"
+#include "core/check.hpp"
 
 namespace tetloft::checking {
 
@@ -64,7 +65,7 @@ class DriftFinder {
     const Point2 before = centre(origin);
     const Point2 d{(now.x - before.x) * factor, (now.y - before.y) * factor};
     const SectionStack moved = shifted(outline_of(r), d);
-    if (!validate(moved).ok()) return;
+    if (!accepted(validate(moved))) return;
     const Section& section = moved.sections[SectionId(0)];
     const Nesting nesting = nest(section);
     if (!is_one_region(nesting)) return;

@@ -7,6 +7,7 @@
 
 #include "check/contour_chains.hpp"
 #include "check/in_plane.hpp"
+#include "core/check.hpp"
 
 namespace tetloft::checking {
 
@@ -109,7 +110,7 @@ void check_refined(const SectionStack& stack, SectionStack& refined, Findings& f
     if (!changed) continue;
     SectionStack alone;
     alone.sections.push_back(after);
-    if (const Result<void> valid = validate(alone); !valid.ok()) {
+    if (const Result<void> valid = validate(alone); !accepted(valid)) {
       findings.fail(13, kWhat, [&] {
         return "section " + std::to_string(s) + ": " + to_string(valid.error());
       });

@@ -1,5 +1,6 @@
 // tetloft check: the four guarantees, exactly.
 #include "cli/commands.hpp"
+#include "cli/progress.hpp"
 #include "cli/stack_input.hpp"
 
 namespace tetloft::cli {
@@ -122,7 +123,11 @@ Result<int> run(const Arguments& arguments, Console& console) {
   if (!labels) return labels.error();
   options.correspondence.labels = *std::move(labels);
 
-  const Result<CheckReport> report = check(*model, input->stack, options);
+  const Result<CheckReport> report = [&] {
+    Progress progress(!console.quiet());
+    options.progress = progress.callback();
+    return check(*model, input->stack, options);
+  }();
   if (!report) return report.error();
   if (console.json()) {
     console.print(to_json(*report, *input, console));

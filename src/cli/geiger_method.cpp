@@ -96,8 +96,13 @@ Result<int> reconstruct_by_geiger(const Arguments& arguments, Console& console) 
   const auto input = read_stack_input(arguments.operand(0), *prepared, console);
   if (!input) return input.error();
   const Stopwatch watch;
-  const Result<GeigerModel> made =
-      reconstruct_geiger(input->stack, {.threads = static_cast<unsigned>(threads->value_or(0))});
+  const Result<GeigerModel> made = [&] {
+    Progress progress(!console.quiet());
+    GeigerOptions options;
+    options.threads = static_cast<unsigned>(threads->value_or(0));
+    options.progress = progress.callback();
+    return reconstruct_geiger(input->stack, options);
+  }();
   const double seconds = watch.seconds();
   if (!made) {
     Error error = made.error();

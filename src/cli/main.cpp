@@ -36,7 +36,7 @@ std::string general_help() {
       "  --version     print the version\n\n"
       "exit codes: 0 done, 1 check: a guarantee fails, 2 usage, 3 invalid input,\n"
       "4 a file cannot be read or written, 5 no valid model representable, 70 internal\n"
-      "error\n";
+      "error, 71 out of memory, 72 arithmetic unfit for exact predicates\n";
   return text;
 }
 
@@ -83,7 +83,7 @@ int run(const std::vector<std::string>& words) {
     const Result<int> result = dispatch(words, console);
     code = result ? *result : console.fail(result.error());
   } catch (const std::bad_alloc&) {
-    code = console.fail({ErrorCode::internal, "out of memory", {}});
+    code = console.fail({ErrorCode::out_of_memory, "out of memory", {}});
   } catch (const std::exception& e) {
     code = console.fail({ErrorCode::internal, e.what(), {}});
   } catch (...) {
@@ -110,6 +110,6 @@ int main(int argc, char** argv) {
   } catch (...) {
     // Not even a message could be put together.
     std::fputs("tetloft: error: out of memory\n", stderr);
-    return static_cast<int>(tetloft::ErrorCode::internal);
+    return static_cast<int>(tetloft::ErrorCode::out_of_memory);
   }
 }

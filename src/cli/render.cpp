@@ -8,6 +8,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/outputs.hpp"
+#include "cli/progress.hpp"
 #include "io/files.hpp"
 #include "io/numbers.hpp"
 
@@ -104,7 +105,7 @@ Result<RenderOptions> render_options(const Arguments& arguments) {
 Result<int> run(const Arguments& arguments, Console& console) {
   const auto output = arguments.text("--output");
   if (!output) return usage_error("missing option --output (-o) OUT");
-  const auto options = render_options(arguments);
+  auto options = render_options(arguments);
   if (!options) return options.error();
   std::vector<std::string> taken{arguments.operand(0)};
   const auto stack_path = arguments.text("--contours");
@@ -126,7 +127,11 @@ Result<int> run(const Arguments& arguments, Console& console) {
   const auto render = extension == ".png"   ? render_png
                       : extension == ".svg" ? render_svg
                                             : render_html;
-  const Result<std::string> picture = render(*model, stack ? &*stack : nullptr, *options);
+  const Result<std::string> picture = [&] {
+    Progress progress(!console.quiet());
+    options->progress = progress.callback();
+    return render(*model, stack ? &*stack : nullptr, *options);
+  }();
   if (!picture) {
     Error error = picture.error();
     if (error.code == ErrorCode::invalid_input) error.where.file = arguments.operand(0);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/correspondence_options.hpp"
 #include "io/numbers.hpp"
 
 namespace tetloft::cli {
@@ -49,7 +50,7 @@ Result<CorrespondenceOptions> correspondence_options(const Arguments& arguments,
   const auto tau = arguments.number("--overlap");
   if (!tau) return tau.error();
   if (tau->has_value()) {
-    if (**tau < 0 || **tau >= 1) {
+    if (!is_overlap_ratio(**tau)) {
       return usage_error("option --overlap: " + io::in_quotes(*arguments.text("--overlap")) +
                          " is not from 0 to below 1");
     }
@@ -61,7 +62,7 @@ Result<CorrespondenceOptions> correspondence_options(const Arguments& arguments,
   const auto drift = arguments.number("--drift");
   if (!drift) return drift.error();
   if (drift->has_value()) {
-    if (**drift < 0 || **drift >= 1) {
+    if (!is_overlap_ratio(**drift)) {
       return usage_error("option --drift: " + io::in_quotes(*arguments.text("--drift")) +
                          " is not from 0 to below 1");
     }

@@ -6,6 +6,7 @@
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include <tetloft/result.hpp>
 
@@ -25,21 +26,42 @@ class Cancelled : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Needs no memory itself: texts this short live in the string.
+[[nodiscard]] Error out_of_memory();
+
+/// What the exception in flight means to a caller. Only in a catch block.
+[[nodiscard]] Error error_of_exception();
+
 /// Runs an API function's body: returns its Result, and turns anything thrown inside
 /// into an Error.
 template <class Body>
 auto guard_internal(Body&& body) -> decltype(body()) {
   try {
     return body();
-  } catch (const std::bad_alloc&) {
-    return Error{ErrorCode::internal, "out of memory", {}};
-  } catch (const Cancelled& e) {
-    return Error{ErrorCode::cancelled, e.what(), {}};
-  } catch (const std::exception& e) {
-    return Error{ErrorCode::internal, e.what(), {}};
   } catch (...) {
-    return Error{ErrorCode::internal, "unknown exception", {}};
+    return error_of_exception();
   }
+}
+
+/// An Error on its way through code that has no use for it.
+class Failed : public std::exception {
+ public:
+  explicit Failed(Error error) : error_(std::move(error)) {}
+  [[nodiscard]] const char* what() const noexcept override { return error_.message.c_str(); }
+  [[nodiscard]] const Error& error() const noexcept { return error_; }
+
+ private:
+  Error error_;
+};
+
+/// Where a refusal is an answer, as of a trial: whether `result` is none. Throws Failed where the
+/// error says nothing about what was tried: memory ended, say.
+template <class T>
+[[nodiscard]] bool accepted(const Result<T>& result) {
+  if (result) return true;
+  const ErrorCode code = result.error().code;
+  if (code == ErrorCode::invalid_input || code == ErrorCode::unrepresentable) return false;
+  throw Failed(result.error());
 }
 
 }  // namespace tetloft

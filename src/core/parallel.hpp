@@ -12,7 +12,9 @@ namespace tetloft {
 /// Calls body(i) once for every i in 0 … n−1 on up to `threads` threads (0: as many as the
 /// machine offers) and waits. Iterations must not depend on each other; they start in
 /// increasing order. Of exceptions thrown by iterations the one of the lowest index is
-/// rethrown, after all started iterations ended.
+/// rethrown, after all started iterations ended. Where the system refuses a thread the others do
+/// its work: the calling thread is one of them. Their CPU time counts as the caller's
+/// (cpu_clock.hpp).
 void parallel_for(std::size_t n, unsigned threads, const std::function<void(std::size_t)>& body);
 
 }  // namespace tetloft

@@ -15,6 +15,8 @@ const char* name_of(ErrorCode code) {
     case ErrorCode::unrepresentable: return "unrepresentable";
     case ErrorCode::cancelled: return "cancelled";
     case ErrorCode::internal: return "internal";
+    case ErrorCode::out_of_memory: return "out_of_memory";
+    case ErrorCode::unfit_arithmetic: return "unfit_arithmetic";
   }
   return "internal";
 }
@@ -63,6 +65,31 @@ std::string to_string(const Place& place) {
 std::string to_string(const Error& error) { return with_place(error.where, error.message); }
 
 std::string to_string(const Warning& warning) { return with_place(warning.where, warning.message); }
+
+Error out_of_memory() { return {ErrorCode::out_of_memory, "out of memory", {}}; }
+
+Error error_of_exception() {
+  try {
+    // Texts of errors take memory, too: the outer handler is for where that ends here.
+    try {
+      throw;
+    } catch (const std::bad_alloc&) {
+      return out_of_memory();
+    } catch (const std::length_error&) {  // more than any memory holds
+      return out_of_memory();
+    } catch (const Failed& e) {
+      return e.error();
+    } catch (const Cancelled& e) {
+      return Error{ErrorCode::cancelled, e.what(), {}};
+    } catch (const std::exception& e) {
+      return Error{ErrorCode::internal, e.what(), {}};
+    } catch (...) {
+      return Error{ErrorCode::internal, "unknown exception", {}};
+    }
+  } catch (...) {
+    return out_of_memory();
+  }
+}
 
 void fail_check(const char* condition, const char* file, int line) {
   std::string name = file;

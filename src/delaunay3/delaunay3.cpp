@@ -12,6 +12,7 @@
 #include <tetloft/predicates.hpp>
 
 #include "core/check.hpp"
+#include "core/enums.hpp"
 #include "core/parallel.hpp"
 #include "delaunay3/affine_basis.hpp"
 #include "delaunay3/canonical_mesh.hpp"
@@ -162,6 +163,9 @@ Result<bool> insert_points(RankedPoints& ranked, Delaunay3& out) {
 
 Result<Delaunay3> triangulate(std::span<const Point3> points, const Delaunay3Options& options) {
   const DelaunayEngine engine = options.engine;
+  if (!is_enumerator(engine, DelaunayEngine::slab)) {
+    return Error{ErrorCode::usage, "there is no such Delaunay engine", {}};
+  }
   if (Result<void> checked = fp_self_check(); !checked) return checked.error();
   if (Result<void> checked = check_points(points); !checked) return checked.error();
   Delaunay3 out;
@@ -181,6 +185,45 @@ Result<Delaunay3> triangulate(std::span<const Point3> points, const Delaunay3Opt
   return out;
 }
 
+Result<void> check_flat_points(const Triangulation2& plane) {
+  for (std::size_t i = 0; i < plane.points.size(); ++i) {
+    const Point2& p = plane.points[VertexId(i)];
+    if (std::isfinite(p.x) && std::isfinite(p.y)) continue;
+    Error error{ErrorCode::invalid_input, "a coordinate is not finite", {}};
+    error.where.vertex = i;
+    return error;
+  }
+  return {};
+}
+
+// Ids in range, and neighbours mutual: what the overlay walks along.
+Result<void> check_triangles(const Triangulation2& plane) {
+  const auto refused = [](std::size_t t, const char* why) {
+    return Error{ErrorCode::invalid_input, "triangle " + std::to_string(t) + why, {}};
+  };
+  for (std::size_t t = 0; t < plane.triangles.size(); ++t) {
+    const TriangleVertices& v = plane.triangles[TriangleId(t)];
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (v[i].index() >= plane.points.size()) return refused(t, " has a corner that is no point");
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      const TriangleId n = plane.neighbours[TriangleId(t)][i];
+      if (!n.valid()) continue;
+      if (n.index() >= plane.triangles.size()) {
+        return refused(t, " has a neighbour that is no triangle");
+      }
+      bool mutual = false;
+      for (std::size_t j = 0; j < 3; ++j) {
+        const TriangleVertices& w = plane.triangles[n];
+        mutual = mutual || (plane.neighbours[n][j] == TriangleId(t) &&
+                            w[(j + 1) % 3] == v[(i + 2) % 3] && w[(j + 2) % 3] == v[(i + 1) % 3]);
+      }
+      if (!mutual) return refused(t, " is not its neighbour's neighbour across their edge");
+    }
+  }
+  return {};
+}
+
 Result<void> check_planes(const Triangulation2& lower, const Triangulation2& upper) {
   constexpr std::size_t kMostVertices = std::size_t{1} << 29;
   if (lower.points.size() + upper.points.size() >= kMostVertices) {
@@ -193,6 +236,8 @@ Result<void> check_planes(const Triangulation2& lower, const Triangulation2& upp
     if (plane->neighbours.size() != plane->triangles.size()) {
       return Error{ErrorCode::invalid_input, "a plane without all neighbours of triangles", {}};
     }
+    if (Result<void> fine = check_triangles(*plane); !fine) return fine;
+    if (Result<void> fine = check_flat_points(*plane); !fine) return fine;
     for (std::size_t i = 1; i < plane->points.size(); ++i) {
       const VertexId v(i);
       if (canonical_less(plane->points[VertexId(i - 1)], plane->points[v])) continue;

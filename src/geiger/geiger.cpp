@@ -8,9 +8,12 @@
 #include <utility>
 #include <vector>
 
+#include <tetloft/predicates.hpp>
+
 #include "core/check.hpp"
 #include "core/parallel.hpp"
 #include "core/union_find.hpp"
+#include "core/watched_work.hpp"
 #include "geiger/elimination.hpp"
 #include "geiger/obtuse.hpp"
 #include "geiger/projection.hpp"
@@ -22,7 +25,9 @@ namespace {
 class Geiger {
  public:
   Geiger(const SectionStack& stack, const GeigerOptions& options)
-      : stack_(stack), options_(options) {}
+      : stack_(stack),
+        options_(options),
+        work_(options.stop, options.progress, 3 * stack.sections.size() - 1) {}
 
   Result<GeigerModel> run() {
     if (Result<void> valid = validate(stack_, options_.threads); !valid) return valid.error();
@@ -45,13 +50,23 @@ class Geiger {
 
   [[nodiscard]] std::size_t size() const { return stack_.sections.size(); }
 
+  // Calls body(i) in parallel, each a step of the work.
+  template <class Body>
+  void for_each(std::size_t n, const Body& body) {
+    parallel_for(n, options_.threads, [&](std::size_t i) {
+      work_.go_on();
+      body(i);
+      work_.step_done();
+    });
+  }
+
   // Steps 1 and 2.
   Result<void> make_sections() {
     std::vector<Section> contours(size());
     std::vector<ConformingSection> before(size());
     std::vector<std::size_t> feet(size(), 0);
     std::vector<std::optional<Error>> errors(size());
-    parallel_for(size(), options_.threads, [&](std::size_t s) {
+    for_each(size(), [&](std::size_t s) {
       const SectionId id(s);
       Result<Section> footed = options_.refine ? geiger::with_feet(stack_.sections[id], id, feet[s])
                                                : Result<Section>(stack_.sections[id]);
@@ -70,7 +85,7 @@ class Geiger {
     if (const auto error = first(errors)) return *error;
     sections_.resize(size());
     std::vector<std::size_t> projected(size(), 0);
-    parallel_for(size(), options_.threads, [&](std::size_t s) {
+    for_each(size(), [&](std::size_t s) {
       std::vector<Point2> candidates;
       for (const std::size_t other : {s - 1, s + 1}) {
         if (!options_.refine || other >= size()) continue;
@@ -98,7 +113,7 @@ class Geiger {
   Result<void> make_slabs() {
     slabs_.resize(size() - 1);
     std::vector<std::optional<Error>> errors(size() - 1);
-    parallel_for(size() - 1, options_.threads, [&](std::size_t s) {
+    for_each(size() - 1, [&](std::size_t s) {
       const ConformingSection& lower = sections_[s];
       const ConformingSection& upper = sections_[s + 1];
       if (lower.vertex_count() == 0 || upper.vertex_count() == 0) return;
@@ -232,12 +247,16 @@ class Geiger {
   std::vector<SlabTets> slabs_;
   Model model_;
   GeigerReport report_;
+  WatchedWork work_;
 };
 
 }  // namespace
 
 Result<GeigerModel> reconstruct_geiger(const SectionStack& stack, const GeigerOptions& options) {
-  return guard_internal([&] { return Geiger(stack, options).run(); });
+  return guard_internal([&]() -> Result<GeigerModel> {
+    if (Result<void> sound = fp_self_check(); !sound) return sound.error();
+    return Geiger(stack, options).run();
+  });
 }
 
 }  // namespace tetloft

@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/check.hpp"
+
 namespace tetloft::geiger {
 
 namespace {
@@ -70,7 +72,7 @@ Result<Section> with_feet(const Section& section, SectionId id, std::size_t& fee
   Section current = section;
   for (int round = 0; round < kRounds; ++round) {
     Result<ConformingSection> conforming = conform(current, id);
-    if (!conforming) {
+    if (!accepted(conforming)) {
       if (round == 0) return conforming.error();
       break;
     }
@@ -78,7 +80,7 @@ Result<Section> with_feet(const Section& section, SectionId id, std::size_t& fee
     if (found.empty()) break;
     SectionStack next;
     next.sections.push_back(rebuilt(current, *conforming, found));
-    if (!validate(next)) break;
+    if (!accepted(validate(next))) break;
     current = std::move(next.sections[SectionId(0)]);
     feet += found.size();
   }

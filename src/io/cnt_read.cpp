@@ -13,6 +13,7 @@
 #include <tetloft/io.hpp>
 
 #include "core/check.hpp"
+#include "io/arguments.hpp"
 #include "io/cnt_contents.hpp"
 #include "io/cursor.hpp"
 #include "io/files.hpp"
@@ -31,6 +32,7 @@ class CntReader {
   CntReader(std::string_view text, const std::string& name) : cursor_(text), name_(name) {}
 
   Result<ReadStack> read(Validity validity) {
+    if (Result<void> known = io::check_validity(validity); !known) return known.error();
     Result<void> parsed = read_sections();
     // Nothing is wrong before the first odd contour, whatever follows.
     if (!parsed && !contents_.odd) return parsed.error();

@@ -6,6 +6,7 @@
 #include <tetloft/io.hpp>
 
 #include "core/check.hpp"
+#include "io/arguments.hpp"
 #include "io/numbers.hpp"
 #include "io/stage.hpp"
 #include "io/vtk_write.hpp"
@@ -15,6 +16,7 @@ namespace tetloft {
 Result<io::PendingFile> io::stage_lines(const std::string& path, const LineSet& lines,
                                         Encoding encoding, TemporaryWatcher* watcher) {
   return guard_internal([&]() -> Result<PendingFile> {
+    if (Result<void> known = check_encoding(encoding); !known) return known.error();
     const std::size_t n = lines.lines.size();
     io::VtkGroup cell_data{"CellData", {}};
     for (const LineSet::Array& array : lines.data) {

@@ -8,12 +8,14 @@
 #include <tetloft/io.hpp>
 
 #include "core/check.hpp"
+#include "io/arguments.hpp"
 #include "io/files.hpp"
 #include "io/numbers.hpp"
 #include "io/stage.hpp"
 #include "io/stl_write.hpp"
 #include "io/surface.hpp"
 #include "io/vtk_write.hpp"
+#include "model/well_formed.hpp"
 
 namespace tetloft {
 
@@ -117,16 +119,16 @@ void append_vtp(PendingFile& file, const SurfaceMesh& mesh, const Model& model, 
   const std::size_t points = mesh.points.size();
   const std::size_t triangles = mesh.triangles.size();
   VtkGroup point_data{"PointData", {}};
-  if (model.section.size() == model.points.size()) {
+  if (!model.section.empty()) {
     point_data.arrays.push_back(vtk_array<std::int32_t>(
         "section", 1, points, [&](std::size_t i) { return model.section[mesh.vertex[i]]; }));
   }
-  if (model.contour.size() == model.points.size()) {
+  if (!model.contour.empty()) {
     point_data.arrays.push_back(vtk_array<std::int32_t>(
         "contour", 1, points, [&](std::size_t i) { return model.contour[mesh.vertex[i]]; }));
   }
   VtkGroup cell_data{"CellData", {}};
-  if (model.component.size() == model.tets.size()) {
+  if (!model.component.empty()) {
     cell_data.arrays.push_back(
         vtk_array<std::int32_t>("component", 1, triangles, [&](std::size_t i) {
           return static_cast<std::int32_t>(model.component[mesh.tet[i]].value());
@@ -168,6 +170,10 @@ Result<io::StagedSurface> io::stage_surface(const std::string& path, const Model
                   {}};
       error.where.file = path;
       return error;
+    }
+    if (Result<void> known = io::check_encoding(encoding); !known) return known.error();
+    if (Result<void> formed = check_well_formed(model); !formed) {
+      return io::at_file(path, formed);
     }
     const io::SurfaceMesh mesh = io::surface_mesh(model);
     std::vector<Warning> warnings;

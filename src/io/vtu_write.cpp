@@ -1,15 +1,16 @@
 // Tetrahedral meshes as VTK XML unstructured grids (.vtu).
 #include <cstdint>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
 #include <tetloft/io.hpp>
 
 #include "core/check.hpp"
+#include "io/arguments.hpp"
 #include "io/stage.hpp"
 #include "io/vtk_write.hpp"
+#include "model/well_formed.hpp"
 
 namespace tetloft {
 
@@ -72,28 +73,6 @@ void add_unless_empty(VtkGroup& group, VtkArray array) {
   if (array.bytes != 0) group.arrays.push_back(std::move(array));
 }
 
-Result<void> check_size(const char* name, std::size_t size, std::size_t expected) {
-  if (size == 0 || size == expected) return {};
-  return Error{ErrorCode::invalid_input,
-               std::string("the model's array ") + name + " has " + std::to_string(size) +
-                   " values where " + std::to_string(expected) + " are due",
-               {}};
-}
-
-Result<void> check_sizes(const Model& model) {
-  const std::size_t points = model.points.size();
-  const std::size_t tets = model.tets.size();
-  for (const auto& [name, size, expected] :
-       {std::tuple{"component", model.component.size(), tets},
-        std::tuple{"slab", model.slab.size(), tets}, std::tuple{"kind", model.kind.size(), tets},
-        std::tuple{"section", model.section.size(), points},
-        std::tuple{"contour", model.contour.size(), points},
-        std::tuple{"origin", model.origin.size(), points}}) {
-    if (Result<void> fits = check_size(name, size, expected); !fits) return fits;
-  }
-  return {};
-}
-
 Result<io::PendingFile> stage(const std::string& path, const std::vector<VtkGroup>& groups,
                               std::size_t points, std::size_t tets, Encoding encoding,
                               io::TemporaryWatcher* watcher) {
@@ -110,7 +89,8 @@ Result<io::PendingFile> stage(const std::string& path, const std::vector<VtkGrou
 Result<io::PendingFile> io::stage_vtu(const std::string& path, const Model& model,
                                       Encoding encoding, TemporaryWatcher* watcher) {
   return guard_internal([&]() -> Result<PendingFile> {
-    if (Result<void> fits = check_sizes(model); !fits) return fits.error();
+    if (Result<void> known = check_encoding(encoding); !known) return known.error();
+    if (Result<void> formed = check_well_formed(model); !formed) return at_file(path, formed);
     VtkGroup point_data{"PointData", {}};
     add_unless_empty(point_data, int_array("section", model.section));
     add_unless_empty(point_data, int_array("contour", model.contour));
@@ -129,7 +109,11 @@ Result<io::PendingFile> io::stage_vtu(const std::string& path, const Model& mode
 Result<io::PendingFile> io::stage_vtu(const std::string& path, const std::vector<Point3>& points,
                                       const std::vector<TetVertices>& tets, Encoding encoding,
                                       TemporaryWatcher* watcher) {
-  return guard_internal([&] {
+  return guard_internal([&]() -> Result<PendingFile> {
+    if (Result<void> known = check_encoding(encoding); !known) return known.error();
+    if (Result<void> formed = check_tets(points.size(), tets); !formed) {
+      return at_file(path, formed);
+    }
     return stage(path, {point_group(points), cell_group(tets)}, points.size(), tets.size(),
                  encoding, watcher);
   });

@@ -1,6 +1,7 @@
 // Local edits: each keeps every condition of validate().
 #include <tetloft/tet_mesh.hpp>
 
+#include <algorithm>
 #include <optional>
 #include <string>
 
@@ -32,6 +33,26 @@ VertexId TetMesh::add_vertices(std::size_t n) {
   const VertexId first(first_corner_.size());
   first_corner_.resize(first_corner_.size() + n);
   return first;
+}
+
+void TetMesh::add_slot() {
+  // Room is made in all arrays before one of them grows: should memory end, the mesh is as it was.
+  if (tets_.size() == tets_.capacity()) {
+    const std::size_t room = std::max<std::size_t>(4, 2 * tets_.size());
+    tets_.reserve(room);
+    opposite_.reserve(4 * room);
+    next_corner_.reserve(4 * room);
+    previous_corner_.reserve(4 * room);
+  }
+  const std::size_t corners = 4 * (tets_.size() + 1);
+  // Arrays may have been made with room of their own.
+  opposite_.reserve(corners);
+  next_corner_.reserve(corners);
+  previous_corner_.reserve(corners);
+  tets_.emplace_back();
+  opposite_.resize(corners);
+  next_corner_.resize(corners);
+  previous_corner_.resize(corners);
 }
 
 Result<HalfFaceId> TetMesh::find_partner(const TetVertices& tet, std::size_t i) const {
@@ -72,10 +93,7 @@ Result<TetId> TetMesh::add_tet(const TetVertices& tet) {
     }
 
     if (free_.empty()) {
-      tets_.emplace_back();
-      opposite_.resize(opposite_.size() + 4);
-      next_corner_.resize(next_corner_.size() + 4);
-      previous_corner_.resize(previous_corner_.size() + 4);
+      add_slot();
     } else {
       free_.pop_back();
     }
@@ -91,6 +109,7 @@ Result<TetId> TetMesh::add_tet(const TetVertices& tet) {
 }
 
 void TetMesh::remove_tet(TetId t) {
+  free_.push_back(t);  // all that takes memory: the mesh is as it was where that ends
   for (int i = 0; i < 4; ++i) {
     const HalfFaceId h = half_face(t, i);
     const HalfFaceId o = opposite(h);
@@ -99,11 +118,12 @@ void TetMesh::remove_tet(TetId t) {
     erase_corner(h);
   }
   tets_[t.index()] = TetVertices{};
-  free_.push_back(t);
 }
 
 IdVector<TetId, TetId> TetMesh::compact() {
   IdVector<TetId, TetId> new_id(tet_slots());
+  // The last of what takes memory: the mesh is as it was where that ends.
+  std::vector<HalfFaceId> last(first_corner_.size());
   std::size_t count = 0;
   for (std::size_t t = 0; t < tet_slots(); ++t) {
     if (is_live(TetId(t))) new_id[TetId(t)] = TetId(count++);
@@ -121,7 +141,7 @@ IdVector<TetId, TetId> TetMesh::compact() {
   tets_.resize(count);
   opposite_.resize(4 * count);
   free_.clear();
-  build_corner_lists();
+  build_corner_lists(last);
   return new_id;
 }
 

@@ -68,17 +68,17 @@ TetMesh TetMesh::from_adjacency(std::size_t vertex_count, std::vector<TetVertice
   for (std::size_t t = 0; t < mesh.tets_.size(); ++t) {
     if (!mesh.is_live(TetId(t))) mesh.free_.push_back(TetId(t));
   }
-  mesh.build_corner_lists();
+  std::vector<HalfFaceId> last(vertex_count);
+  mesh.build_corner_lists(last);
   return mesh;
 }
 
-void TetMesh::build_corner_lists() {
+void TetMesh::build_corner_lists(std::vector<HalfFaceId>& last) {
   std::fill(first_corner_.begin(), first_corner_.end(), HalfFaceId());
   next_corner_.assign(4 * tets_.size(), HalfFaceId());
   previous_corner_.assign(4 * tets_.size(), HalfFaceId());
   // By id, as insert_corner() would, but the circles are closed at the end: each corner then
   // touches one other.
-  std::vector<HalfFaceId> last(first_corner_.size());
   for (std::size_t t = 0; t < tets_.size(); ++t) {
     if (!is_live(TetId(t))) continue;
     for (int i = 0; i < 4; ++i) {

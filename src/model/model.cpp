@@ -43,6 +43,21 @@ TriangleVertices face_of_tet(const TetVertices& tet, std::size_t face) {
           tet[static_cast<std::size_t>(local[2])]};
 }
 
+// Its vertices are the model's.
+bool is_sound(const Model& model, const TetVertices& tet) {
+  return std::all_of(tet.begin(), tet.end(),
+                     [&](VertexId v) { return v.index() < model.points.size(); });
+}
+
+std::vector<TetId> sound_tets(const Model& model) {
+  std::vector<TetId> sound;
+  sound.reserve(model.tets.size());
+  for (std::size_t t = 0; t < model.tets.size(); ++t) {
+    if (is_sound(model, model.tets[TetId(t)])) sound.emplace_back(t);
+  }
+  return sound;
+}
+
 }  // namespace
 
 Surface boundary_surface(const Model& model) {
@@ -52,10 +67,11 @@ Surface boundary_surface(const Model& model) {
     VertexId middle, high;
     std::uint32_t half_face;
   };
-  const std::size_t face_count = 4 * model.tets.size();
+  const std::vector<TetId> sound = sound_tets(model);
+  const std::size_t face_count = 4 * sound.size();
   std::vector<std::uint32_t> first(model.points.size() + 1, 0);
   const auto sorted_face = [&](std::size_t h) {
-    TriangleVertices f = face_of_tet(model.tets.raw()[h / 4], h % 4);
+    TriangleVertices f = face_of_tet(model.tets[sound[h / 4]], h % 4);
     std::sort(f.begin(), f.end());
     return f;
   };
@@ -88,8 +104,8 @@ Surface boundary_surface(const Model& model) {
   Surface surface;
   for (std::size_t h = 0; h < face_count; ++h) {
     if (on_boundary[h] == 0) continue;
-    surface.triangles.push_back(face_of_tet(model.tets.raw()[h / 4], h % 4));
-    surface.tet.push_back(TetId(h / 4));
+    surface.triangles.push_back(face_of_tet(model.tets[sound[h / 4]], h % 4));
+    surface.tet.push_back(sound[h / 4]);
   }
   return surface;
 }
@@ -99,6 +115,7 @@ double volume(const Model& model) {
   double sum = 0;
   double lost = 0;
   for (const TetVertices& tet : model.tets) {
+    if (!is_sound(model, tet)) continue;
     const Point3& d = model.points[tet[3]];
     const auto from_d = [&](int i) {
       const Point3& p = model.points[tet[static_cast<std::size_t>(i)]];

@@ -73,7 +73,8 @@ bool flushes_denormals() {
 }
 
 Error unfit(const char* what) {
-  return {ErrorCode::internal, std::string("floating-point environment unfit: ") + what, {}};
+  return {
+      ErrorCode::unfit_arithmetic, std::string("floating-point environment unfit: ") + what, {}};
 }
 
 }  // namespace

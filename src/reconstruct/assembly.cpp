@@ -1,10 +1,10 @@
 #include "reconstruct/assembly.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 #include "core/check.hpp"
+#include "core/cpu_clock.hpp"
 
 namespace tetloft {
 
@@ -17,14 +17,14 @@ Assembly::Assembly(const IdVector<SectionId, ConformingSection>& sections,
 void Assembly::add(std::size_t place, Part part) {
   const std::scoped_lock lock(mutex_);
   waiting_.emplace(place, std::move(part));
-  const auto start = std::chrono::steady_clock::now();
+  const WorkStopwatch watch;
   while (!waiting_.empty() && waiting_.begin()->first == next_) {
-    glue(waiting_.begin()->second);
-    waiting_.erase(waiting_.begin());
+    // Taken out first: should memory end amid gluing, no other thread tries again.
+    const auto part_at = waiting_.extract(waiting_.begin());
+    glue(part_at.mapped());
     ++next_;
   }
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  tally_.seconds[static_cast<std::size_t>(Step::assembly)] += taken.count();
+  tally_.seconds[static_cast<std::size_t>(Step::assembly)] += watch.seconds();
 }
 
 Model Assembly::take() {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/check.hpp"
 #include "reconstruct/contour_box.hpp"
 
 namespace tetloft {
@@ -64,7 +65,7 @@ std::optional<MovedRegion> moved(const Regions& regions, RegionId r, const Point
   }
   SectionStack alone;
   alone.sections.push_back(std::move(section));
-  if (!validate(alone)) return std::nullopt;
+  if (!accepted(validate(alone))) return std::nullopt;
   MovedRegion result{std::move(alone.sections[SectionId(0)]), {}};
   result.nesting = nest(result.section);
   const IdVector<RegionId, ContourId>& outer = result.nesting.outer;

@@ -1,12 +1,12 @@
 #include "reconstruct/embedding.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include <tetloft/predicates.hpp>
 
 #include "core/check.hpp"
+#include "core/cpu_clock.hpp"
 #include "reconstruct/cut_squeezing.hpp"
 
 namespace tetloft {
@@ -175,10 +175,9 @@ Embedding::Blame Embedding::find_fault() {
   }
   if (!blame.empty()) return blame;
 
-  const auto start = std::chrono::steady_clock::now();
+  const WorkStopwatch watch;
   const std::vector<Contact> contacts = boundary_contacts();
-  contact_seconds_ +=
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  contact_seconds_ += watch.seconds();
   for (const Contact& contact : contacts) {
     at_ = points_[boundary_[contact.first][0].index()];
     Blame pair;

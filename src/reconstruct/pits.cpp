@@ -66,7 +66,7 @@ ConformingSection with_exterior_vertices(const ConformingSection& section,
                              section.triangulation.points.end());
   points.insert(points.end(), exterior.begin(), exterior.end());
   Result<Triangulation2> triangulation = delaunay2(points);
-  TETLOFT_CHECK(triangulation.ok());
+  TETLOFT_CHECK(accepted(triangulation));
 
   ConformingSection result;
   result.z = section.z;

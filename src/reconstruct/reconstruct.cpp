@@ -4,13 +4,16 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <mutex>
 #include <optional>
 
 #include <tetloft/predicates.hpp>
 
 #include "core/check.hpp"
+#include "core/correspondence_options.hpp"
+#include "core/cpu_clock.hpp"
+#include "core/enums.hpp"
 #include "core/parallel.hpp"
+#include "core/watched_work.hpp"
 #include "reconstruct/assembly.hpp"
 #include "reconstruct/correspondence.hpp"
 #include "reconstruct/drift_links.hpp"
@@ -22,14 +25,18 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
+// Steps that the caller's callback hears of; an empty stack is refused.
+std::size_t step_count(const SectionStack& stack) {
+  const std::size_t sections = stack.sections.size();
+  return sections == 0 ? 0 : 2 * sections - 1;
 }
 
 class Reconstructor {
  public:
   Reconstructor(const SectionStack& stack, const ReconstructOptions& options)
-      : stack_(stack), options_(options) {}
+      : stack_(stack),
+        options_(options),
+        work_(options.stop, options.progress, step_count(stack)) {}
 
   Result<Reconstruction> run() {
     const auto start = Clock::now();
@@ -40,7 +47,9 @@ class Reconstructor {
     // Usually once; again when a class needs Gabriel edges to be connectable.
     for (;;) {
       if (auto error = find_correspondence()) return *error;
+      const WorkStopwatch watch;
       Assembly assembly(sections_, correspondence_);
+      add_seconds(Step::assembly, watch);
       Result<std::optional<Unconnected>> built = build_parts(assembly);
       if (!built) return built.error();
       if (*built) {
@@ -49,7 +58,7 @@ class Reconstructor {
       }
       result_.model = assembly.take();
       result_.partition = std::move(correspondence_.partition);
-      report(assembly.tally(), seconds_since(start));
+      report(assembly.tally(), std::chrono::duration<double>(Clock::now() - start).count());
       return std::move(result_);
     }
   }
@@ -68,20 +77,8 @@ class Reconstructor {
   [[nodiscard]] std::size_t section_count() const { return stack_.sections.size(); }
   [[nodiscard]] std::size_t slab_count() const { return section_count() - 1; }
 
-  void add_seconds(Step step, double seconds) {
-    result_.report.seconds[static_cast<std::size_t>(step)] += seconds;
-  }
-
-  void step_done() {
-    if (!options_.progress) return;
-    const std::scoped_lock lock(progress_mutex_);
-    try {
-      options_.progress(++done_, section_count() + slab_count());
-    } catch (const std::exception& e) {
-      throw Cancelled(std::string("the progress callback threw: ") + e.what());
-    } catch (...) {
-      throw Cancelled("the progress callback threw");
-    }
+  void add_seconds(Step step, const WorkStopwatch& watch) {
+    result_.report.seconds[static_cast<std::size_t>(step)] += watch.seconds();
   }
 
   // Runs body(i) -> std::optional<Error> in parallel; the error of the lowest index, if any.
@@ -89,7 +86,7 @@ class Reconstructor {
   std::optional<Error> parallel_errors(std::size_t n, const Body& body) const {
     std::vector<std::optional<Error>> errors(n);
     parallel_for(n, options_.threads, [&](std::size_t i) {
-      if (options_.stop.stop_requested()) throw Cancelled("stopped");
+      work_.go_on();
       errors[i] = body(i);
     });
     for (std::optional<Error>& error : errors) {
@@ -99,17 +96,13 @@ class Reconstructor {
   }
 
   [[nodiscard]] std::optional<Error> check_options() const {
-    const double tau = options_.correspondence.tau;
-    if (!(tau >= 0 && tau < 1)) {
-      return Error{ErrorCode::usage, "the overlap threshold must be in [0, 1)", {}};
+    const Result<void> sensible = check_correspondence_options(options_.correspondence);
+    if (!sensible) return sensible.error();
+    if (!is_enumerator(options_.ends, Ends::half)) {
+      return Error{ErrorCode::usage, "there are no such ends: flat or half", {}};
     }
-    if (const auto& drift = options_.correspondence.drift) {
-      if (!(*drift >= 0 && *drift < 1)) {
-        return Error{ErrorCode::usage, "the drift threshold must be in [0, 1)", {}};
-      }
-      if (options_.correspondence.criterion != Criterion::overlap) {
-        return Error{ErrorCode::usage, "drift belongs to the overlap criterion", {}};
-      }
+    if (!is_enumerator(options_.delaunay, DelaunayEngine::slab)) {
+      return Error{ErrorCode::usage, "there is no such Delaunay engine", {}};
     }
     if (options_.thickness && !(*options_.thickness > 0 && std::isfinite(*options_.thickness))) {
       return Error{ErrorCode::usage, "the thickness must be positive and finite", {}};
@@ -118,7 +111,7 @@ class Reconstructor {
   }
 
   std::optional<Error> prepare_sections() {
-    const auto start = Clock::now();
+    const WorkStopwatch watch;
     if (Result<void> valid = validate(stack_, options_.threads); !valid) return valid.error();
     nestings_.resize(section_count());
     sections_.resize(section_count());
@@ -126,10 +119,10 @@ class Reconstructor {
     auto error = parallel_errors(section_count(), [&](std::size_t s) {
       nestings_[SectionId(s)] = nest(stack_.sections[SectionId(s)]);
       auto failed = conform_section(SectionId(s));
-      step_done();
+      work_.step_done();
       return failed;
     });
-    add_seconds(Step::sections, seconds_since(start));
+    add_seconds(Step::sections, watch);
     return error;
   }
 
@@ -141,7 +134,7 @@ class Reconstructor {
   }
 
   std::optional<Error> find_correspondence() {
-    const auto start = Clock::now();
+    const WorkStopwatch watch;
     IdVector<SlabId, std::vector<Link>> candidates(slab_count());
     auto error = parallel_errors(slab_count(), [&](std::size_t k) {
       return find_candidates(SlabId(k), candidates[SlabId(k)]);
@@ -154,7 +147,7 @@ class Reconstructor {
         decide_correspondence(stack_, nestings_, candidates, options_.correspondence.labels);
     if (!decided) return decided.error();
     correspondence_ = std::move(decided.value());
-    add_seconds(Step::correspondence, seconds_since(start));
+    add_seconds(Step::correspondence, watch);
     return std::nullopt;
   }
 
@@ -207,7 +200,7 @@ class Reconstructor {
       if (!solid) return solid.error();
       unconnectable[SlabId(k)] = std::move(solid->unconnectable);
       assembly.add(ends_below + k, {SlabId(k), below, above, std::move(solid.value())});
-      if (refinements_ == 0) step_done();  // each slab counts once
+      if (refinements_ == 0) work_.step_done();  // each slab counts once
       return std::nullopt;
     });
     if (error) return *error;
@@ -246,8 +239,11 @@ class Reconstructor {
     }
     if (!news) return cannot_connect(unconnected);
     ++refinements_;
-    if (auto error = conform_section(below)) return error;
-    return conform_section(above);
+    const WorkStopwatch watch;
+    auto error = conform_section(below);
+    if (!error) error = conform_section(above);
+    add_seconds(Step::sections, watch);
+    return error;
   }
 
   [[nodiscard]] Error cannot_connect(const Unconnected& unconnected) const {
@@ -347,8 +343,7 @@ class Reconstructor {
   Correspondence correspondence_;
   std::optional<EndPlanes> ends_;
   std::uint64_t refinements_ = 0;
-  std::mutex progress_mutex_;
-  std::size_t done_ = 0;
+  WatchedWork work_;
   Reconstruction result_;
 };
 

@@ -1,11 +1,11 @@
 #include "reconstruct/slab_solid.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <optional>
 #include <utility>
 
 #include "core/check.hpp"
+#include "core/cpu_clock.hpp"
 #include "reconstruct/embedding.hpp"
 #include "reconstruct/pits.hpp"
 #include "reconstruct/trimming.hpp"
@@ -18,16 +18,11 @@ namespace {
 class StepClock {
  public:
   explicit StepClock(std::array<double, kSteps>& seconds) : seconds_(seconds) {}
-  void end(Step step) {
-    const auto now = Clock::now();
-    seconds_[static_cast<std::size_t>(step)] += std::chrono::duration<double>(now - last_).count();
-    last_ = now;
-  }
+  void end(Step step) { seconds_[static_cast<std::size_t>(step)] += watch_.lap(); }
 
  private:
-  using Clock = std::chrono::steady_clock;
   std::array<double, kSteps>& seconds_;
-  Clock::time_point last_ = Clock::now();
+  WorkStopwatch watch_;
 };
 
 Error no_room(SlabId id, const Point3& at,
@@ -152,7 +147,7 @@ Result<SlabSolid> build_between(SlabId id, const ConformingSection& lower,
   // Each round but the last opens a pit at least, or gives all of them up.
   for (;;) {
     Result<std::optional<SlabSolid>> built = build_once(id, pits, links, engine, seconds);
-    if (built && !*built) continue;
+    if (accepted(built) && !*built) continue;
     if (pits.opened() > 0 && (!built || !(*built)->unconnectable.empty())) {
       pits.give_up();
       continue;

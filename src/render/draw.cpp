@@ -83,23 +83,28 @@ Sampled sample(const SceneTriangle& triangle, const View& view, double px, doubl
 
 }  // namespace
 
-Picture draw(const Scene& scene, const RenderOptions& options) {
+Picture draw(const Scene& scene, const RenderOptions& options, WatchedWork& work) {
   const auto width = static_cast<std::size_t>(options.width);
   const auto height = static_cast<std::size_t>(options.height);
   const View view(scene, options);
   const std::size_t across = samples_across(options);
   const View fine = view.enlarged(static_cast<double>(across));
   const ItemBuffer coarse = draw_items(scene, view, width, height);
+  work.step_done_go_on();
   const std::vector<float> open = openness(coarse, scene, view);
+  work.step_done_go_on();
   const ItemBuffer items = draw_items(scene, fine, width * across, height * across);
+  work.step_done_go_on();
   const std::vector<std::uint8_t> lines =
       draw_lines(scene, fine, items, line_width(scene, view) * static_cast<double>(across));
+  work.step_done_go_on();
   const double edge_reach = options.edges ? kEdgeWidth / 2 * static_cast<double>(across) : -1.0;
   const Light ink = linear(kContourColour);
 
   Picture picture{width, height, {}};
   picture.pixel.resize(width * height);
   for (std::size_t y = 0; y < height; ++y) {
+    work.go_on();
     for (std::size_t x = 0; x < width; ++x) {
       Light sum;
       float covered = 0;
@@ -139,6 +144,7 @@ Picture draw(const Scene& scene, const RenderOptions& options) {
       }
     }
   }
+  work.step_done();
   return picture;
 }
 

@@ -12,6 +12,7 @@
 #include <tetloft/render.hpp>
 
 #include "core/check.hpp"
+#include "core/watched_work.hpp"
 #include "io/base64.hpp"
 #include "io/numbers.hpp"
 #include "render/deflate.hpp"
@@ -111,8 +112,11 @@ void append_array(std::string& page, const char* id, const std::vector<T>& value
 
 class Page {
  public:
-  Page(const Subject& subject, const RenderOptions& options)
-      : subject_(subject), options_(options) {
+  static constexpr std::size_t kSteps = 11;  // the header, and the arrays
+
+  /// Tells `work` of kSteps steps.
+  Page(const Subject& subject, const RenderOptions& options, WatchedWork& work)
+      : subject_(subject), options_(options), work_(work) {
     using namespace render;
     centre_ = 0.5 * (subject.low + subject.high);
     const Point3 diagonal = subject.high - subject.low;
@@ -128,6 +132,7 @@ class Page {
         html_text(options_.title) + "</title>\n<style>\n" + render::kViewerCss +
         "</style>\n</head>\n<body>\n" + render::kViewerHtml;
     page += "<script type=\"application/json\" id=\"model\">" + header() + "</script>\n";
+    work_.step_done_go_on();
     append_arrays(page);
     for (const char* script : render::kViewerScripts) {
       page += "<script>\n";
@@ -194,6 +199,12 @@ class Page {
     return members.object();
   }
 
+  template <class T>
+  void add_array(std::string& page, const char* id, const std::vector<T>& values) const {
+    append_array(page, id, values);
+    work_.step_done_go_on();
+  }
+
   void append_arrays(std::string& page) const {
     const Subject& s = subject_;
     std::vector<float> floats;
@@ -203,17 +214,17 @@ class Page {
       floats.push_back(height(p.z));
     };
     for (const Point3& p : s.points) append_point(p);
-    append_array(page, "points", floats);
+    add_array(page, "points", floats);
 
     std::vector<std::uint32_t> words;
     for (const TetVertices& tet : s.tets) {
       for (const VertexId v : tet) words.push_back(v.value());
     }
-    append_array(page, "tets", words);
+    add_array(page, "tets", words);
     const auto append_half_faces = [&](const char* id, const std::vector<HalfFaceId>& all) {
       words.clear();
       for (const HalfFaceId h : all) words.push_back(h.value());
-      append_array(page, id, words);
+      add_array(page, id, words);
     };
     append_half_faces("boundary", s.boundary);
     append_half_faces("walls", s.walls);
@@ -227,18 +238,18 @@ class Page {
         }
       }
     }
-    append_array(page, "normals", normals);
-    append_array(page, "component", s.component);
+    add_array(page, "normals", normals);
+    add_array(page, "component", s.component);
 
     std::vector<std::uint8_t> bytes;
     for (const TetKind kind : s.kind) bytes.push_back(static_cast<std::uint8_t>(kind));
-    append_array(page, "kind", bytes);
+    add_array(page, "kind", bytes);
     bytes.clear();
     for (const float degrees : s.dihedral) {
       bytes.push_back(static_cast<std::uint8_t>(
           std::lround(255 * std::min(1.0, static_cast<double>(degrees) / render::kBestDihedral))));
     }
-    append_array(page, "dihedral", bytes);
+    add_array(page, "dihedral", bytes);
 
     floats.clear();
     words.clear();
@@ -248,12 +259,13 @@ class Page {
       words.push_back(piece.slab_below);
       words.push_back(piece.slab_above);
     }
-    append_array(page, "contours", floats);
-    append_array(page, "contour_slabs", words);
+    add_array(page, "contours", floats);
+    add_array(page, "contour_slabs", words);
   }
 
   const Subject& subject_;
   const RenderOptions& options_;
+  WatchedWork& work_;
   Point3 centre_;
   double scale_ = 1;
 };
@@ -266,9 +278,12 @@ Result<std::string> render_html(const Model& model, const SectionStack* contours
     if (options.cut && options.cut->axis != 2) {
       return Error{ErrorCode::usage, "the viewer cuts by z only", {}};
     }
+    WatchedWork work(options.stop, options.progress, Page::kSteps + 1);
+    work.go_on();
     const Result<Subject> subject = render::subject_of(model, contours, options);
     if (!subject) return subject.error();
-    return Page(*subject, options).text();
+    work.step_done_go_on();
+    return Page(*subject, options, work).text();
   });
 }
 

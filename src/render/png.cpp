@@ -94,9 +94,16 @@ std::string png(const Picture& picture, bool opaque) {
 Result<std::string> render_png(const Model& model, const SectionStack* contours,
                                const RenderOptions& options) {
   return guard_internal([&]() -> Result<std::string> {
+    WatchedWork work(options.stop, options.progress, render::kDrawSteps + 2);
+    work.go_on();
     const auto scene = render::scene_of(model, contours, render::View::toward(options), options);
     if (!scene) return scene.error();
-    return png(render::draw(*scene, options), options.white);
+    work.step_done_go_on();
+    const Picture picture = render::draw(*scene, options, work);
+    work.go_on();
+    std::string bytes = png(picture, options.white);
+    work.step_done();
+    return bytes;
   });
 }
 

@@ -7,6 +7,7 @@
 
 #include <tetloft/render.hpp>
 
+#include "core/watched_work.hpp"
 #include "render/scene.hpp"
 
 namespace tetloft::render {
@@ -74,6 +75,8 @@ struct Picture {
   std::size_t width = 0, height = 0;
   std::vector<std::array<std::uint8_t, 4>> pixel;  ///< r, g, b, alpha
 };
-[[nodiscard]] Picture draw(const Scene& scene, const RenderOptions& options);
+/// Tells `work` of kDrawSteps steps.
+[[nodiscard]] Picture draw(const Scene& scene, const RenderOptions& options, WatchedWork& work);
+inline constexpr std::size_t kDrawSteps = 5;
 
 }  // namespace tetloft::render

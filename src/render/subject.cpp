@@ -10,6 +10,8 @@
 
 #include <tetloft/tet_mesh.hpp>
 
+#include "core/enums.hpp"
+#include "model/well_formed.hpp"
 #include "render/normals.hpp"
 #include "render/vector.hpp"
 
@@ -61,6 +63,9 @@ Result<void> check_options(const RenderOptions& options) {
   if (options.width < 1 || options.width > kMost || options.height < 1 || options.height > kMost) {
     return usage("width and height of a picture are 1 to 8192 pixels");
   }
+  if (!is_enumerator(options.colour, ColourBy::dihedral)) {
+    return usage("there is no such colouring: component, slab, kind or dihedral");
+  }
   if (!std::isfinite(options.azimuth)) return usage("azimuth is not finite");
   if (!(options.elevation >= -90 && options.elevation <= 90)) {
     return usage("elevation is not between -90 and 90 degrees");
@@ -83,17 +88,29 @@ Result<void> check_options(const RenderOptions& options) {
 }
 
 Result<void> check_model(const Model& model) {
-  const std::size_t n = model.tets.size();
-  if (n == 0) return invalid("the model has no tets to draw");
-  const auto wrong = [n](std::size_t size) { return size != 0 && size != n; };
-  if (wrong(model.component.size()) || wrong(model.slab.size()) || wrong(model.kind.size())) {
-    return invalid("an array of the model has not one value for each tet");
-  }
+  if (model.tets.empty()) return invalid("the model has no tets to draw");
+  if (Result<void> formed = check_well_formed(model); !formed) return formed;
   for (const Point3& p : model.points) {
     if (!(std::abs(p.x) < kLargestDrawn && std::abs(p.y) < kLargestDrawn &&
           std::abs(p.z) < kLargestDrawn)) {
       return invalid("the model has a coordinate of 1e18 or more, too large to be drawn");
     }
+  }
+  return {};
+}
+
+Result<void> check_contours(const SectionStack& stack) {
+  const auto drawn = [](double c) { return std::abs(c) < kLargestDrawn; };
+  for (std::size_t s = 0; s < stack.sections.size(); ++s) {
+    const Section& section = stack.sections[SectionId(s)];
+    bool fine = drawn(section.z);
+    for (const Contour& contour : section.contours) {
+      for (const Point2& p : contour.vertices) fine = fine && drawn(p.x) && drawn(p.y);
+    }
+    if (fine) continue;
+    Error error = invalid("the contours have a coordinate of 1e18 or more, or not finite");
+    error.where.section = s;
+    return error;
   }
   return {};
 }
@@ -240,7 +257,7 @@ void add_given_contours(const SectionStack& stack, double stretch, Subject& subj
 }
 
 void add_own_contours(const Model& model, Subject& subject) {
-  if (model.section.size() != model.points.size()) return;
+  if (model.section.empty()) return;
   const auto outlines = outlines_of(model);
   for (const auto& [section, edges] : outlines) {
     subject.sections.push_back(subject.points[edges.front()[0].index()].z);
@@ -274,7 +291,8 @@ Rgb Subject::colour(std::size_t tet, ColourBy by) const {
 
 Result<Subject> subject_of(const Model& model, const SectionStack* contours,
                            const RenderOptions& options) {
-  for (Result<void> checked : {check_options(options), check_model(model)}) {
+  for (Result<void> checked : {check_options(options), check_model(model),
+                               contours == nullptr ? Result<void>() : check_contours(*contours)}) {
     if (!checked) return checked.error();
   }
   if (options.colour == ColourBy::kind && model.kind.empty()) {

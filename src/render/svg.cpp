@@ -136,13 +136,16 @@ void append_line(std::string& out, const std::array<Point3, 2>& line, const View
   }
 }
 
-std::string svg(const Scene& scene, const RenderOptions& options) {
+constexpr std::size_t kSvgSteps = 3;
+
+std::string svg(const Scene& scene, const RenderOptions& options, WatchedWork& work) {
   const View view(scene, options);
   // Twice as fine: thin triangles are seen.
   const View fine = view.enlarged(2);
   const ItemBuffer items =
       render::draw_items(scene, fine, 2 * static_cast<std::size_t>(options.width),
                          2 * static_cast<std::size_t>(options.height));
+  work.step_done_go_on();
   const std::string size =
       std::to_string(options.width) + "\" height=\"" + std::to_string(options.height);
   std::string out = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + size +
@@ -158,6 +161,7 @@ std::string svg(const Scene& scene, const RenderOptions& options) {
     append_triangle(out, scene.triangles[seen.triangle], seen.open, view, options.edges);
   }
   out += "</g>\n";
+  work.step_done_go_on();
   std::string lines;
   for (const auto& line : scene.lines) append_line(lines, line, view, fine, items);
   if (!lines.empty()) {
@@ -166,6 +170,7 @@ std::string svg(const Scene& scene, const RenderOptions& options) {
     out += "\" stroke-linejoin=\"round\" stroke-linecap=\"round\"/>\n";
   }
   out += "</svg>\n";
+  work.step_done();
   return out;
 }
 
@@ -174,9 +179,12 @@ std::string svg(const Scene& scene, const RenderOptions& options) {
 Result<std::string> render_svg(const Model& model, const SectionStack* contours,
                                const RenderOptions& options) {
   return guard_internal([&]() -> Result<std::string> {
+    WatchedWork work(options.stop, options.progress, kSvgSteps + 1);
+    work.go_on();
     const auto scene = render::scene_of(model, contours, render::View::toward(options), options);
     if (!scene) return scene.error();
-    return svg(*scene, options);
+    work.step_done_go_on();
+    return svg(*scene, options, work);
   });
 }
 

@@ -73,7 +73,7 @@ Result<Refined> refine_all(const SectionStack& stack, double length) {
       contour.vertices = std::move(points);
     }
   }
-  if (Result<void> valid = validate(result.stack); !valid) {
+  if (Result<void> valid = validate(result.stack); !accepted(valid)) {
     Error error = valid.error();
     error.message = "refined contours, bent by rounding, are not valid: " + error.message;
     return error;

@@ -62,7 +62,7 @@ class SectionRepair {
       SectionStack alone;
       alone.sections.push_back(repaired);
       alone.sections[SectionId(0)].z = 0;
-      if (!repaired.contours.empty() && !validate(alone)) continue;
+      if (!repaired.contours.empty() && !accepted(validate(alone))) continue;
       if (!touching_.empty()) moved_ += cut;
       tell_parted(cut);
       return repaired;

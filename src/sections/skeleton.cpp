@@ -39,6 +39,7 @@ SkeletonEdge dual_edge(const ConformingSection& section, EdgeId id) {
 std::vector<SkeletonEdge> skeleton(const ConformingSection& section, EdgeKind kind,
                                    const std::optional<ContourId>& contour) {
   std::vector<SkeletonEdge> result;
+  if (kind != EdgeKind::internal && kind != EdgeKind::external) return result;
   for (std::size_t e = 0; e < section.edges.size(); ++e) {
     const ConformingSection::Edge& edge = section.edges[EdgeId(e)];
     if (edge.kind != kind) continue;

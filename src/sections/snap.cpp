@@ -104,7 +104,7 @@ Result<Snapped> snap(const SectionStack& stack, int bits) {
       const int exponent = std::max(extent - bits, -1074);
       Snapper snapper(stack, exponent);
       const Result<void> valid = acceptable(stack, snapper.result().stack);
-      if (valid) {
+      if (accepted(valid)) {
         snapper.result().lattice = std::ldexp(1, exponent);
         snapper.result().bits = extent - exponent;
         return std::move(snapper.result());

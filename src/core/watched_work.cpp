@@ -1,0 +1,26 @@
+#include "core/watched_work.hpp"
+
+#include <exception>
+#include <string>
+
+#include "core/check.hpp"
+
+namespace tetloft {
+
+void WatchedWork::go_on() const {
+  if (stop_.stop_requested()) throw Cancelled("stopped");
+}
+
+void WatchedWork::step_done() {
+  if (!progress_) return;
+  const std::scoped_lock lock(mutex_);
+  try {
+    progress_(++done_, all_);
+  } catch (const std::exception& e) {
+    throw Cancelled(std::string("the progress callback threw: ") + e.what());
+  } catch (...) {
+    throw Cancelled("the progress callback threw");
+  }
+}
+
+}  // namespace tetloft

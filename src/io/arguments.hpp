@@ -1,0 +1,29 @@
+// What writers and readers ask of their arguments, and how they tell of which file.
+#pragma once
+
+#include <string>
+
+#include <tetloft/io.hpp>
+
+#include "core/enums.hpp"
+
+namespace tetloft::io {
+
+[[nodiscard]] inline Result<void> check_encoding(Encoding encoding) {
+  if (is_enumerator(encoding, Encoding::ascii)) return {};
+  return Error{ErrorCode::usage, "there is no such encoding: binary or ascii", {}};
+}
+
+[[nodiscard]] inline Result<void> check_validity(Validity validity) {
+  if (is_enumerator(validity, Validity::unchecked)) return {};
+  return Error{ErrorCode::usage, "there is no such validity: required or unchecked", {}};
+}
+
+/// The error of `failed`, at `path`.
+[[nodiscard]] inline Error at_file(const std::string& path, const Result<void>& failed) {
+  Error error = failed.error();
+  error.where.file = path;
+  return error;
+}
+
+}  // namespace tetloft::io

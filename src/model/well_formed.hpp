@@ -1,0 +1,22 @@
+// Whether a model's arrays fit each other, asked before they are indexed.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include <tetloft/model.hpp>
+#include <tetloft/result.hpp>
+
+namespace tetloft {
+
+/// A model, or mesh, holds fewer tets than this: half-faces have 32 bits.
+inline constexpr std::size_t kMostModelTets = std::size_t{1} << 30;
+
+/// invalid_input at kMostModelTets or more, and where a tet names a vertex that there is not.
+[[nodiscard]] Result<void> check_tets(std::size_t vertex_count, std::span<const TetVertices> tets);
+
+/// The same; and where an array of the model has neither no values nor one for each tet or point,
+/// or a kind or origin that there is none of.
+[[nodiscard]] Result<void> check_well_formed(const Model& model);
+
+}  // namespace tetloft
