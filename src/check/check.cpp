@@ -79,6 +79,7 @@ Result<CheckReport> check(const Model& model, const SectionStack& stack,
     report.overshoot = checking::overshoot(view, stack);
     report.smallest_dihedral_degrees = checking::smallest_dihedral_degrees(view);
     report.largest_split_ulps = resampling.on_contours.largest_split_ulps;
+    report.inner_vertices = resampling.on_contours.off_contours;
     return report;
   });
 }
