@@ -271,20 +271,54 @@ TEST(Scale, ConformingSectionsAreTheSame) {
   EXPECT_GT(compared, 250U);
 }
 
-TEST(Scale, VerdictsAndFiguresOfCheckAreTheSame) {
+TEST(Scale, SkeletonCrossingsAreTheSame) {
   std::size_t compared = 0;
   for_each_stack(
       1, false, [&](StackKind, const GeneratedStack& g, const std::vector<int>& exponents) {
-        const auto made = reconstruct(g.stack, defaults(g));
+        const auto crossings_of = [](const SectionStack& stack) {
+          std::vector<std::vector<SkeletonCrossing>> result;
+          for (std::size_t s = 0; s + 1 < stack.sections.size(); ++s) {
+            const auto below = conform(stack.sections[SectionId(s)], SectionId(s));
+            const auto above = conform(stack.sections[SectionId(s + 1)], SectionId(s + 1));
+            if (!below.ok() || !above.ok()) continue;
+            result.push_back(skeleton_crossings(*below, *above));
+          }
+          return result;
+        };
+        const auto before = crossings_of(g.stack);
+        for (const int exponent : exponents) {
+          SCOPED_TRACE("times 2^" + std::to_string(exponent));
+          EXPECT_EQ(before, crossings_of(times(g.stack, exponent)));
+          compared += before.size();
+        }
+      });
+  EXPECT_GT(compared, 150U);
+}
+
+std::vector<bool> verdicts(const CheckReport& report) {
+  std::vector<bool> result;
+  for (const GuaranteeVerdict& verdict : report.guarantees) result.push_back(verdict.pass);
+  return result;
+}
+
+// `criterion`: what the model is made by, and checked by; it need not pass.
+std::size_t compare_checks(Criterion criterion) {
+  std::size_t compared = 0;
+  for_each_stack(
+      1, false, [&](StackKind, const GeneratedStack& g, const std::vector<int>& exponents) {
+        ReconstructOptions made_by = defaults(g);
+        made_by.correspondence.criterion = criterion;
+        const auto made = reconstruct(g.stack, made_by);
         if (!made.ok()) return;
         CheckOptions options;
-        options.correspondence = g.correspondence;
+        options.correspondence = made_by.correspondence;
         const auto before = check(made->model, g.stack, options);
         ASSERT_TRUE(before.ok() && before->pass());
         for (const int exponent : exponents) {
+          SCOPED_TRACE("times 2^" + std::to_string(exponent));
           const auto after = check(times(made->model, exponent), times(g.stack, exponent), options);
           ASSERT_TRUE(after.ok());
-          EXPECT_TRUE(after->pass());
+          EXPECT_EQ(verdicts(*before), verdicts(*after));
           EXPECT_EQ(before->genus, after->genus);
           EXPECT_EQ(before->overshoot, after->overshoot);
           EXPECT_EQ(before->smallest_dihedral_degrees, after->smallest_dihedral_degrees);
@@ -293,7 +327,15 @@ TEST(Scale, VerdictsAndFiguresOfCheckAreTheSame) {
           ++compared;
         }
       });
-  EXPECT_GT(compared, 80U);
+  return compared;
+}
+
+TEST(Scale, VerdictsAndFiguresOfCheckAreTheSame) {
+  EXPECT_GT(compare_checks(Criterion::overlap), 80U);
+}
+
+TEST(Scale, VerdictsOfCheckByReverseTetsAreTheSame) {
+  EXPECT_GT(compare_checks(Criterion::reverse), 60U);
 }
 
 // Coordinates whose bits do not all fit beside each other near 1, and models with finer bits than
