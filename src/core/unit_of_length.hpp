@@ -11,16 +11,21 @@
 
 namespace tetloft {
 
+/// std::ldexp, in one multiplication where the power is a double.
+inline double scaled(double value, int exponent) {
+  if (exponent < -1022 || exponent > 1023) return std::ldexp(value, exponent);
+  return value * std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
+}
 inline Point2 scaled(const Point2& p, int exponent) {
-  return {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent)};
+  return {scaled(p.x, exponent), scaled(p.y, exponent)};
 }
 inline Point3 scaled(const Point3& p, int exponent) {
-  return {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)};
+  return {scaled(p.x, exponent), scaled(p.y, exponent), scaled(p.z, exponent)};
 }
 
 /// Is the number so multiplied by 2^exponent that multiplying back gives it again?
 inline bool is_scaled_exactly(double value, int exponent) {
-  return std::ldexp(std::ldexp(value, exponent), -exponent) == value;
+  return scaled(scaled(value, exponent), -exponent) == value;
 }
 inline bool is_scaled_exactly(const Point2& p, int exponent) {
   return is_scaled_exactly(p.x, exponent) && is_scaled_exactly(p.y, exponent);

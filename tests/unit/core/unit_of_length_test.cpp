@@ -70,6 +70,16 @@ TEST(UnitOfLength, NumbersKeepAllBitsAndMultiplesAreTheSameInTheirUnit) {
   EXPECT_GT(multiples, 1000U);
 }
 
+TEST(Scaled, IsLdexpForAllExponents) {
+  Prng prng(12);
+  for (int exponent = -2200; exponent <= 2200; ++exponent) {
+    for (int at = -1074; at < 1024; at += 37) {
+      const double x = random_number(prng, at);
+      ASSERT_EQ(scaled(x, exponent), std::ldexp(x, exponent)) << x << " times 2^" << exponent;
+    }
+  }
+}
+
 TEST(UnitOfLength, NumbersThatMeetBothEndsOfTheRangeStayAsTheyAre) {
   const double least = std::numeric_limits<double>::denorm_min();
   EXPECT_EQ(unit_exponent({0x1.8p999, least}), 0);
