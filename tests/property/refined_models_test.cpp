@@ -7,7 +7,9 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <tetloft/check.hpp>
@@ -144,6 +146,45 @@ TEST(RefinedModels, PassAndTellOfVerticesInsideSections) {
   });
   EXPECT_GT(inside, 300U);
   EXPECT_GT(on_contour, 100U);
+}
+
+// Every edge in two, contour edges too.
+TEST(RefinedModels, PassWithAllEdgesHalved) {
+  std::size_t halved = 0;
+  for (const StackKind kind : all_kinds()) {
+    if (!is_suitable(kind)) continue;
+    const GeneratedStack generated = generate(kind, 1);
+    SCOPED_TRACE(name_of(kind));
+    CheckOptions options;
+    options.correspondence = generated.correspondence;
+    ReconstructOptions made_by;
+    made_by.threads = 1;
+    made_by.correspondence = generated.correspondence;
+    const auto made = reconstruct(generated.stack, made_by);
+    if (!made.ok() || made->model.tets.empty() || made->model.tets.size() > kMostTets / 2) continue;
+    std::set<std::pair<VertexId, VertexId>> edges;
+    for (const TetVertices& tet : made->model.tets) {
+      for (const VertexId a : tet) {
+        for (const VertexId b : tet) {
+          if (a < b) edges.emplace(a, b);
+        }
+      }
+    }
+    Model model;
+    model.points = made->model.points;
+    model.tets = made->model.tets;
+    for (const auto& [a, b] : edges) {
+      const Point3& p = model.points[a];
+      const Point3& q = model.points[b];
+      const Point3 middle{p.x + (q.x - p.x) / 2, p.y + (q.y - p.y) / 2, p.z + (q.z - p.z) / 2};
+      if (insert_vertex(model, std::array{a, b}, middle)) ++halved;
+    }
+    const auto report = check(model, generated.stack, options);
+    ASSERT_TRUE(report.ok());
+    EXPECT_TRUE(report->pass()) << text(*report);
+    EXPECT_GT(report->inner_vertices, 0U);
+  }
+  EXPECT_GT(halved, 2000U);
 }
 
 // What breaks a refined model, by the vertices it had inserted. False: nothing to break.
