@@ -49,7 +49,7 @@ Method distance_field_method() {
       outcome.tolerance = made.step;
     });
   };
-  return {"distance field", std::nullopt, false, run};
+  return {"distance field", std::nullopt, run};
 }
 
 }  // namespace
@@ -65,7 +65,7 @@ Method tetloft_by(std::string name, const CorrespondenceOptions& correspondence)
                    outcome.tolerance = kTetTolerance * mean_edge_length(stack);
                  });
   };
-  return {std::move(name), correspondence, false, run};
+  return {std::move(name), correspondence, run};
 }
 
 Method geiger() {
@@ -76,7 +76,7 @@ Method geiger() {
                    outcome.tolerance = kTetTolerance * mean_edge_length(stack);
                  });
   };
-  return {"geiger", std::nullopt, true, run};
+  return {"geiger", std::nullopt, run};
 }
 
 std::vector<Method> all_methods() {

@@ -28,9 +28,6 @@ struct Method {
   std::string name;
   /// What guarantee 4 is judged by; none: the method has no criterion, guarantee 4 is not asked.
   std::optional<CorrespondenceOptions> correspondence;
-  /// The method adds vertices within sections: condition 2.10 of check, that there are none, is
-  /// not asked.
-  bool inner_vertices = false;
   std::function<Outcome(const SectionStack&)> run;
 };
 

@@ -62,9 +62,19 @@ struct CheckReport {
   double overshoot = 0;
   double smallest_dihedral_degrees = 0;
   double largest_split_ulps = 0;  ///< of inserted vertices off their contour edge
+  /// Vertices in section planes off the contours, as meshers insert them; reconstruct makes none.
+  std::size_t inner_vertices = 0;
 };
 
 /// Checks points and tets of `model` (not its labels and provenance) against the input.
+///
+/// Guarantee 2: cutting the solid with a section plane gives back the section's region as a set,
+/// on each side on which the stack goes on; the input's vertices are vertices of the model, bit for
+/// bit. What else of the model may lie in the plane: vertices on contour edges, off them by no
+/// more than split_ulps, as if the input had had them; and vertices, edges and faces inside the
+/// region. So right models stay right when they are refined. Fails too where it cannot be decided:
+/// a tet that crosses a section plane (reconstruct makes none) leaves no faces there to look at.
+///
 /// Takes any model: what is malformed (ids out of range, coordinates that are not finite, …)
 /// fails a guarantee. Refused (invalid_input) for an invalid stack, invalid labels or 2^30
 /// tets, (usage) for options out of range, (cancelled) if it was stopped. Both ends may be flat or

@@ -106,7 +106,9 @@ struct Reconstruction {
 /// Reconstructs a solid that keeps the four guarantees (README), or refuses: invalid_input
 /// for an invalid stack or labels, unrepresentable where double precision holds no valid
 /// model, naming the place, usage for options out of range, cancelled if it was stopped.
-/// May be called from many threads at once.
+/// May be called from many threads at once. All coordinates (and the thickness) times 2^k give the
+/// same model times 2^k, bit for bit, as long as all coordinates of both stacks and both models are
+/// doubles without loss.
 [[nodiscard]] Result<Reconstruction> reconstruct(const SectionStack& stack,
                                                  const ReconstructOptions& options = {});
 

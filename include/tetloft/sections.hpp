@@ -81,12 +81,9 @@ struct Repaired {
 /// parted by cutting their corners off. Contours without contact stay as they are; the others
 /// become new contours, numbered at the place of the one they begin with. What mend() removes is
 /// removed too. A valid stack stays as it is. Refused (invalid_input, naming section and contour)
-/// where that needs a larger distance; sections with coordinates from kLargestRepairCoordinate on
-/// are only validated. Takes O(n log n + k) for k pairs of edges whose extents in x overlap.
+/// where that needs a larger distance. Takes O(n log n + k) for k pairs of edges whose extents in x
+/// overlap.
 [[nodiscard]] Result<Repaired> repair(const SectionStack& stack, const RepairOptions& options = {});
-
-/// Distances between points below this neither overflow nor lose their square.
-inline constexpr double kLargestRepairCoordinate = 0x1p500;
 
 /// A vertex that snapping moved, and whereto.
 struct MovedVertex {

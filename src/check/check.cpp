@@ -77,6 +77,7 @@ class Checks {
     const checking::Resampling resampling = checking::check_resampling(view_, stack_, options_);
     resampling_ = resampling.findings.verdict();
     report_.largest_split_ulps = resampling.on_contours.largest_split_ulps;
+    report_.inner_vertices = resampling.on_contours.off_contours;
     work_.step_done_go_on();
     const auto components = checking::check_components(view_, stack_, resampling, options_);
     if (components.ok()) {

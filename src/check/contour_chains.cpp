@@ -65,7 +65,11 @@ class ContourFollower {
         vertices_(view, stack.sections.size()),
         next_(view.points.size()),
         passed_(view.points.size(), 0),
-        is_input_(view.points.size(), 0) {
+        is_input_(view.points.size(), 0),
+        is_corner_(view.points.size(), 0) {
+    for (const InPlaneComplex::Edge& edge : complex.edges) {
+      is_corner_[edge.low.index()] = is_corner_[edge.high.index()] = 1;
+    }
     link_boundary(complex);
   }
 
@@ -214,8 +218,11 @@ class ContourFollower {
   void report_leftovers() {
     for (std::size_t v = 0; v < view_.points.size(); ++v) {
       if (next_[v].valid() && passed_[v] == 0) report_stray(VertexId(v), next_[v]);
-      if (on_plane(view_.level[v]) && result_.contour[v] == OnContours::kNone) {
-        findings_.fail(10, "a vertex in a section plane lies on no contour",
+      if (!on_plane(view_.level[v]) || result_.contour[v] != OnContours::kNone) continue;
+      if (is_corner_[v] != 0) {
+        ++result_.off_contours;
+      } else {
+        findings_.fail(10, "a vertex in a section plane is a corner of no in-plane face",
                        [&] { return vertex_text(view_, VertexId(v)); });
       }
     }
@@ -242,6 +249,7 @@ class ContourFollower {
   // passed_[v]: some chain has gone on from v.
   std::vector<std::uint8_t> passed_;
   std::vector<std::uint8_t> is_input_;
+  std::vector<std::uint8_t> is_corner_;  // of an in-plane face that is not flat
   // input_[c][i]: the model vertex of vertex i of contour c, or invalid.
   std::vector<std::vector<VertexId>> input_;
   OnContours result_;

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "check/box_tree.hpp"
+#include "core/unit_of_length.hpp"
+#include "sections/scaling.hpp"
 
 namespace tetloft::checking {
 
@@ -71,17 +73,6 @@ class RegionDistance {
   BoxTree tree_;
 };
 
-// A unit for lengths: with it, products of a few coordinates stay in range.
-double coordinate_scale(const ModelView& view) {
-  double largest = 0;
-  for (std::size_t v = 0; v < view.points.size(); ++v) {
-    if (view.used[v] == 0) continue;
-    const Point3& p = view.points[v];
-    largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
-  }
-  return largest > 0 ? std::ldexp(1.0, -std::ilogb(largest)) : 1.0;
-}
-
 struct Vector3 {
   double x, y, z;
 };
@@ -90,11 +81,9 @@ Vector3 cross(const Vector3& a, const Vector3& b) {
 }
 double dot(const Vector3& a, const Vector3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
-double smallest_dihedral(const std::array<Point3, 4>& corner, double scale) {
+double smallest_dihedral(const std::array<Point3, 4>& corner) {
   const auto difference = [&](std::size_t i, std::size_t j) {
-    return Vector3{scale * corner[j].x - scale * corner[i].x,
-                   scale * corner[j].y - scale * corner[i].y,
-                   scale * corner[j].z - scale * corner[i].z};
+    return Vector3{corner[j].x - corner[i].x, corner[j].y - corner[i].y, corner[j].z - corner[i].z};
   };
   const double six_volumes = dot(cross(difference(0, 1), difference(0, 2)), difference(0, 3));
   if (!(six_volumes > 0)) return 0;
@@ -123,9 +112,15 @@ double smallest_dihedral(const std::array<Point3, 4>& corner, double scale) {
 }  // namespace
 
 double overshoot(const ModelView& view, const SectionStack& stack) {
+  UnitOfLength unit = sections::unit_of(stack);
+  for (std::size_t v = 0; v < view.points.size(); ++v) {
+    if (view.used[v] != 0) unit.include(view.points[v]);
+  }
+  const int exponent = unit.largest_to_one();
+  const SectionStack in_unit = sections::scaled(stack, exponent);
   std::vector<RegionDistance> region;
-  for (const Section& section : stack.sections) region.emplace_back(section);
-  const auto z = [&](std::size_t s) { return stack.sections[SectionId(s)].z; };
+  for (const Section& section : in_unit.sections) region.emplace_back(section);
+  const auto z = [&](std::size_t s) { return in_unit.sections[SectionId(s)].z; };
   const std::size_t n = stack.sections.size();
 
   double largest = 0;
@@ -138,12 +133,13 @@ double overshoot(const ModelView& view, const SectionStack& stack) {
     const std::size_t high = above == n ? n - 1 : above;
     double gap = z(high) - z(low);
     if (low == high && n > 1) gap = low == 0 ? z(1) - z(0) : z(n - 1) - z(n - 2);
-    if (n == 1) gap = 2 * std::fabs(view.points[v].z - z(0));
+    const Point3 p = scaled(view.points[v], exponent);
+    if (n == 1) gap = 2 * std::fabs(p.z - z(0));
 
     double distance = kInfinity;
     for (const std::size_t s : {low, high}) {
       if (region[s].empty() || distance <= largest * gap) continue;
-      distance = std::min(distance, region[s](view.xy(VertexId(v)), largest * gap));
+      distance = std::min(distance, region[s]({p.x, p.y}, largest * gap));
     }
     if (distance < kInfinity) largest = std::max(largest, distance / gap);
   }
@@ -152,12 +148,16 @@ double overshoot(const ModelView& view, const SectionStack& stack) {
 
 double smallest_dihedral_degrees(const ModelView& view) {
   constexpr double kDegrees = 180 / 3.14159265358979323846;
-  const double scale = coordinate_scale(view);
+  UnitOfLength unit;
+  for (const TetVertices& tet : view.tets) {
+    for (const VertexId v : tet) unit.include(view.points[v.index()]);
+  }
+  const int exponent = unit.largest_to_one();
   double smallest = kInfinity;
   for (const TetVertices& tet : view.tets) {
     std::array<Point3, 4> corner;
-    for (std::size_t i = 0; i < 4; ++i) corner[i] = view.points[tet[i].index()];
-    smallest = std::min(smallest, smallest_dihedral(corner, scale));
+    for (std::size_t i = 0; i < 4; ++i) corner[i] = scaled(view.points[tet[i].index()], exponent);
+    smallest = std::min(smallest, smallest_dihedral(corner));
   }
   return view.tets.empty() ? 180 : smallest * kDegrees;
 }

@@ -24,7 +24,9 @@ void check_crossing(const ModelView& view, Findings& findings) {
     // The lowest plane strictly above `low` is at level low + 2 or, between planes, low + 1.
     const Level plane_above = on_plane(low) ? low + 2 : low + 1;
     if (plane_above < high) {
-      findings.fail(1, "a tet has vertices on both sides of a section plane",
+      findings.fail(1,
+                    "a tet crosses a section plane (not as reconstruct makes it; what it cuts out "
+                    "cannot be checked)",
                     [&] { return tet_text(view.id[t]); });
     }
   }

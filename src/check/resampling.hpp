@@ -25,6 +25,7 @@ struct OnContours {
   /// vertex; empty where the model does not follow the contour.
   std::vector<std::vector<VertexId>> chain;
   double largest_split_ulps = 0;
+  std::size_t off_contours = 0;  ///< corners of in-plane faces that lie on no contour
 };
 
 struct Resampling {

@@ -17,6 +17,7 @@
 #include "check/box_tree.hpp"
 #include "check/interval.hpp"
 #include "check/partition.hpp"
+#include "sections/scaling.hpp"
 
 namespace tetloft::checking {
 
@@ -172,11 +173,18 @@ class SlabLinks {
 }  // namespace
 
 Result<std::vector<Link>> reverse_links(const SectionStack& refined, const Regions& regions) {
+  // Far from 1 the boxes would be so wide that all pairs of edges are candidates.
+  const int exponent = sections::unit_of(refined).exponent();
+  const SectionStack in_unit = sections::scaled(refined, exponent);
   std::vector<Link> links;
   Diagram below;
-  for (std::size_t s = 0; s < refined.sections.size(); ++s) {
-    auto conforming = conform(refined.sections[SectionId(s)], SectionId(s));
-    if (!conforming.ok()) return conforming.error();
+  for (std::size_t s = 0; s < in_unit.sections.size(); ++s) {
+    auto conforming = conform(in_unit.sections[SectionId(s)], SectionId(s));
+    if (!conforming.ok()) {
+      Error error = conforming.error();
+      if (error.where.point) error.where.point = scaled(*error.where.point, -exponent);
+      return error;
+    }
     Diagram above = make_diagram(*std::move(conforming));
     if (s > 0) {
       // Regions of the refined section may be numbered differently: a contour tells.

@@ -60,6 +60,7 @@ std::string to_json(const CheckReport& report, const StackInput& input, const Co
   json.member("overshoot", report.overshoot);
   json.member("smallest_dihedral_degrees", report.smallest_dihedral_degrees);
   json.member("largest_split_ulps", report.largest_split_ulps);
+  json.member("inner_vertices", report.inner_vertices);
   write_preparation(json, input);
   write_warnings(json, console.warnings());
   json.end_object();
@@ -94,6 +95,10 @@ std::string to_text(const CheckReport& report, const StackInput& input) {
   text += "overshoot " + readable(report.overshoot) + " gaps, smallest dihedral angle " +
           readable(report.smallest_dihedral_degrees) + " degrees, inserted vertices at most " +
           readable(report.largest_split_ulps) + " ulps off their edges\n";
+  if (report.inner_vertices > 0) {
+    text += "not as reconstruct makes it: " + std::to_string(report.inner_vertices) +
+            (report.inner_vertices == 1 ? " vertex" : " vertices") + " inside sections\n";
+  }
   return text;
 }
 

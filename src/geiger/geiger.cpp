@@ -17,6 +17,8 @@
 #include "geiger/elimination.hpp"
 #include "geiger/obtuse.hpp"
 #include "geiger/projection.hpp"
+#include "model/scaling.hpp"
+#include "sections/scaling.hpp"
 
 namespace tetloft {
 
@@ -24,20 +26,19 @@ namespace {
 
 class Geiger {
  public:
-  Geiger(const SectionStack& stack, const GeigerOptions& options)
-      : stack_(stack),
+  /// Of the stack times 2^exponent. Nothing where the model, times 2^-exponent, is none.
+  Geiger(const SectionStack& stack, int exponent, const GeigerOptions& options)
+      : stack_(sections::scaled(stack, exponent)),
+        exponent_(exponent),
         options_(options),
         work_(options.stop, options.progress, 3 * stack.sections.size() - 1) {}
 
-  Result<GeigerModel> run() {
-    if (Result<void> valid = validate(stack_, options_.threads); !valid) return valid.error();
-    if (stack_.sections.size() < 2) {
-      return Error{ErrorCode::invalid_input, "Geiger's algorithm needs two sections or more", {}};
-    }
-    if (Result<void> made = make_sections(); !made) return made.error();
-    if (Result<void> made = make_slabs(); !made) return made.error();
+  Result<std::optional<GeigerModel>> run() {
+    if (Result<void> made = make_sections(); !made) return as_given(made.error());
+    if (Result<void> made = make_slabs(); !made) return as_given(made.error());
     assemble();
-    return GeigerModel{std::move(model_), report_};
+    if (!scale_exactly(model_, -exponent_)) return std::optional<GeigerModel>();
+    return std::optional(GeigerModel{std::move(model_), report_});
   }
 
  private:
@@ -49,6 +50,11 @@ class Geiger {
   };
 
   [[nodiscard]] std::size_t size() const { return stack_.sections.size(); }
+
+  [[nodiscard]] Error as_given(Error error) const {
+    if (error.where.point) error.where.point = scaled(*error.where.point, -exponent_);
+    return error;
+  }
 
   // Calls body(i) in parallel, each a step of the work.
   template <class Body>
@@ -241,7 +247,8 @@ class Geiger {
     }
   }
 
-  const SectionStack& stack_;
+  SectionStack stack_;
+  int exponent_;
   const GeigerOptions& options_;
   std::vector<ConformingSection> sections_;
   std::vector<SlabTets> slabs_;
@@ -255,7 +262,15 @@ class Geiger {
 Result<GeigerModel> reconstruct_geiger(const SectionStack& stack, const GeigerOptions& options) {
   return guard_internal([&]() -> Result<GeigerModel> {
     if (Result<void> sound = fp_self_check(); !sound) return sound.error();
-    return Geiger(stack, options).run();
+    if (Result<void> valid = validate(stack, options.threads); !valid) return valid.error();
+    if (stack.sections.size() < 2) {
+      return Error{ErrorCode::invalid_input, "Geiger's algorithm needs two sections or more", {}};
+    }
+    // In the stack's unit of length, unless the model has finer bits than the one given.
+    auto made = Geiger(stack, sections::unit_of(stack).exponent(), options).run();
+    if (made && !*made) made = Geiger(stack, 0, options).run();
+    if (!made) return made.error();
+    return std::move(**made);
   });
 }
 

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "core/unit_of_length.hpp"
+
 namespace tetloft {
 
 const char* name_of(TetKind kind) {
@@ -111,14 +113,20 @@ Surface boundary_surface(const Model& model) {
 }
 
 double volume(const Model& model) {
+  UnitOfLength unit;
+  for (const TetVertices& tet : model.tets) {
+    if (!is_sound(model, tet)) continue;
+    for (const VertexId v : tet) unit.include(model.points[v]);
+  }
+  const int exponent = unit.largest_to_one();
   // Neumaier's compensated sum: a stack has many tets far smaller than the whole.
   double sum = 0;
   double lost = 0;
   for (const TetVertices& tet : model.tets) {
     if (!is_sound(model, tet)) continue;
-    const Point3& d = model.points[tet[3]];
+    const Point3 d = scaled(model.points[tet[3]], exponent);
     const auto from_d = [&](int i) {
-      const Point3& p = model.points[tet[static_cast<std::size_t>(i)]];
+      const Point3 p = scaled(model.points[tet[static_cast<std::size_t>(i)]], exponent);
       return Point3{p.x - d.x, p.y - d.y, p.z - d.z};
     };
     const Point3 a = from_d(0);
@@ -132,7 +140,7 @@ double volume(const Model& model) {
     lost += std::fabs(sum) >= std::fabs(term) ? (sum - next) + term : (term - next) + sum;
     sum = next;
   }
-  return sum + lost;
+  return std::ldexp(sum + lost, -3 * exponent);
 }
 
 }  // namespace tetloft

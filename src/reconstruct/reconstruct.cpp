@@ -14,10 +14,12 @@
 #include "core/enums.hpp"
 #include "core/parallel.hpp"
 #include "core/watched_work.hpp"
+#include "model/scaling.hpp"
 #include "reconstruct/assembly.hpp"
 #include "reconstruct/correspondence.hpp"
 #include "reconstruct/drift_links.hpp"
 #include "reconstruct/slab_solid.hpp"
+#include "sections/scaling.hpp"
 
 namespace tetloft {
 
@@ -31,14 +33,28 @@ std::size_t step_count(const SectionStack& stack) {
   return sections == 0 ? 0 : 2 * sections - 1;
 }
 
+// In which unit of length a model is made: README.md, "Scale".
+enum class Unit : std::uint8_t { of_the_stack, as_given };
+
 class Reconstructor {
  public:
-  Reconstructor(const SectionStack& stack, const ReconstructOptions& options)
-      : stack_(stack),
+  Reconstructor(const SectionStack& stack, const ReconstructOptions& options, Unit unit)
+      : given_(stack),
         options_(options),
+        unit_(unit),
         work_(options.stop, options.progress, step_count(stack)) {}
 
-  Result<Reconstruction> run() {
+  /// Nothing where the model, made in the stack's unit, is none in the one given.
+  Result<std::optional<Reconstruction>> run() {
+    auto made = make();
+    if (made) return made;
+    Error error = made.error();
+    if (error.where.point) error.where.point = scaled(*error.where.point, -exponent_);
+    return error;
+  }
+
+ private:
+  Result<std::optional<Reconstruction>> make() {
     const auto start = Clock::now();
     if (auto error = check_options()) return *error;
     if (auto error = prepare_sections()) return *error;
@@ -57,13 +73,13 @@ class Reconstructor {
         continue;
       }
       result_.model = assembly.take();
+      if (!scale_exactly(result_.model, -exponent_)) return std::optional<Reconstruction>();
       result_.partition = std::move(correspondence_.partition);
       report(assembly.tally(), std::chrono::duration<double>(Clock::now() - start).count());
-      return std::move(result_);
+      return std::optional(std::move(result_));
     }
   }
 
- private:
   struct Unconnected {
     SlabId slab;
     std::vector<SlabRegionId> regions;
@@ -74,7 +90,7 @@ class Reconstructor {
     double above;
   };
 
-  [[nodiscard]] std::size_t section_count() const { return stack_.sections.size(); }
+  [[nodiscard]] std::size_t section_count() const { return given_.sections.size(); }
   [[nodiscard]] std::size_t slab_count() const { return section_count() - 1; }
 
   void add_seconds(Step step, const WorkStopwatch& watch) {
@@ -112,7 +128,8 @@ class Reconstructor {
 
   std::optional<Error> prepare_sections() {
     const WorkStopwatch watch;
-    if (Result<void> valid = validate(stack_, options_.threads); !valid) return valid.error();
+    if (Result<void> valid = validate(given_, options_.threads); !valid) return valid.error();
+    choose_unit();
     nestings_.resize(section_count());
     sections_.resize(section_count());
     gabriel_.resize(section_count());
@@ -124,6 +141,15 @@ class Reconstructor {
     });
     add_seconds(Step::sections, watch);
     return error;
+  }
+
+  void choose_unit() {
+    if (unit_ == Unit::of_the_stack) {
+      UnitOfLength unit = sections::unit_of(given_);
+      if (section_count() == 1 && options_.thickness) unit.include(*options_.thickness);
+      exponent_ = unit.exponent();
+    }
+    stack_ = sections::scaled(given_, exponent_);
   }
 
   std::optional<Error> conform_section(SectionId s) {
@@ -289,7 +315,7 @@ class Reconstructor {
   }
 
   double single_thickness() {
-    if (options_.thickness) return *options_.thickness;
+    if (options_.thickness) return std::ldexp(*options_.thickness, exponent_);
     Point2 low{};
     Point2 high{};
     bool first = true;
@@ -335,8 +361,11 @@ class Reconstructor {
     report.seconds_total = seconds_total;
   }
 
-  const SectionStack& stack_;
+  const SectionStack& given_;
   const ReconstructOptions& options_;
+  Unit unit_;
+  int exponent_ = 0;
+  SectionStack stack_;  // times 2^exponent_, as all coordinates until the model is done
   IdVector<SectionId, Nesting> nestings_;
   IdVector<SectionId, ConformingSection> sections_;
   IdVector<SectionId, IdVector<ContourId, bool>> gabriel_;  // empty: none
@@ -352,7 +381,14 @@ class Reconstructor {
 Result<Reconstruction> reconstruct(const SectionStack& stack, const ReconstructOptions& options) {
   return guard_internal([&]() -> Result<Reconstruction> {
     if (Result<void> sound = fp_self_check(); !sound) return sound.error();
-    return Reconstructor(stack, options).run();
+    auto made = Reconstructor(stack, options, Unit::of_the_stack).run();
+    if (!made) return made.error();
+    if (*made) return std::move(**made);
+    ReconstructOptions again = options;
+    again.progress = nullptr;  // all steps have been told
+    made = Reconstructor(stack, again, Unit::as_given).run();
+    if (!made) return made.error();
+    return std::move(**made);
   });
 }
 

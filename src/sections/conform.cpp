@@ -8,6 +8,7 @@
 // and outside the hull there is none; and none turned inside out iff its interior is on
 // the same side as before. All of this is combinatorial. See README.md.
 #include <algorithm>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -18,6 +19,7 @@
 #include "core/check.hpp"
 #include "sections/conforming_section.hpp"
 #include "sections/nesting.hpp"
+#include "sections/scaling.hpp"
 
 namespace tetloft {
 
@@ -259,6 +261,36 @@ class Conformer {
   ConformingSection result_;
 };
 
+// The same in a unit of the section's own. Nothing where points have finer bits than fit in the
+// unit given.
+std::optional<Result<ConformingSection>> conform_in_unit(const Section& section, SectionId id,
+                                                         const IdVector<ContourId, bool>& gabriel,
+                                                         std::span<const Point2> interior) {
+  UnitOfLength unit;
+  for (const Contour& contour : section.contours) {
+    for (const Point2& p : contour.vertices) unit.include(p);
+  }
+  for (const Point2& p : interior) unit.include(p);
+  const int exponent = unit.exponent();
+  std::vector<Point2> inside(interior.begin(), interior.end());
+  for (Point2& p : inside) p = scaled(p, exponent);
+  const Section in_unit = sections::scaled_in_plane(section, exponent);
+  Result<ConformingSection> result = Conformer(in_unit, id, inside).run(gabriel);
+  if (!result) {
+    Error error = result.error();
+    if (error.where.point) {
+      const Point2 at = scaled(Point2{error.where.point->x, error.where.point->y}, -exponent);
+      error.where.point = Point3{at.x, at.y, section.z};
+    }
+    return error;
+  }
+  for (Point2& p : result->triangulation.points) {
+    if (!is_scaled_exactly(p, -exponent)) return std::nullopt;
+    p = scaled(p, -exponent);
+  }
+  return result;
+}
+
 }  // namespace
 
 Result<ConformingSection> conform(const Section& section, SectionId id,
@@ -268,6 +300,7 @@ Result<ConformingSection> conform(const Section& section, SectionId id,
     if (!gabriel.empty() && gabriel.size() != section.contours.size()) {
       return Error{ErrorCode::usage, "gabriel needs one flag for each contour", {}};
     }
+    if (auto result = conform_in_unit(section, id, gabriel, interior)) return *std::move(result);
     return Conformer(section, id, interior).run(gabriel);
   });
 }

@@ -20,6 +20,7 @@
 
 #include "core/check.hpp"
 #include "sections/arrangement.hpp"
+#include "sections/scaling.hpp"
 #include "sections/segments.hpp"
 
 namespace tetloft {
@@ -32,11 +33,13 @@ using sections::NodeId;
 
 class SectionRepair {
  public:
-  SectionRepair(const Section& section, std::size_t number, double distance)
-      : section_(section),
+  /// Of the section times 2^exponent: what run() returns is, too; what is told is not.
+  SectionRepair(const Section& section, std::size_t number, double distance, int exponent)
+      : section_(sections::scaled_in_plane(section, exponent)),
         number_(number),
-        distance_(distance),
-        arrangement_(distance / 32, distance) {}
+        distance_(std::ldexp(distance, exponent)),
+        exponent_(exponent),
+        arrangement_(distance_ / 32, distance_) {}
 
   Result<Section> run() {
     find_dirty();
@@ -70,7 +73,7 @@ class SectionRepair {
     return refusal("its contours cannot be parted within the distance allowed");
   }
 
-  [[nodiscard]] double moved() const { return moved_; }
+  [[nodiscard]] double moved() const { return std::ldexp(moved_, -exponent_); }
   [[nodiscard]] std::vector<Warning>& changes() { return changes_; }
 
  private:
@@ -95,7 +98,10 @@ class SectionRepair {
     Warning change{message, {}};
     change.where.section = number_;
     change.where.contour = contour.index();
-    if (p) change.where.point = Point3{p->x, p->y, section_.z};
+    if (p) {
+      const Point2 at = scaled(*p, -exponent_);
+      change.where.point = Point3{at.x, at.y, section_.z};
+    }
     changes_.push_back(std::move(change));
   }
 
@@ -284,14 +290,15 @@ class SectionRepair {
     for (const NodeId n : touching_) {
       char text[80];
       std::snprintf(text, sizeof text, "contact parted by cutting corners off, %.3g deep at most",
-                    cut);
+                    std::ldexp(cut, -exponent_));
       tell(text, pieces_[edges_at_[n].pieces.front()].contour, at(n));
     }
   }
 
-  const Section& section_;
+  Section section_;
   std::size_t number_;
   double distance_;
+  int exponent_;
   double moved_ = 0;
   std::vector<bool> dirty_;  // by contour
   Arrangement arrangement_;
@@ -313,11 +320,37 @@ double extent(const Section& section) {
 
 // The first coordinate that is not usable is left to validate() to name.
 bool is_usable(const Section& section) {
-  return std::all_of(section.contours.begin(), section.contours.end(), [](const Contour& c) {
-    return std::all_of(c.vertices.begin(), c.vertices.end(), [](const Point2& p) {
-      return std::abs(p.x) < kLargestRepairCoordinate && std::abs(p.y) < kLargestRepairCoordinate;
-    });
-  });
+  return extent(section) < kLargestCoordinate &&
+         std::all_of(section.contours.begin(), section.contours.end(), [](const Contour& c) {
+           return std::all_of(c.vertices.begin(), c.vertices.end(), [](const Point2& p) {
+             return std::isfinite(p.x) && std::isfinite(p.y);
+           });
+         });
+}
+
+// In a unit of length of its own, unless what is made has finer bits than the one given.
+Result<Section> repair_section(const Section& section, std::size_t number, double distance,
+                               Repaired& result) {
+  UnitOfLength unit;
+  for (const Contour& contour : section.contours) {
+    for (const Point2& p : contour.vertices) unit.include(p);
+  }
+  unit.include(distance);
+  for (const int exponent : {unit.exponent(), 0}) {
+    SectionRepair repair(section, number, distance, exponent);
+    Result<Section> repaired = repair.run();
+    if (!repaired) return repaired;
+    const bool exact = std::all_of(
+        repaired->contours.begin(), repaired->contours.end(), [&](const Contour& contour) {
+          return std::all_of(contour.vertices.begin(), contour.vertices.end(),
+                             [&](const Point2& p) { return is_scaled_exactly(p, -exponent); });
+        });
+    if (!exact) continue;
+    result.moved = std::max(result.moved, repair.moved());
+    result.changes.insert(result.changes.end(), repair.changes().begin(), repair.changes().end());
+    return sections::scaled_in_plane(*repaired, -exponent);
+  }
+  TETLOFT_CHECK(false);
 }
 
 Result<Repaired> repair_all(const SectionStack& stack, const RepairOptions& options) {
@@ -331,12 +364,9 @@ Result<Repaired> repair_all(const SectionStack& stack, const RepairOptions& opti
     Section& section = result.stack.sections[SectionId(s)];
     if (!is_usable(section)) continue;
     const double distance = options.distance.value_or(0x1p-20 * extent(section));
-    SectionRepair repair(section, s, distance);
-    Result<Section> repaired = repair.run();
+    Result<Section> repaired = repair_section(section, s, distance, result);
     if (!repaired) return repaired.error();
     section = std::move(repaired.value());
-    result.moved = std::max(result.moved, repair.moved());
-    result.changes.insert(result.changes.end(), repair.changes().begin(), repair.changes().end());
   }
   // Where contours cancel nothing may be left, which only who wants a solid must refuse.
   if (result.stack.contour_count() == 0 && stack.contour_count() > 0) return result;

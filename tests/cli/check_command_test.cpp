@@ -76,6 +76,45 @@ TEST_F(CheckCommand, ReportsInJson) {
   EXPECT_EQ(json.at("overshoot").number, 0);
   EXPECT_GT(json.at("smallest_dihedral_degrees").number, 10);
   EXPECT_EQ(json.at("largest_split_ulps").number, 0);
+  EXPECT_EQ(json.at("inner_vertices").number, 0);
+}
+
+// Refined by a mesher: a vertex in the middle of each triangle of its bottom.
+TEST_F(CheckCommand, TellsOfVerticesInsideSections) {
+  Model model = cube();
+  std::vector<TetVertices> tets;
+  std::size_t inserted = 0;
+  for (const TetVertices& tet : model.tets) {
+    std::vector<std::size_t> bottom;
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (model.points[tet[i]].z == model.points[VertexId(0)].z) bottom.push_back(i);
+    }
+    if (bottom.size() < 3) {
+      tets.push_back(tet);
+      continue;
+    }
+    Point3 middle = model.points[tet[bottom[0]]];
+    middle.x = (middle.x + model.points[tet[bottom[1]]].x + model.points[tet[bottom[2]]].x) / 3;
+    middle.y = (middle.y + model.points[tet[bottom[1]]].y + model.points[tet[bottom[2]]].y) / 3;
+    const VertexId v = model.points.push_back(middle);
+    ++inserted;
+    for (const std::size_t i : bottom) {
+      tets.push_back(tet);
+      tets.back()[i] = v;
+    }
+  }
+  ASSERT_GT(inserted, 0U);
+  Model refined;
+  refined.points = model.points;
+  refined.tets = IdVector<TetId, TetVertices>(tets);
+  write(refined);
+  const Outcome outcome = run({"check", model_, in_});
+  EXPECT_EQ(outcome.code, 0) << outcome.out;
+  EXPECT_NE(outcome.out.find("not as reconstruct makes it: " + std::to_string(inserted) + " vert"),
+            std::string::npos)
+      << outcome.out;
+  const JsonValue json = run_json({"check", model_, in_});
+  EXPECT_EQ(json.at("inner_vertices").number, static_cast<double>(inserted));
 }
 
 TEST_F(CheckCommand, FailsAModelOfAnotherStack) {

@@ -1,6 +1,6 @@
-// What must not matter, or matter in a known way: powers of two, mirrors, quarter turns, the
-// direction of z, exact translation, and cutting a stack in two. (Order, start and direction of
-// contours, threads and engines: tests/unit/reconstruct/determinism_test.cpp.)
+// What must not matter, or matter in a known way: mirrors, quarter turns, the direction of z, exact
+// translation, and cutting a stack in two. (Powers of two: scale_test.cpp. Order, start and
+// direction of contours, threads and engines: tests/unit/reconstruct/determinism_test.cpp.)
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -54,34 +54,6 @@ void for_each_stack(const std::function<void(StackKind, const GeneratedStack&)>&
       body(kind, generate(kind, seed));
     }
   }
-}
-
-TEST(Metamorphic, PowersOfTwoScaleTheModelAndNothingElse) {
-  std::size_t compared = 0;
-  for_each_stack([&](StackKind kind, const GeneratedStack& generated) {
-    if (kind == StackKind::scale_offset) return;  // would overflow or underflow
-    const auto before = run(generated.stack, generated.correspondence);
-    for (const int exponent : {-60, 37}) {
-      const double s = std::ldexp(1.0, exponent);
-      const auto after = run(moved(generated.stack,
-                                   [s](Point3 p) {
-                                     return Point3{s * p.x, s * p.y, s * p.z};
-                                   }),
-                             generated.correspondence);
-      ASSERT_EQ(before.ok(), after.ok());
-      if (!before.ok()) continue;
-      EXPECT_EQ(before->model.tets, after->model.tets);
-      EXPECT_EQ(before->partition, after->partition);
-      EXPECT_EQ(before->report.rules, after->report.rules);
-      ASSERT_EQ(before->model.points.size(), after->model.points.size());
-      for (std::size_t v = 0; v < before->model.points.size(); ++v) {
-        const Point3& p = before->model.points[VertexId(v)];
-        ASSERT_EQ((Point3{s * p.x, s * p.y, s * p.z}), after->model.points[VertexId(v)]);
-      }
-      ++compared;
-    }
-  });
-  EXPECT_GT(compared, 100U);
 }
 
 // The classes as sets of contours, sections counted from the other end where `reversed`.

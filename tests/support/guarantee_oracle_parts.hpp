@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -64,8 +65,14 @@ class Oracle {
   void crossing();
   void resample(std::size_t s);
   // The contours of a section with the vertices inserted into each edge, and the model's
-  // vertices along them. Empty where the vertices in the plane are not those of the contours.
-  std::vector<Polygon> refined_contours(std::size_t s, std::vector<std::vector<std::size_t>>& ids);
+  // vertices along them. `inserted`: the vertices in the plane that have to be on an edge if they
+  // are not input. Empty where they are not.
+  std::vector<Polygon> refined_contours(std::size_t s, const std::set<std::size_t>& inserted,
+                                        std::vector<std::vector<std::size_t>>& ids);
+  // Vertices in the plane off the contours: corners of faces there, inside the region.
+  void inner_vertices(std::size_t s, const std::map<Edge, int>& triangle_edges,
+                      const std::vector<Polygon>& contours,
+                      const std::vector<std::vector<std::size_t>>& ids);
 
   // Guarantee 3, in guarantee_oracle.cpp.
   void embedded();

@@ -1,5 +1,5 @@
 // Guarantee 2: the triangles in a plane have disjoint interiors, cross no contour, lie in
-// the region and have its area.
+// the region and have its area; edges of one triangle only are the contours.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -22,7 +22,7 @@ void Oracle::crossing() {
   }
 }
 
-std::vector<Polygon> Oracle::refined_contours(std::size_t s,
+std::vector<Polygon> Oracle::refined_contours(std::size_t s, const std::set<std::size_t>& inserted,
                                               std::vector<std::vector<std::size_t>>& ids) {
   const Section& section = stack_.sections[SectionId(s)];
   std::map<std::pair<double, double>, std::size_t> at;
@@ -48,7 +48,7 @@ std::vector<Polygon> Oracle::refined_contours(std::size_t s,
   }
   std::map<std::pair<std::size_t, std::size_t>, std::vector<std::pair<Rational, std::size_t>>> on;
   for (const auto& [place, v] : at) {
-    if (input.count(v) != 0) continue;
+    if (input.count(v) != 0 || inserted.count(v) == 0) continue;
     std::optional<Inserted> best;
     for (std::size_t c = 0; c < section.contours.size(); ++c) {
       const auto& vertices = section.contours[ContourId(c)].vertices;
@@ -85,11 +85,11 @@ std::vector<Polygon> Oracle::refined_contours(std::size_t s,
     const auto& vertices = section.contours[ContourId(c)].vertices;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       ids.back().push_back(at.at({vertices[i].x + 0.0, vertices[i].y + 0.0}));
-      auto& inserted = on[{c, i}];
-      std::sort(inserted.begin(), inserted.end());
-      for (std::size_t k = 0; k < inserted.size(); ++k) {
-        if (k > 0 && inserted[k].first == inserted[k - 1].first) violate(2, "fold");
-        ids.back().push_back(inserted[k].second);
+      auto& along = on[{c, i}];
+      std::sort(along.begin(), along.end());
+      for (std::size_t k = 0; k < along.size(); ++k) {
+        if (k > 0 && along[k].first == along[k - 1].first) violate(2, "fold");
+        ids.back().push_back(along[k].second);
       }
     }
     polygons.emplace_back();
@@ -138,8 +138,12 @@ void Oracle::resample(std::size_t s) {
   for (const Edge& edge : edges) {
     if (triangle_edges.count(edge) == 0) violate(2, "edge in the plane");
   }
+  std::set<std::size_t> on_boundary;
+  for (const auto& [edge, count] : triangle_edges) {
+    if (count == 1) on_boundary.insert(edge.begin(), edge.end());
+  }
   std::vector<std::vector<std::size_t>> ids;
-  const std::vector<Polygon> contours = refined_contours(s, ids);
+  const std::vector<Polygon> contours = refined_contours(s, on_boundary, ids);
   if (contours.size() != stack_.sections[SectionId(s)].contours.size()) return;
   if (!are_disjoint_simple(contours)) {
     violate(2, "refined contours touch");
@@ -180,11 +184,33 @@ void Oracle::resample(std::size_t s) {
     }
   }
   if (area.sign() != 0) violate(2, "area");
+  std::size_t contour_edges = 0;
   for (const auto& chain : ids) {
     for (std::size_t k = 0; k < chain.size(); ++k) {
       const auto found = triangle_edges.find(sorted(Edge{chain[k], chain[(k + 1) % chain.size()]}));
       if (found == triangle_edges.end() || found->second != 1) violate(2, "contour edge");
     }
+    contour_edges += chain.size();
+  }
+  const auto alone = std::count_if(triangle_edges.begin(), triangle_edges.end(),
+                                   [](const auto& edge) { return edge.second == 1; });
+  if (static_cast<std::size_t>(alone) != contour_edges) violate(2, "edge of one triangle");
+  inner_vertices(s, triangle_edges, contours, ids);
+}
+
+void Oracle::inner_vertices(std::size_t s, const std::map<Edge, int>& triangle_edges,
+                            const std::vector<Polygon>& contours,
+                            const std::vector<std::vector<std::size_t>>& ids) {
+  std::set<std::size_t> known;
+  for (const auto& chain : ids) known.insert(chain.begin(), chain.end());
+  std::set<std::size_t> corners;
+  for (const auto& [edge, count] : triangle_edges) corners.insert(edge.begin(), edge.end());
+  for (std::size_t v = 0; v < points_.size(); ++v) {
+    if (height(v) != z(s) || known.count(v) != 0) continue;
+    bool inside = false;
+    for (const Polygon& contour : contours) inside ^= is_inside(below(v), contour);
+    if (!inside) violate(2, "vertex outside the region");
+    if (corners.count(v) == 0) violate(2, "vertex of no triangle");
   }
 }
 

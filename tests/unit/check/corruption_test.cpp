@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -11,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "support/refine/refine_model.hpp"
 #include "unit/check/columns.hpp"
 #include "unit/check/verdict_text.hpp"
 
@@ -73,6 +75,17 @@ void add_bridge(Case& c, const std::array<VertexId, 3>& a, const std::array<Vert
   add_tet(c, {a[0], a[1], a[2], b[0]});
   add_tet(c, {a[1], a[2], b[0], b[1]});
   add_tet(c, {a[2], b[0], b[1], b[2]});
+}
+
+// A column with vertices inside its middle section: in an edge, and in a face.
+Case inner_case() {
+  Case c = testing::slabs_case();
+  const std::array diagonal{vertex_at(c.model, 4, 0, 1), vertex_at(c.model, 0, 4, 1)};
+  testing::insert_vertex(c.model, diagonal, {2, 2, 1});
+  const std::array face{vertex_at(c.model, 0, 0, 1), vertex_at(c.model, 4, 0, 1),
+                        vertex_at(c.model, 2, 2, 1)};
+  testing::insert_vertex(c.model, face, {2, 1, 1});
+  return c;
 }
 
 CorrespondenceOptions labels(std::vector<Label> of) {
@@ -237,27 +250,63 @@ const Corruption kResampling[] = {
      [](Case& c, CheckOptions&) {
        for (Section& section : c.stack.sections) section.contours.raw().pop_back();
      }},
-    {"2.10", "VertexInsideTheRegion", testing::slabs_case,
+    {"2.7", "InnerVertexMovedOutsideTheRegion", inner_case,
      [](Case& c, CheckOptions&) {
-       // The bottom edge (4, 0)–(0, 4) is split at its middle, with its tets.
-       const VertexId a = vertex_at(c.model, 4, 0, 0);
-       const VertexId b = vertex_at(c.model, 0, 4, 0);
-       const VertexId middle = add_point(c, 2, 2, 0);
-       std::vector<TetVertices> split;
-       for (const TetVertices& tet : c.model.tets) {
-         const bool both =
-             std::count(tet.begin(), tet.end(), a) + std::count(tet.begin(), tet.end(), b) == 2;
-         if (!both) {
-           split.push_back(tet);
-           continue;
-         }
-         for (const VertexId end : {a, b}) {
-           TetVertices half = tet;
-           std::replace(half.begin(), half.end(), end, middle);
-           split.push_back(half);
-         }
+       at(c, 2, 2, 1) = {7, 7, 1};
+     }},
+    {"2.7", "FaceCoveredTwice", inner_case,
+     [](Case& c, CheckOptions&) {
+       // The face that the inner vertex parted, whole beside its parts.
+       const VertexId a = vertex_at(c.model, 0, 0, 1);
+       const VertexId b = vertex_at(c.model, 4, 0, 1);
+       add_tet(c, {a, b, vertex_at(c.model, 0, 4, 1), add_point(c, 1, 1, 0.5)});
+     }},
+    {"2.9", "SecondSheetInsideTheRegion", inner_case,
+     [](Case& c, CheckOptions&) {
+       add_tet(c, {add_point(c, 2.5, 2.5, 1), add_point(c, 3, 2.5, 1), add_point(c, 2.5, 3, 1),
+                   add_point(c, 2.5, 2.5, 1.5)});
+     }},
+    {"2.9", "FaceOutsideTheRegion", inner_case,
+     [](Case& c, CheckOptions&) {
+       add_tet(c, {add_point(c, 20, 0, 1), add_point(c, 21, 0, 1), add_point(c, 20, 1, 1),
+                   add_point(c, 20, 0, 2)});
+     }},
+    {"2.9", "FaceAtAnInnerVertexMissing", inner_case,
+     [](Case& c, CheckOptions&) {
+       const VertexId a = vertex_at(c.model, 2, 2, 1);
+       const VertexId b = vertex_at(c.model, 2, 1, 1);
+       remove_tets(c, [&](const TetVertices& tet) {
+         return std::count(tet.begin(), tet.end(), a) + std::count(tet.begin(), tet.end(), b) == 2;
+       });
+     }},
+    {"2.8", "InnerVertexTakenForAContourVertex", inner_case,
+     [](Case& c, CheckOptions&) {
+       // The input's corner goes to where nothing is.
+       c.stack.sections[SectionId(1)].contours[ContourId(0)].vertices[2] = {2, 2};
+     }},
+    {"2.6", "InnerVertexOnOneSideOnly", inner_case,
+     [](Case& c, CheckOptions&) {
+       // The tets above get another vertex, an ulp higher.
+       const VertexId low = vertex_at(c.model, 2, 2, 1);
+       const VertexId high = add_point(c, 2, 2, std::nextafter(1, kInfinity));
+       for (TetVertices& tet : c.model.tets) {
+         const bool above = std::any_of(tet.begin(), tet.end(),
+                                        [&](VertexId v) { return c.model.points[v].z > 2; });
+         if (above) std::replace(tet.begin(), tet.end(), low, high);
        }
-       c.model.tets.raw() = split;
+     }},
+    {"2.11", "VertexOfAContourEdgeTooFarInside", inner_case,
+     [](Case& c, CheckOptions&) {
+       // A right remeshing but for a notch 16 ulps deep.
+       const std::array edge{vertex_at(c.model, 0, 0, 1), vertex_at(c.model, 4, 0, 1)};
+       testing::insert_vertex(c.model, edge, {2, 16 * 0x1p-50, 1});
+     }},
+    {"2.10", "VertexOutsideTheRegion", inner_case,
+     [](Case& c, CheckOptions&) { add_point(c, 20, 0, 1); }},
+    {"2.10", "ApexOutsideTheRegion", inner_case,
+     [](Case& c, CheckOptions&) {
+       add_tet(c, {add_point(c, 20, 0, 1), add_point(c, 20, 0, 2), add_point(c, 21, 0, 2),
+                   add_point(c, 20, 1, 2)});
      }},
     {"2.10", "SpareVertexInAPlane", testing::prism_case,
      [](Case& c, CheckOptions&) { add_point(c, 1, 1, 1); }},

@@ -7,10 +7,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <string>
 #include <utility>
 
 #include "support/guarantee_oracle.hpp"
+#include "support/refine/refine_model.hpp"
 #include "unit/check/columns.hpp"
 #include "unit/check/verdict_text.hpp"
 
@@ -144,6 +146,32 @@ std::string corrupt(Prng& prng, Case& c, CheckOptions& options) {
   }
 }
 
+// Inserts vertices into edges, faces and tets: those of one height at that height.
+void refine(Prng& prng, Case& c, int times) {
+  for (int k = 0; k < times; ++k) {
+    TetVertices tet = c.model.tets[TetId(prng.below(c.model.tets.size()))];
+    for (std::size_t i = 3; i > 0; --i) std::swap(tet[i], tet[prng.below(i + 1)]);
+    if (prng.below(3) != 0) {  // what lies in a plane first
+      std::stable_sort(tet.begin(), tet.end(), [&](VertexId a, VertexId b) {
+        const auto alike = [&](VertexId v) {
+          return std::count_if(tet.begin(), tet.end(), [&](VertexId w) {
+            return c.model.points[v].z == c.model.points[w].z;
+          });
+        };
+        return alike(a) > alike(b);
+      });
+    }
+    const std::span<const VertexId> simplex(tet.data(), 2 + prng.below(3));
+    Point3 sum{0, 0, 0};
+    for (const VertexId v : simplex) {
+      const Point3& p = c.model.points[v];
+      sum = {sum.x + p.x, sum.y + p.y, sum.z + p.z};
+    }
+    const auto n = static_cast<double>(simplex.size());
+    testing::insert_vertex(c.model, simplex, {sum.x / n, sum.y / n, sum.z / n});
+  }
+}
+
 // Sanitizers slow rational arithmetic down tenfold, and it is not what they look for.
 #if defined(__SANITIZE_ADDRESS__)
 constexpr int kTrials = 150;
@@ -178,6 +206,28 @@ TEST(CheckAgainstOracle, AgreesOnRandomCorruptions) {
     EXPECT_GT(held[g], kTrials / 10) << "guarantee " << g + 1;
     EXPECT_GT(failed[g], kTrials / 20) << "guarantee " << g + 1;
   }
+}
+
+TEST(CheckAgainstOracle, AgreesOnRefinedModels) {
+  constexpr std::uint64_t kSeed = 20261128;
+  Prng prng(kSeed);
+  int held = 0;
+  int failed = 0;
+  std::size_t inner = 0;
+  for (int trial = 0; trial < kTrials / 10; ++trial) {
+    Case c = random_case(prng);
+    CheckOptions options;
+    refine(prng, c, 4);
+    std::string what = "seed " + std::to_string(kSeed) + ", trial " + std::to_string(trial);
+    if (trial % 2 == 1) what += ", " + corrupt(prng, c, options);
+    const oracle::GuaranteeVerdicts truth = compare(c, options, what);
+    if (truth.holds[1].has_value()) ++(*truth.holds[1] ? held : failed);
+    const auto report = check(c.model, c.stack, options);
+    if (report.ok() && report->pass()) inner += report->inner_vertices;
+  }
+  EXPECT_GT(held, kTrials / 20);
+  EXPECT_GT(failed, kTrials / 50);
+  EXPECT_GT(inner, static_cast<std::size_t>(kTrials / 100));
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include "core/prng.hpp"
 
+#include "support/refine/refine_model.hpp"
 #include "unit/check/columns.hpp"
 #include "unit/check/verdict_text.hpp"
 
@@ -17,6 +18,7 @@ namespace tetloft {
 namespace {
 
 using testing::Case;
+using testing::vertex_at;
 
 CheckReport checked(const Case& c, const CheckOptions& options = {}) {
   auto report = check(c.model, c.stack, options);
@@ -51,6 +53,44 @@ TEST(Check, PassesRandomColumnsAndCaps) {
     EXPECT_TRUE(report.pass()) << "trial " << trial << "\n" << testing::text(report);
     EXPECT_EQ(report.components, 3U);
   }
+}
+
+// Where a mesher may put a vertex: into an edge inside a section or on a contour, into a face, at
+// an end or in the stack, and into a tet.
+TEST(Check, PassesRefinedModels) {
+  const Case plain = testing::slabs_case();
+  for (const double z : {0.0, 1.0, 3.0}) {
+    const auto vertex = [&](double x, double y) { return vertex_at(plain.model, x, y, z); };
+    struct Inserted {
+      std::vector<VertexId> into;
+      Point3 at;
+      std::size_t inner;
+    };
+    for (const auto& [into, at, inner] :
+         {Inserted{{vertex(4, 0), vertex(0, 4)}, {2, 2, z}, 1},
+          Inserted{{vertex(4, 0), vertex(0, 4)}, {2.5, 1.5, z}, 1},
+          Inserted{{vertex(0, 0), vertex(4, 0), vertex(0, 4)}, {1, 1, z}, 1},
+          // An ulp of the contour's coordinates off the contour, but inside.
+          Inserted{{vertex(0, 0), vertex(4, 0), vertex(0, 4)}, {2, 0x1p-50, z}, 1},
+          Inserted{{vertex(0, 0), vertex(4, 0)}, {1, 0, z}, 0},
+          Inserted{{vertex(0, 0), vertex(4, 0)}, {1, 0x1p-50, z}, 0}}) {
+      Case c = plain;
+      ASSERT_TRUE(testing::insert_vertex(c.model, into, at));
+      const CheckReport report = checked(c);
+      EXPECT_TRUE(report.pass()) << z << "\n" << testing::text(report);
+      EXPECT_EQ(report.inner_vertices, inner);
+    }
+  }
+  Case c = plain;
+  const TetVertices tet = plain.model.tets[TetId(0)];
+  Point3 sum{0, 0, 0};
+  for (const VertexId v : tet) {
+    const Point3& p = c.model.points[v];
+    sum = {sum.x + p.x, sum.y + p.y, sum.z + p.z};
+  }
+  ASSERT_TRUE(testing::insert_vertex(c.model, tet, {sum.x / 4, sum.y / 4, sum.z / 4}));
+  EXPECT_TRUE(checked(c).pass()) << testing::text(checked(c));
+  EXPECT_EQ(checked(c).inner_vertices, 0U);
 }
 
 TEST(Check, CountsComponentsAndGenus) {

@@ -1,0 +1,12 @@
+// A model times a power of two.
+#pragma once
+
+#include <tetloft/model.hpp>
+
+namespace tetloft {
+
+/// Multiplies all coordinates by 2^exponent. False, and nothing changed, where one would lose a
+/// bit or is too large.
+[[nodiscard]] bool scale_exactly(Model& model, int exponent);
+
+}  // namespace tetloft

@@ -1,0 +1,36 @@
+#include "sections/scaling.hpp"
+
+#include <cmath>
+
+namespace tetloft::sections {
+
+UnitOfLength unit_of(const SectionStack& stack) {
+  UnitOfLength unit;
+  for (const Section& section : stack.sections) {
+    unit.include(section.z);
+    for (const Contour& contour : section.contours) {
+      for (const Point2& p : contour.vertices) unit.include(p);
+    }
+  }
+  return unit;
+}
+
+Section scaled_in_plane(const Section& section, int exponent) {
+  Section result = section;
+  for (Contour& contour : result.contours) {
+    for (Point2& p : contour.vertices) p = tetloft::scaled(p, exponent);
+  }
+  return result;
+}
+
+SectionStack scaled(const SectionStack& stack, int exponent) {
+  SectionStack result;
+  result.sections.reserve(stack.sections.size());
+  for (const Section& section : stack.sections) {
+    result.sections.push_back(scaled_in_plane(section, exponent));
+    result.sections.raw().back().z = std::ldexp(section.z, exponent);
+  }
+  return result;
+}
+
+}  // namespace tetloft::sections

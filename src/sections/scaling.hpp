@@ -1,0 +1,18 @@
+// Sections times a power of two.
+#pragma once
+
+#include <tetloft/sections.hpp>
+
+#include "core/unit_of_length.hpp"
+
+namespace tetloft::sections {
+
+/// The unit of all coordinates.
+[[nodiscard]] UnitOfLength unit_of(const SectionStack& stack);
+
+/// All coordinates times 2^exponent.
+[[nodiscard]] SectionStack scaled(const SectionStack& stack, int exponent);
+/// The same of the contours; z stays as it is.
+[[nodiscard]] Section scaled_in_plane(const Section& section, int exponent);
+
+}  // namespace tetloft::sections
