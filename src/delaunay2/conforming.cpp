@@ -255,7 +255,7 @@ class Conformer {
       const Segment& t = segments_[subsegments_[inserted_[point - input_.size()]].segment];
       return t[0] == corner || t[1] == corner;
     }
-    const auto [low, high] = std::minmax(VertexId(point), corner);
+    const auto [low, high] = std::minmax({VertexId(point), corner});
     return std::binary_search(neighbours_.begin(), neighbours_.end(), Segment{low, high});
   }
 

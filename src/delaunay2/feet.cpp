@@ -32,9 +32,24 @@ Point2 times(double t, const Point2& u) { return {t * u.x, t * u.y}; }
 Point2 plus(const Point2& u, const Point2& v) { return {u.x + v.x, u.y + v.y}; }
 double length(const Point2& u) { return std::sqrt(dot(u, u)); }
 
-Point2 clamped(const Point2& p, const Point2& a, const Point2& b) {
-  return {std::clamp(p.x, std::min(a.x, b.x), std::max(a.x, b.x)),
-          std::clamp(p.y, std::min(a.y, b.y), std::max(a.y, b.y))};
+double clamped(double t, double a, double b) {
+  return std::clamp(t, std::min(a, b), std::max(a, b));
+}
+
+/// The point of the segment with the same coordinate as `p` along the segment's longer axis, in
+/// the closed box of a and b. The coordinate is kept, for columns parallel to an axis; the other
+/// is computed from the nearer end, so that it is off by ulps of its own.
+Point2 onto(const Point2& p, const Point2& from, const Point2& to, const Point2& a,
+            const Point2& b) {
+  const Point2 whole{to.x - from.x, to.y - from.y};
+  if (std::abs(whole.x) >= std::abs(whole.y)) {
+    const double x = clamped(p.x, a.x, b.x);
+    const Point2& end = std::abs(x - from.x) <= std::abs(x - to.x) ? from : to;
+    return {x, clamped(end.y + (x - end.x) * (whole.y / whole.x), a.y, b.y)};
+  }
+  const double y = clamped(p.y, a.y, b.y);
+  const Point2& end = std::abs(y - from.y) <= std::abs(y - to.y) ? from : to;
+  return {clamped(end.x + (y - end.y) * (whole.x / whole.y), a.x, b.x), y};
 }
 
 }  // namespace
@@ -76,7 +91,7 @@ Point2 split_at_foot(const Piece& piece, const Point2& obstacle, const Point2* c
   const bool at_corner = corner != nullptr && *corner == (from_a < to_b ? a : b);
   if (at_corner || std::min(from_a + shift, to_b - shift) >= d / 2) {
     const Point2 step = plus(times(-height, Point2{-along.y, along.x}), times(shift, along));
-    const Point2 foot = clamped(frame.moved(obstacle, step), a, b);
+    const Point2 foot = onto(frame.moved(obstacle, step), from, to, a, b);
     if (lies_between(a, foot, b)) return foot;
   }
   const double whole = from_a + to_b;
@@ -84,7 +99,7 @@ Point2 split_at_foot(const Piece& piece, const Point2& obstacle, const Point2* c
   if (!(reach < whole / 2)) return midpoint(a, b);
   const Point2 first = from_a < to_b ? frame.moved(a, times(reach, along))
                                      : frame.moved(b, times(-reach, along));
-  return clamped(first, a, b);
+  return onto(first, from, to, a, b);
 }
 
 }  // namespace tetloft::delaunay2_detail
