@@ -10,8 +10,10 @@
 #include "delaunay2/canonical.hpp"
 #include "delaunay2/corners.hpp"
 #include "delaunay2/diametral.hpp"
+#include "delaunay2/feet.hpp"
 #include "delaunay2/incremental.hpp"
 #include "delaunay2/shells.hpp"
+#include "delaunay2/sight.hpp"
 #include "delaunay2/start.hpp"
 
 namespace tetloft::delaunay2_detail {
@@ -44,16 +46,34 @@ struct Split {
   double radius;  // with shells
 };
 
+/// How split points are chosen.
+enum class Scheme : std::uint8_t {
+  shells,  // from the ends of a piece alone
+  feet,    // from what the piece meets
+};
+
+/// Crossings of missing pieces and edges that are looked at for each point that may be inserted:
+/// ten times what dense stacks of thin triangles take.
+constexpr std::size_t kMostCrossings = 32;
+
+/// Pieces of a segment after which shells are given up. Half of a real section of 858 vertices
+/// with a spike of 3e-6 needs 132; all others below 100.
+constexpr std::size_t kMostPieces = 160;
+
 class Conformer {
  public:
   Conformer(Start start, std::span<const Point2> points, std::span<const Segment> segments,
-            const std::vector<bool>& gabriel, std::size_t most_inserted)
+            const std::vector<bool>& gabriel, std::size_t most_inserted, Scheme scheme)
       : input_(points),
         segments_(segments),
         gabriel_(gabriel),
         most_inserted_(most_inserted),
+        scheme_(scheme),
+        pieces_(segments.size(), 1),
         start_(std::move(start)),
-        plane_(start_.plane.value()) {}
+        plane_(start_.plane.value()) {
+    if (scheme_ == Scheme::feet) list_neighbours();
+  }
 
   Result<Conforming2> run() {
     add_segments();
@@ -111,17 +131,22 @@ class Conformer {
   /// Empties the queue; labels what is an edge, returns splits of what must be split, in
   /// canonical order.
   std::vector<Split> splits_of_round() {
-    std::vector<Split> splits;
+    std::vector<SubsegmentId> missing;
+    std::vector<SubsegmentId> encroached;
     for (const SubsegmentId s : queue_) {
       is_queued_[s] = 0;
       const Subsegment& sub = subsegments_[s];
       const HalfEdgeId edge = plane_.find_edge(sub.from, sub.to);
       if (edge.valid()) plane_.set_label(edge, s);
-      if (!edge.valid() || (is_to_be_gabriel(sub) && !is_gabriel(edge))) {
-        splits.push_back(split_of(s));
+      if (!edge.valid()) {
+        missing.push_back(s);
+      } else if (is_to_be_gabriel(sub) && !is_gabriel(edge)) {
+        encroached.push_back(s);
       }
     }
     queue_.clear();
+    std::vector<Split> splits = scheme_ == Scheme::shells ? splits_on_shells(missing, encroached)
+                                                          : splits_at_feet(missing, encroached);
     std::sort(splits.begin(), splits.end(),
               [](const Split& a, const Split& b) { return canonical_less(a.point, b.point); });
     return splits;
@@ -152,6 +177,96 @@ class Conformer {
     return {rays_[sub.ray].at(radius), s, radius};
   }
 
+  [[nodiscard]] std::vector<Split> splits_on_shells(
+      const std::vector<SubsegmentId>& missing, const std::vector<SubsegmentId>& encroached) const {
+    std::vector<Split> splits;
+    for (const SubsegmentId s : missing) splits.push_back(split_of(s));
+    for (const SubsegmentId s : encroached) splits.push_back(split_of(s));
+    return splits;
+  }
+
+  /// A missing subsegment that only others hide from its obstacles waits for them.
+  std::vector<Split> splits_at_feet(const std::vector<SubsegmentId>& missing,
+                                    const std::vector<SubsegmentId>& encroached) {
+    std::vector<std::array<VertexId, 2>> ends;
+    for (const SubsegmentId s : missing) ends.push_back({subsegments_[s].from, subsegments_[s].to});
+    const Sight sight = look(plane_, ends);
+    crossings_ += sight.crossings;
+    std::vector<Split> splits;
+    for (std::size_t k = 0; k < missing.size(); ++k) {
+      if (const VertexId obstacle = widest(missing[k], sight.vertices[k]); obstacle.valid()) {
+        splits.push_back(foot_of(obstacle, missing[k]));
+      } else {
+        enqueue(missing[k]);
+      }
+    }
+    for (const SubsegmentId s : encroached) {
+      const HalfEdgeId edge = plane_.find_edge(subsegments_[s].from, subsegments_[s].to);
+      const VertexId apexes[] = {plane_.apex(edge), plane_.apex(plane_.opposite(edge))};
+      splits.push_back(foot_of(widest(s, apexes), s));
+    }
+    if (!splits.empty()) return splits;
+    for (std::size_t k = 0; k < missing.size(); ++k) {
+      const VertexId obstacle = widest(missing[k], vertices_around(plane_, ends[k]));
+      TETLOFT_CHECK(obstacle.valid());
+      splits.push_back(foot_of(obstacle, missing[k]));
+    }
+    return splits;
+  }
+
+  /// The vertex in the diametral circle that sees the subsegment under the widest angle, if any.
+  [[nodiscard]] VertexId widest(SubsegmentId s, std::span<const VertexId> vertices) const {
+    const Point2& a = plane_.point(subsegments_[s].from);
+    const Point2& b = plane_.point(subsegments_[s].to);
+    VertexId best;
+    double best_width = 0;
+    for (const VertexId v : vertices) {
+      if (v == Incremental2::kGhost || v == subsegments_[s].from || v == subsegments_[s].to) {
+        continue;
+      }
+      const Point2& p = plane_.point(v);
+      if (!in_diametral_circle(a, b, p)) continue;
+      const double width = angle_width(a, p, b);
+      if (!best.valid() || width > best_width ||
+          (width == best_width && canonical_less(p, plane_.point(best)))) {
+        best = v;
+        best_width = width;
+      }
+    }
+    return best;
+  }
+
+  [[nodiscard]] Split foot_of(VertexId obstacle, SubsegmentId s) const {
+    const Subsegment& sub = subsegments_[s];
+    const Segment& whole = segments_[sub.segment];
+    const Piece piece{input_[whole[0].index()], input_[whole[1].index()], plane_.point(sub.from),
+                      plane_.point(sub.to)};
+    const bool shares[] = {is_joined(obstacle, whole[0]), is_joined(obstacle, whole[1])};
+    const Point2* corner = shares[0] == shares[1] ? nullptr
+                           : shares[0]            ? &piece.from
+                                                  : &piece.to;
+    return {split_at_foot(piece, plane_.point(obstacle), corner), s, 0};
+  }
+
+  /// Does v lie on a segment that ends at the input point `corner`?
+  [[nodiscard]] bool is_joined(VertexId v, VertexId corner) const {
+    const std::size_t point = start_.input_of[v.index()].index();
+    if (point >= input_.size()) {
+      const Segment& t = segments_[subsegments_[inserted_[point - input_.size()]].segment];
+      return t[0] == corner || t[1] == corner;
+    }
+    const auto [low, high] = std::minmax({VertexId(point), corner});
+    return std::binary_search(neighbours_.begin(), neighbours_.end(), Segment{low, high});
+  }
+
+  void list_neighbours() {
+    for (const Segment& s : segments_) {
+      const auto [low, high] = std::minmax(s[0], s[1]);
+      neighbours_.push_back({low, high});
+    }
+    std::sort(neighbours_.begin(), neighbours_.end());
+  }
+
   /// Is there room for all splits? Names the first, in canonical order, for which there is not.
   [[nodiscard]] Result<void> verify(const std::vector<Split>& round) const {
     for (std::size_t i = 0; i < round.size(); ++i) {
@@ -163,7 +278,16 @@ class Conformer {
         return no_room(round[i], "lies on two segments");
       }
     }
-    if (inserted_.size() + round.size() > most_inserted_) {
+    if (scheme_ == Scheme::shells) {
+      for (const Split& split : round) {
+        const Subsegment& sub = subsegments_[split.subsegment];
+        if (!is_to_be_gabriel(sub) && pieces_[sub.segment] >= kMostPieces) {
+          return no_room(split, "is one too many for its segment");
+        }
+      }
+    }
+    if (inserted_.size() + round.size() > most_inserted_ ||
+        crossings_ / kMostCrossings > most_inserted_) {
       return no_room(round.front(), "exceeds the bound on inserted points");
     }
     return {};
@@ -187,6 +311,7 @@ class Conformer {
     first.to_radius = second.from_radius = split.radius;
     const SubsegmentId id = subsegments_.push_back(second);
     first.next = id;
+    ++pieces_[first.segment];
     subsegments_[split.subsegment] = first;
     if (first.rule == Rule::first_middle) {
       measure_from(split.subsegment, first.from);
@@ -223,6 +348,10 @@ class Conformer {
   std::span<const Segment> segments_;
   const std::vector<bool>& gabriel_;
   std::size_t most_inserted_;
+  Scheme scheme_;
+  std::size_t crossings_ = 0;        // with feet: looked at
+  std::vector<std::size_t> pieces_;  // by segment
+  std::vector<Segment> neighbours_;  // with feet: the segments, lower end first, sorted
   Start start_;
   Incremental2& plane_;
 
@@ -238,7 +367,11 @@ class Conformer {
 Result<Conforming2> conform(Start start, std::span<const Point2> points,
                             std::span<const Segment> segments, const std::vector<bool>& gabriel,
                             std::size_t most_inserted) {
-  return Conformer(std::move(start), points, segments, gabriel, most_inserted).run();
+  Result<Conforming2> result =
+      Conformer(std::move(start), points, segments, gabriel, most_inserted, Scheme::shells).run();
+  if (result) return result;
+  return Conformer(triangulate(points), points, segments, gabriel, most_inserted, Scheme::feet)
+      .run();
 }
 
 }  // namespace tetloft::delaunay2_detail

@@ -151,7 +151,7 @@ Result<Conforming2> conforming_delaunay2(std::span<const Point2> points,
     if (Result<void> valid = verify_range(points); !valid) return valid.error();
     const std::size_t bound = options.most_inserted != 0
                                   ? options.most_inserted
-                                  : (std::size_t{1} << 20) + 64 * (points.size() + segments.size());
+                                  : (std::size_t{1} << 16) + 64 * (points.size() + segments.size());
     return delaunay2_detail::conform(
         std::move(start), points, segments, options.gabriel,
         std::min(bound, Incremental2::kMostVertices - 1 - points.size()));

@@ -71,6 +71,17 @@ class Incremental2 {
   [[nodiscard]] VertexId destination(HalfEdgeId h) const { return apex(previous(h)); }
   /// The same edge in the other triangle.
   [[nodiscard]] HalfEdgeId opposite(HalfEdgeId h) const { return at(h).opposite[h.value() & 3U]; }
+  /// The following and the preceding edge of its triangle.
+  [[nodiscard]] static HalfEdgeId next(HalfEdgeId h) {
+    return HalfEdgeId((h.value() & 3U) == 2 ? h.value() - 2 : h.value() + 1);
+  }
+  [[nodiscard]] static HalfEdgeId previous(HalfEdgeId h) {
+    return HalfEdgeId((h.value() & 3U) == 0 ? h.value() + 2 : h.value() - 1);
+  }
+  /// Some half-edge that starts at v.
+  [[nodiscard]] HalfEdgeId out(VertexId v) const { return out_[v.index()]; }
+  /// The next half-edge with the same origin, counter-clockwise.
+  [[nodiscard]] HalfEdgeId rotate(HalfEdgeId h) const { return opposite(previous(h)); }
   [[nodiscard]] bool is_ghost(TriangleId t) const {
     const std::array<VertexId, 3>& v = vertices(t);
     return v[0] == kGhost || v[1] == kGhost || v[2] == kGhost;
@@ -96,15 +107,6 @@ class Incremental2 {
     HalfEdgeId outer;  // the edge's side that stays
     LabelId label;
   };
-
-  static HalfEdgeId next(HalfEdgeId h) {
-    return HalfEdgeId((h.value() & 3U) == 2 ? h.value() - 2 : h.value() + 1);
-  }
-  static HalfEdgeId previous(HalfEdgeId h) {
-    return HalfEdgeId((h.value() & 3U) == 0 ? h.value() + 2 : h.value() - 1);
-  }
-  /// The next half-edge with the same origin, counter-clockwise.
-  [[nodiscard]] HalfEdgeId rotate(HalfEdgeId h) const { return opposite(previous(h)); }
 
   [[nodiscard]] const Triangle& at(HalfEdgeId h) const { return triangles_[triangle(h).index()]; }
   void set_opposite(HalfEdgeId h, HalfEdgeId other) {

@@ -4,34 +4,13 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <limits>
 
 #include "core/union_find.hpp"
+#include "reconstruct/trimming_distance.hpp"
 
 namespace tetloft {
 
 namespace {
-
-// Distance from p to the region of a section, rounded, 0 inside; `enough` may end the
-// search early, with some smaller distance.
-double distance_to_region(const ConformingSection& section, const Point2& p, double enough) {
-  double best = std::numeric_limits<double>::infinity();
-  bool inside = false;
-  for (std::size_t k = 0; k < section.vertex_count(); ++k) {
-    const Point2 a = section.point(VertexId(k));
-    if (!section.next[VertexId(k)].valid()) continue;
-    const Point2 b = section.point(section.next[VertexId(k)]);
-    const double dx = b.x - a.x;
-    const double dy = b.y - a.y;
-    const double length2 = dx * dx + dy * dy;
-    const double along = length2 > 0 ? ((p.x - a.x) * dx + (p.y - a.y) * dy) / length2 : 0;
-    const double t = std::clamp(along, 0.0, 1.0);
-    best = std::min(best, std::hypot(p.x - a.x - t * dx, p.y - a.y - t * dy));
-    if (best <= enough) return best;
-    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / dy * dx) inside = !inside;
-  }
-  return inside ? 0 : best;
-}
 
 class Trimmer {
  public:
@@ -41,7 +20,9 @@ class Trimmer {
         classes_(classes),
         complex_(complex),
         subdivision_(subdivision),
-        lifting_(lifting) {}
+        lifting_(lifting),
+        lower_(slab.lower()),
+        upper_(slab.upper()) {}
 
   std::vector<std::uint8_t> run() {
     const std::size_t n = subdivision_.lifted.size();
@@ -71,8 +52,8 @@ class Trimmer {
       const Point3 end = slab_.point(v);
       if (std::hypot(end.x - p.x, end.y - p.y) <= enough) return 0;
     }
-    return std::min(distance_to_region(slab_.lower(), p, enough),
-                    distance_to_region(slab_.upper(), p, enough));
+    const double below = lower_.distance(p, enough);
+    return below <= enough ? 0 : std::min(below, upper_.distance(p, enough));
   }
 
   // The children at each overhanging vertex in which it has weight 1.
@@ -158,6 +139,8 @@ class Trimmer {
   const Complex& complex_;
   const Subdivision& subdivision_;
   const Lifting& lifting_;
+  RegionDistance lower_;
+  RegionDistance upper_;
   std::vector<std::uint8_t> trimmed_;
   std::vector<std::pair<std::size_t, std::size_t>> children_;  // (lifted vertex, child), sorted
 };

@@ -35,6 +35,10 @@ struct Box {
     x1 = std::max(x1, b.x1);
     y1 = std::max(y1, b.y1);
   }
+  /// How far p is outside along x and y; 0 inside.
+  [[nodiscard]] Point2 offset(const Point2& p) const {
+    return {std::max({x0 - p.x, p.x - x1, 0.0}), std::max({y0 - p.y, p.y - y1, 0.0})};
+  }
   /// Do the closed boxes share a point?
   [[nodiscard]] bool meets(const Box& b) const {
     return x0 <= b.x1 && b.x0 <= x1 && y0 <= b.y1 && b.y0 <= y1;
@@ -83,6 +87,47 @@ class BoxTree {
           stack[top++] = {below, static_cast<std::uint32_t>(k)};
         }
       }
+    }
+  }
+
+  /// Calls visit(i) for boxes near p, roughly from the nearest on, and always for those whose
+  /// offset from p is at most within(): what it returns may decrease from visit to visit.
+  template <class Visit, class Within>
+  void query_nearest(const Point2& p, Visit visit, Within within) const {
+    if (level_.empty()) return;
+    struct Candidate {
+      double offset;
+      Waiting node;
+    };
+    const auto offset_of = [&](const Box& box) {
+      const Point2 offset = box.offset(p);
+      return std::max(offset.x, offset.y);
+    };
+    Candidate stack[kFanOut * 12];
+    std::size_t top = 0;
+    stack[top++] = {0, {static_cast<std::uint32_t>(level_.size() - 1), 0}};
+    while (top > 0) {
+      const Candidate from = stack[--top];
+      if (from.offset > within()) continue;
+      const std::size_t first = std::size_t{from.node.index} * kFanOut;
+      if (from.node.level == 0) {
+        const std::size_t last = std::min(first + kFanOut, order_.size());
+        for (std::size_t k = first; k < last; ++k) {
+          if (offset_of(leaf_[k]) <= within()) visit(std::size_t{order_[k]});
+        }
+        continue;
+      }
+      const std::uint32_t below = from.node.level - 1;
+      const std::size_t count = level_[below + 1] - level_[below];
+      const std::size_t last = std::min(first + kFanOut, count);
+      const std::size_t bottom = top;
+      for (std::size_t k = first; k < last; ++k) {
+        stack[top++] = {offset_of(nodes_[level_[below] + k]), {below, static_cast<std::uint32_t>(k)}};
+      }
+      // The nearest is taken up first.
+      std::sort(stack + bottom, stack + top, [](const Candidate& a, const Candidate& b) {
+        return a.offset != b.offset ? a.offset > b.offset : a.node.index > b.node.index;
+      });
     }
   }
 
