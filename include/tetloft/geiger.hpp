@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include <tetloft/model.hpp>
+#include <tetloft/reconstruct.hpp>
 #include <tetloft/result.hpp>
 #include <tetloft/sections.hpp>
 
@@ -17,6 +18,8 @@ struct GeigerOptions {
   /// Adds feet of obtuse corners to contours (step 1) and projected skeleton vertices to regions
   /// (step 2).
   bool refine = true;
+  /// The most tets of a slab's Delaunay triangulation, as ReconstructOptions has it.
+  double work_limit = kDefaultWorkLimit;
 };
 
 struct GeigerReport {
@@ -38,7 +41,8 @@ struct GeigerModel {
 /// The solid by Geiger's algorithm. Its tets are positive and do not overlap, being tets of
 /// Delaunay triangulations. Nothing else is promised: vertices may be singular, contours lost,
 /// sections not met; check() says how. Refused: invalid_input for an invalid stack or fewer than
-/// two sections, unrepresentable where a section cannot be made conforming.
+/// two sections, unrepresentable where a section cannot be made conforming, work_limit where that
+/// is exceeded.
 [[nodiscard]] Result<GeigerModel> reconstruct_geiger(const SectionStack& stack,
                                                      const GeigerOptions& options = {});
 

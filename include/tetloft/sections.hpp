@@ -191,11 +191,13 @@ struct ConformingSection {
 /// Gabriel (empty: none). `interior`: further vertices, strictly inside the region, distinct
 /// from each other and from contour vertices; they lie on no contour. Split vertices bend the
 /// contour by rounding; what changed is validated again. Fails (unrepresentable, naming contour
-/// and vertex) where rounding leaves no valid conforming section, and (invalid_input) where an
-/// interior vertex is not inside.
+/// and vertex) where rounding leaves no valid conforming section, (invalid_input) where an
+/// interior vertex is not inside, and (work_limit, naming contour and vertex) where more than
+/// `most_inserted` vertices would be inserted; 0: as ConformingOptions has it.
 [[nodiscard]] Result<ConformingSection> conform(const Section& section, SectionId id,
                                                 const IdVector<ContourId, bool>& gabriel = {},
-                                                std::span<const Point2> interior = {});
+                                                std::span<const Point2> interior = {},
+                                                std::size_t most_inserted = 0);
 
 /// One edge of a Voronoi skeleton: the dual of a Delaunay edge.
 struct SkeletonEdge {

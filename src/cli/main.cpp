@@ -34,8 +34,8 @@ std::string general_help() {
       "\n  --help        print this help; tetloft COMMAND --help tells more\n"
       "  --version     print the version\n\n"
       "exit codes: 0 done, 1 check: a guarantee fails, 2 usage, 3 invalid input,\n"
-      "4 a file cannot be read or written, 5 no valid model representable, 70 internal\n"
-      "error\n";
+      "4 a file cannot be read or written, 5 no valid model representable, 7 over the\n"
+      "work limit, 70 internal error\n";
   return text;
 }
 

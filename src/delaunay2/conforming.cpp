@@ -164,7 +164,9 @@ class Conformer {
       }
     }
     if (inserted_.size() + round.size() > most_inserted_) {
-      return no_room(round.front(), "exceeds the bound on inserted points");
+      Error error = no_room(round.front(), "exceeds the bound on inserted points");
+      error.code = ErrorCode::work_limit;
+      return error;
     }
     return {};
   }

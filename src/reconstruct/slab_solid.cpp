@@ -60,13 +60,13 @@ void extrude_all(const ConformingSection& section, double z, SlabSolid& solid) {
 
 // The solid over the sections of `pits`; none if these changed, since a pit was sealed.
 Result<std::optional<SlabSolid>> build_once(SlabId id, Pits& pits, const std::vector<Link>& links,
-                                            DelaunayEngine engine,
+                                            DelaunayEngine engine, double work_limit,
                                             std::array<double, kSteps>& seconds) {
   const ConformingSection& lower = pits.lower();
   const ConformingSection& upper = pits.upper();
   SlabSolid solid;
   StepClock clock(seconds);
-  Result<TetMesh> d = slab_delaunay(lower, upper, engine);
+  Result<TetMesh> d = slab_delaunay(id, lower, upper, engine, work_limit);
   if (!d) return d.error();
   const Slab slab(lower, upper, std::move(d.value()));
   clock.end(Step::delaunay);
@@ -146,12 +146,13 @@ void drop_exterior_vertices(const Pits& pits, SlabSolid& solid) {
 
 Result<SlabSolid> build_between(SlabId id, const ConformingSection& lower,
                                 const ConformingSection& upper, const std::vector<Link>& links,
-                                DelaunayEngine engine) {
+                                DelaunayEngine engine, double work_limit) {
   Pits pits(lower, upper);
   std::array<double, kSteps> seconds{};
   // Each round but the last opens a pit at least, or gives all of them up.
   for (;;) {
-    Result<std::optional<SlabSolid>> built = build_once(id, pits, links, engine, seconds);
+    Result<std::optional<SlabSolid>> built =
+        build_once(id, pits, links, engine, work_limit, seconds);
     if (built && !*built) continue;
     if (pits.opened() > 0 && (!built || !(*built)->unconnectable.empty())) {
       pits.give_up();
@@ -176,14 +177,14 @@ SlabSolid build_end(const ConformingSection& section, double z) {
 
 Result<SlabSolid> build_slab_solid(SlabId id, const ConformingSection& lower,
                                    const ConformingSection& upper, const std::vector<Link>& links,
-                                   DelaunayEngine engine) {
+                                   DelaunayEngine engine, double work_limit) {
   const bool has_lower = lower.vertex_count() > 0;
   const bool has_upper = upper.vertex_count() > 0;
   const double middle = lower.z + 0.5 * (upper.z - lower.z);
   if (!(lower.z < middle && middle < upper.z)) {
     return no_room(id, {0, 0, lower.z}, "no double lies between the two section planes");
   }
-  if (has_lower && has_upper) return build_between(id, lower, upper, links, engine);
+  if (has_lower && has_upper) return build_between(id, lower, upper, links, engine, work_limit);
   if (has_lower) return build_end(lower, middle);
   if (has_upper) return build_end(upper, middle);
   return SlabSolid{};

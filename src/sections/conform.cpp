@@ -57,12 +57,14 @@ class Conformer {
     flat_ = flatten(section, interior);
   }
 
-  Result<ConformingSection> run(const IdVector<ContourId, bool>& gabriel) {
+  Result<ConformingSection> run(const IdVector<ContourId, bool>& gabriel,
+                                std::size_t most_inserted) {
     if (flat_.points.empty()) {
       result_.first_edge = {0};
       return std::move(result_);
     }
     ConformingOptions options;
+    options.most_inserted = most_inserted;
     if (!gabriel.empty()) {
       for (const ContourId c : flat_.contour) options.gabriel.push_back(gabriel[c]);
     }
@@ -86,6 +88,14 @@ class Conformer {
       error.where.vertex = flat_.vertex[v];
       if (error.code == ErrorCode::unrepresentable) {
         error.message = "rounding leaves no room to split the contour's edge that starts here";
+      } else if (error.code == ErrorCode::work_limit) {
+        error.message =
+            "contours that are nearly parallel, or meet at angles, much closer than their edges "
+            "are "
+            "long have to be split further than the work limit allows, last at the edge that "
+            "starts "
+            "here; move them apart, divide the edges (--refine), drop the last bits (--snap), or "
+            "raise the limit";
       }
     }
     error.where.section = id_.index();
@@ -263,12 +273,12 @@ class Conformer {
 
 Result<ConformingSection> conform(const Section& section, SectionId id,
                                   const IdVector<ContourId, bool>& gabriel,
-                                  std::span<const Point2> interior) {
+                                  std::span<const Point2> interior, std::size_t most_inserted) {
   return guard_internal([&]() -> Result<ConformingSection> {
     if (!gabriel.empty() && gabriel.size() != section.contours.size()) {
       return Error{ErrorCode::usage, "gabriel needs one flag for each contour", {}};
     }
-    return Conformer(section, id, interior).run(gabriel);
+    return Conformer(section, id, interior).run(gabriel, most_inserted);
   });
 }
 
