@@ -134,6 +134,7 @@ std::string to_json(const Reconstruction& result, const StackInput& input, const
   json.member("components", result.model.component_count);
   json.member("volume", report.volume);
   json.member("smallest_lift", report.smallest_lift);
+  json.member("work", report.work);
   json.key("rules");
   json.begin_object();
   for (int r = 0; r < kRules; ++r) {

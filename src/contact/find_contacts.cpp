@@ -65,12 +65,14 @@ class Tester {
   void test(std::uint32_t i, std::uint32_t j) {
     const Contact pair{std::min(i, j), std::max(i, j)};
     if (!lowest_.wants(pair)) return;
+    ++tested_;
     if (contact_detail::touch(points_, triangles_[i], facing(i), triangles_[j], facing(j))) {
       lowest_.add(pair);
     }
   }
 
   [[nodiscard]] std::vector<Contact> sorted() { return lowest_.sorted(); }
+  [[nodiscard]] std::uint64_t tested() const { return tested_; }
 
  private:
   const Facing& facing(std::uint32_t i) {
@@ -86,6 +88,7 @@ class Tester {
   std::vector<Facing> facing_;
   std::vector<std::uint8_t> faced_;
   LowestContacts lowest_;
+  std::uint64_t tested_ = 0;
 };
 
 // The pairs of a fan's members with each other, and with all triangles but those of fans before.
@@ -119,11 +122,26 @@ void test_fans(std::span<const Point3> points, std::span<const TriangleVertices>
   }
 }
 
+// The pairs of the rest, and those with triangles that are not active, where some are not.
+void test_rest(std::span<const Point3> points, std::span<const TriangleVertices> triangles,
+               std::span<const std::uint32_t> rest, std::span<const std::uint8_t> active,
+               Tester& tester) {
+  if (rest.empty()) return;
+  const BoxTree tree(points, triangles, rest);
+  tree.for_each_pair([&](std::uint32_t i, std::uint32_t j) { tester.test(i, j); });
+  // One by one: most meet nothing there.
+  for (std::uint32_t j = 0; j < active.size(); ++j) {
+    if (active[j] != 0) continue;
+    tree.for_each_meeting(contact_detail::box_of(points, triangles[j]),
+                          [&](std::uint32_t i) { tester.test(i, j); });
+  }
+}
+
 }  // namespace
 
 std::vector<Contact> find_contacts(std::span<const Point3> points,
                                    std::span<const TriangleVertices> triangles, std::size_t limit,
-                                   std::span<const std::uint8_t> active) {
+                                   std::span<const std::uint8_t> active, std::uint64_t* tested) {
   if (limit == 0) return {};
   std::vector<std::uint32_t> members;
   members.reserve(triangles.size());
@@ -136,17 +154,9 @@ std::vector<Contact> find_contacts(std::span<const Point3> points,
   Tester tester(points, triangles, limit);
   const Fans fans = contact_detail::gather_fans(points.size(), triangles, members);
   test_fans(points, triangles, fans, tester);
-  if (fans.rest.empty()) return tester.sorted();
-  const BoxTree tree(points, triangles, fans.rest);
-  tree.for_each_pair([&](std::uint32_t i, std::uint32_t j) { tester.test(i, j); });
-  if (all_active) return tester.sorted();
-
-  // The others against the tree, one by one: most meet nothing there.
-  for (std::uint32_t j = 0; j < triangles.size(); ++j) {
-    if (active[j] != 0) continue;
-    tree.for_each_meeting(contact_detail::box_of(points, triangles[j]),
-                          [&](std::uint32_t i) { tester.test(i, j); });
-  }
+  test_rest(points, triangles, fans.rest, all_active ? std::span<const std::uint8_t>() : active,
+            tester);
+  if (tested != nullptr) *tested += tester.tested();
   return tester.sorted();
 }
 

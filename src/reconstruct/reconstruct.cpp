@@ -338,6 +338,7 @@ class Reconstructor {
     report.rules = tally.rules;
     for (std::size_t s = 0; s < kSteps; ++s) report.seconds[s] += tally.seconds[s];
     report.smallest_lift = tally.smallest_lift;
+    report.work = tally.work + report.split_vertices;
     report.rules[static_cast<std::size_t>(Rule::gabriel_refinement)] = refinements_;
     for (std::size_t s = 1; s + 1 < section_count(); ++s) {
       const auto& internal = sections_[SectionId(s)].internal;

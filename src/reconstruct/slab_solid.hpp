@@ -23,6 +23,7 @@ struct SlabSolid {
   RuleCounts rules{};
   double smallest_lift = 1;
   std::array<double, kSteps> seconds{};
+  std::uint64_t work = 0;  ///< ReconstructReport::work
   /// Classes that D offers no edge to connect: their contours need Gabriel edges. If not
   /// empty, there is no solid.
   std::vector<Unconnectable> unconnectable;
