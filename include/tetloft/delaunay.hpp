@@ -29,6 +29,9 @@ struct Delaunay3Options {
   /// 0: as many as the machine offers. The slab engine triangulates its two planes at the same
   /// time; the incremental engine runs on one thread. The result is the same.
   unsigned threads = 1;
+  /// Refused (work_limit) while it works, as soon as it would take more tets at a time; 0: no
+  /// limit. Of n points some sets have n² / 2 tets: on two skew curves, for instance.
+  std::size_t most_tets = 0;
 };
 
 /// The 3D Delaunay triangulation of a point set.
@@ -79,9 +82,11 @@ struct Triangulation2 {
 /// Requires of both: Delaunay triangulations as by delaunay2, with triangles, their points
 /// distinct and in canonical order; together fewer than 2^29. Refused (invalid_input) where
 /// that does not hold, as far as it shows from sizes, order, ids and neighbours, and at 2^30 tets
-/// or more.
+/// or more; and (work_limit) while it works, as soon as there are more than `most_tets`; 0: no
+/// limit.
 [[nodiscard]] Result<TetMesh> slab_delaunay3(const Triangulation2& lower,
-                                             const Triangulation2& upper);
+                                             const Triangulation2& upper,
+                                             std::size_t most_tets = 0);
 
 /// A segment to be respected, by the indices of its ends.
 using Segment = std::array<VertexId, 2>;
@@ -133,9 +138,9 @@ struct Conforming2 {
 /// Requires distinct points and segments that do not cross or touch but at shared ends.
 /// Fails (invalid_input, naming the vertex) where a coordinate is not finite or beyond
 /// kLargestSplitCoordinate, points or segments are repeated, or an end is not a point; and
-/// (unrepresentable; where.vertex is the first end of the segment, where.point the point)
-/// when rounding leaves no room to split or most_inserted is exceeded. Segments that cross
-/// or touch end there as well, unless a point is inserted just where they meet.
+/// (where.vertex is the first end of the segment, where.point the point) when rounding leaves
+/// no room to split (unrepresentable), or most_inserted would be exceeded (work_limit). Segments
+/// that cross or touch end there as well, unless a point is inserted just where they meet.
 [[nodiscard]] Result<Conforming2> conforming_delaunay2(std::span<const Point2> points,
                                                        std::span<const Segment> segments,
                                                        const ConformingOptions& options = {});

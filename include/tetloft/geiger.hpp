@@ -8,6 +8,7 @@
 #include <stop_token>
 
 #include <tetloft/model.hpp>
+#include <tetloft/reconstruct.hpp>
 #include <tetloft/result.hpp>
 #include <tetloft/sections.hpp>
 
@@ -25,6 +26,8 @@ struct GeigerOptions {
   /// Called from any thread, one call at a time, with steps done and steps in all. What it
   /// throws ends the reconstruction with ErrorCode::cancelled.
   std::function<void(std::size_t done, std::size_t all)> progress = {};
+  /// The most tets of a slab's Delaunay triangulation, as ReconstructOptions has it.
+  double work_limit = kDefaultWorkLimit;
 };
 
 struct GeigerReport {
@@ -46,8 +49,8 @@ struct GeigerModel {
 /// The solid by Geiger's algorithm. Its tets are positive and do not overlap, being tets of
 /// Delaunay triangulations. Nothing else is promised: vertices may be singular, contours lost,
 /// sections not met; check() says how. Refused: invalid_input for an invalid stack or fewer than
-/// two sections, unrepresentable where a section cannot be made conforming, cancelled if it was
-/// stopped.
+/// two sections, unrepresentable where a section cannot be made conforming, work_limit where that
+/// is exceeded, cancelled if it was stopped.
 [[nodiscard]] Result<GeigerModel> reconstruct_geiger(const SectionStack& stack,
                                                      const GeigerOptions& options = {});
 

@@ -24,6 +24,9 @@ enum class Ends : std::uint8_t {
   half,  ///< half a gap beyond it: a prism over the section's region
 };
 
+/// No sane stack comes near it; what does is refused within seconds.
+inline constexpr double kDefaultWorkLimit = 128;
+
 struct ReconstructOptions {
   CorrespondenceOptions correspondence = {};
   Ends ends = Ends::flat;
@@ -32,6 +35,13 @@ struct ReconstructOptions {
   /// Thickness of the solid made from a single section, centred on its plane. Without it a
   /// tenth of the larger side of the bounding box is taken, and a warning given.
   std::optional<double> thickness = {};
+  /// The most work that a section or slab may take, in tets per vertex: a slab as many tets of
+  /// its Delaunay triangulation; a section a 16th as many vertices to be inserted. With fewer than
+  /// 2^15 vertices they may take what 2^15 may. Real stacks have 7 tets per vertex, 100 where large
+  /// circles of 1,000 vertices lie about different centres; these grow with the product of their
+  /// vertices. Beyond the limit reconstruct ends while it works, with ErrorCode::work_limit, naming
+  /// the place. Above 0; infinity: no limit.
+  double work_limit = kDefaultWorkLimit;
   /// Threads for the slabs; 0: as many as the machine offers. The result is the same.
   unsigned threads = 0;
   /// Once a stop is requested (from any thread), reconstruct ends with ErrorCode::cancelled
@@ -89,6 +99,10 @@ struct ReconstructReport {
   /// Smallest fraction of the way to its target that a lifted vertex went; 1/2 or more is
   /// ideal; 1 without lifted vertices.
   double smallest_lift = 1;
+  /// What was done, whatever the clock and the threads: tets of the slabs' Delaunay
+  /// triangulations and tets tested for embedding, each as often as it was done, pairs of
+  /// triangles tested for contact, and inserted vertices.
+  std::uint64_t work = 0;
   std::array<std::uint64_t, kRules> rules{};
   /// CPU seconds summed over threads, by step; and wall-clock seconds in all.
   std::array<double, kSteps> seconds{};
@@ -105,7 +119,8 @@ struct Reconstruction {
 
 /// Reconstructs a solid that keeps the four guarantees (README), or refuses: invalid_input
 /// for an invalid stack or labels, unrepresentable where double precision holds no valid
-/// model, naming the place, usage for options out of range, cancelled if it was stopped.
+/// model, naming the place, work_limit where that is exceeded, naming the place, usage for
+/// options out of range, cancelled if it was stopped.
 /// May be called from many threads at once. All coordinates (and the thickness) times 2^k give the
 /// same model times 2^k, bit for bit, as long as all coordinates of both stacks and both models are
 /// doubles without loss.

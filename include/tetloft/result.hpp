@@ -27,6 +27,7 @@ enum class ErrorCode : int {
   io = 4,                 ///< a file cannot be read or written
   unrepresentable = 5,    ///< double precision holds no valid model of this input
   cancelled = 6,          ///< stopped at the caller's wish, or by an exception of a callback
+  work_limit = 7,         ///< more work than the caller's limit allows; a higher one may succeed
   internal = 70,          ///< a defect of the library
   out_of_memory = 71,     ///< memory ended, or the system's limit on it
   unfit_arithmetic = 72,  ///< compiled or run without the arithmetic that exactness needs

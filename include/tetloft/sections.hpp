@@ -40,12 +40,12 @@ struct SectionStack {
   [[nodiscard]] std::size_t vertex_count() const;
 };
 
-/// Verifies, exactly: at least one section and one contour; z strictly increasing; all coordinates finite
-/// and of magnitude below kLargestCoordinate; contours simple, with at least three
-/// vertices and non-zero area, pairwise without contact. The error names section, contour,
-/// vertex, coordinates and the reason; the first defect by (section, contour, vertex) is
-/// reported. O(n log n) for contours without long-range contact. Sections are verified on up
-/// to `threads` threads (0: all processors), with the same result.
+/// Verifies, exactly: at least one section and one contour; z strictly increasing; all coordinates
+/// finite and of magnitude below kLargestCoordinate; contours simple, with at least three vertices
+/// and non-zero area, pairwise without contact. The error names section, contour, vertex,
+/// coordinates and the reason; the first defect by (section, contour, vertex) is reported. O(n log
+/// n) for contours without long-range contact. Sections are verified on up to `threads` threads (0:
+/// all processors), with the same result.
 [[nodiscard]] Result<void> validate(const SectionStack& stack, unsigned threads = 1);
 
 /// Constructed points (midpoints, lifted and cut points) neither over- nor underflow as
@@ -194,11 +194,13 @@ struct ConformingSection {
 /// Gabriel (empty: none). `interior`: further vertices, strictly inside the region, distinct
 /// from each other and from contour vertices; they lie on no contour. Split vertices bend the
 /// contour by rounding; what changed is validated again. Fails (unrepresentable, naming contour
-/// and vertex) where rounding leaves no valid conforming section, and (invalid_input) where an
-/// interior vertex is not inside.
+/// and vertex) where rounding leaves no valid conforming section, (invalid_input) where an
+/// interior vertex is not inside, and (work_limit, naming contour and vertex) where more than
+/// `most_inserted` vertices would be inserted; 0: as ConformingOptions has it.
 [[nodiscard]] Result<ConformingSection> conform(const Section& section, SectionId id,
                                                 const IdVector<ContourId, bool>& gabriel = {},
-                                                std::span<const Point2> interior = {});
+                                                std::span<const Point2> interior = {},
+                                                std::size_t most_inserted = 0);
 
 /// One edge of a Voronoi skeleton: the dual of a Delaunay edge.
 struct SkeletonEdge {

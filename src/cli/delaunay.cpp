@@ -1,6 +1,8 @@
 // tetloft delaunay: the Delaunay triangulation of points in space.
 #include <tetloft/tetloft.hpp>
 
+#include <algorithm>
+
 #include "cli/commands.hpp"
 #include "cli/engine_option.hpp"
 #include "cli/outputs.hpp"
@@ -21,11 +23,24 @@ Usage usage() {
        {"--threads", "N",
         "0 (default: all processors) to 1024; the slab engine uses two at most, the incremental "
         "one; the result is the same"},
+       {"--work-limit", "N",
+        "tets per point that may be made before the points are refused with exit code 7 (default "
+        "1000; under 2^15 points as for 2^15)"},
        kJsonOption,
        kQuietOption,
        kHelpOption},
       "POINTS holds lines \"x y z\" with # comments, or little-endian float64 triples if its "
       "name ends in .bin. The seconds told are those of the triangulation alone."};
+}
+
+// Two skew lines of 8,000 points each have as many tets as fit, in some gigabytes.
+constexpr double kTetsPerPoint = 1000;
+constexpr std::size_t kFewPoints = std::size_t{1} << 15;
+
+std::size_t most_tets(double limit, std::size_t points) {
+  const double most = limit * static_cast<double>(std::max(points, kFewPoints));
+  // 0 would mean no limit; what is beyond 2^30 is refused in any case.
+  return static_cast<std::size_t>(std::clamp(most, 1.0, 0x1p31));
 }
 
 void warn_if_flat(const Delaunay3& delaunay, Console& console) {
@@ -49,6 +64,8 @@ std::vector<TetVertices> tets_of(const TetMesh& mesh) {
 Result<int> run(const Arguments& arguments, Console& console) {
   const auto threads = arguments.integer("--threads", 0, 1024);
   if (!threads) return threads.error();
+  const auto limit = work_limit_option(arguments, kTetsPerPoint);
+  if (!limit) return limit.error();
   const auto engine = engine_option(arguments, "--engine");
   if (!engine) return engine.error();
   const auto output = arguments.text("--output");
@@ -59,8 +76,10 @@ Result<int> run(const Arguments& arguments, Console& console) {
   const auto points = read_points(arguments.operand(0));
   if (!points) return points.error();
   const Stopwatch triangulating;
-  const Result<Delaunay3> delaunay = delaunay3(
-      *points, {.engine = *engine, .threads = static_cast<unsigned>(threads->value_or(0))});
+  const Result<Delaunay3> delaunay =
+      delaunay3(*points, {.engine = *engine,
+                          .threads = static_cast<unsigned>(threads->value_or(0)),
+                          .most_tets = most_tets(*limit, points->size())});
   const double seconds = triangulating.seconds();
   if (!delaunay) {
     Error error = delaunay.error();

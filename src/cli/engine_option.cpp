@@ -18,4 +18,14 @@ Result<DelaunayEngine> engine_option(const Arguments& arguments, std::string_vie
                      " is none of auto, incremental, slab");
 }
 
+Result<double> work_limit_option(const Arguments& arguments, double standard) {
+  const auto limit = arguments.number("--work-limit");
+  if (!limit) return limit.error();
+  if (limit->has_value() && !(**limit > 0)) {
+    return usage_error("option --work-limit: " + io::in_quotes(*arguments.text("--work-limit")) +
+                       " is not above 0");
+  }
+  return limit->value_or(standard);
+}
+
 }  // namespace tetloft::cli

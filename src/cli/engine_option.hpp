@@ -1,4 +1,4 @@
-// The option that names a Delaunay engine.
+// The options that name a Delaunay engine and limit its work.
 #pragma once
 
 #include <string_view>
@@ -13,5 +13,8 @@ namespace tetloft::cli {
 /// The engine that `option` names: auto, incremental or slab; automatic if it was not given.
 [[nodiscard]] Result<DelaunayEngine> engine_option(const Arguments& arguments,
                                                    std::string_view option);
+
+/// What --work-limit says, above 0; `standard` if it was not given.
+[[nodiscard]] Result<double> work_limit_option(const Arguments& arguments, double standard);
 
 }  // namespace tetloft::cli

@@ -5,6 +5,7 @@
 
 #include <tetloft/tetloft.hpp>
 
+#include "cli/engine_option.hpp"
 #include "cli/json.hpp"
 #include "cli/outputs.hpp"
 #include "cli/progress.hpp"
@@ -93,6 +94,8 @@ Result<int> reconstruct_by_geiger(const Arguments& arguments, Console& console) 
   if (!prepared) return prepared.error();
   const auto threads = arguments.integer("--threads", 0, 1024);
   if (!threads) return threads.error();
+  const auto limit = work_limit_option(arguments, kDefaultWorkLimit);
+  if (!limit) return limit.error();
   const auto input = read_stack_input(arguments.operand(0), *prepared, console);
   if (!input) return input.error();
   const Stopwatch watch;
@@ -101,6 +104,7 @@ Result<int> reconstruct_by_geiger(const Arguments& arguments, Console& console) 
     GeigerOptions options;
     options.threads = static_cast<unsigned>(threads->value_or(0));
     options.progress = progress.callback();
+    options.work_limit = *limit;
     return reconstruct_geiger(input->stack, options);
   }();
   const double seconds = watch.seconds();

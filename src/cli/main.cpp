@@ -35,8 +35,9 @@ std::string general_help() {
       "\n  --help        print this help; tetloft COMMAND --help tells more\n"
       "  --version     print the version\n\n"
       "exit codes: 0 done, 1 check: a guarantee fails, 2 usage, 3 invalid input,\n"
-      "4 a file cannot be read or written, 5 no valid model representable, 70 internal\n"
-      "error, 71 out of memory, 72 arithmetic unfit for exact predicates\n";
+      "4 a file cannot be read or written, 5 no valid model representable, 7 over the\n"
+      "work limit, 70 internal error, 71 out of memory, 72 arithmetic unfit for exact\n"
+      "predicates\n";
   return text;
 }
 

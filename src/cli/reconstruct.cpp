@@ -36,6 +36,10 @@ Usage usage() {
         Option{"--delaunay", "ENGINE",
                "slab (default) or incremental: what triangulates the slabs; the result is the "
                "same"},
+        Option{"--work-limit", "N",
+               "tets per vertex that a slab may take, and a 16th as many vertices inserted into a "
+               "section, before it is refused with exit code 7 (default 128, which no sane stack "
+               "reaches; under 2^15 vertices as for 2^15)"},
         Option{"--threads", "N", "0 (default: all processors) to 1024; the result is the same"},
         Option{"--verify", "", "check the result; write nothing and exit with 70 if it fails"},
         Option{"--ascii", "", "write numbers as text that reads back exactly"}, kJsonOption,
@@ -80,6 +84,9 @@ Result<Request> request_of(const Arguments& arguments, Console& console) {
   const auto engine = engine_option(arguments, "--delaunay");
   if (!engine) return engine.error();
   request.options.delaunay = *engine;
+  const auto work = work_limit_option(arguments, kDefaultWorkLimit);
+  if (!work) return work.error();
+  request.options.work_limit = *work;
   const auto threads = arguments.integer("--threads", 0, 1024);
   if (!threads) return threads.error();
   request.options.threads = static_cast<unsigned>(threads->value_or(0));
@@ -127,6 +134,7 @@ std::string to_json(const Reconstruction& result, const StackInput& input, const
   json.member("components", result.model.component_count);
   json.member("volume", report.volume);
   json.member("smallest_lift", report.smallest_lift);
+  json.member("work", report.work);
   json.key("rules");
   json.begin_object();
   for (int r = 0; r < kRules; ++r) {

@@ -28,16 +28,35 @@ void Box::extend(const Box& b) {
 
 BoxTree::BoxTree(std::span<const Point3> points, std::span<const TriangleVertices> triangles,
                  std::span<const std::uint32_t> members) {
-  const std::size_t n = members.size();
-  if (n == 0) return;
-  std::vector<Item> unordered(n);
-  Box all;
-  for (std::size_t i = 0; i < n; ++i) {
-    const Box box = box_of(points, triangles[members[i]]);
-    unordered[i] = {box, members[i]};
-    if (i == 0) all = box;
-    all.extend(box);
+  std::vector<Item> items;
+  items.reserve(members.size());
+  for (const std::uint32_t i : members) items.push_back({box_of(points, triangles[i]), i});
+  order(items);
+}
+
+BoxTree::BoxTree(std::span<const Point3> points, std::span<const TriangleVertices> triangles,
+                 const std::vector<Item>& items) {
+  order(items);
+  around_.resize(nodes_.size());
+  for (std::size_t k = nodes_.size(); k-- > 0;) {
+    const Node& node = nodes_[k];
+    if (node.left != 0) {
+      around_[k] = around_[node.left];
+      around_[k].extend(around_[node.left + 1]);
+      continue;
+    }
+    around_[k] = box_of(points, triangles[items_[node.begin].triangle]);
+    for (std::uint32_t i = node.begin; i < node.end; ++i) {
+      around_[k].extend(box_of(points, triangles[items_[i].triangle]));
+    }
   }
+}
+
+void BoxTree::order(const std::vector<Item>& unordered) {
+  const std::size_t n = unordered.size();
+  if (n == 0) return;
+  Box all = unordered.front().box;
+  for (const Item& item : unordered) all.extend(item.box);
 
   // Centres in units of the whole extent, lest they leave the range of float. Halved before
   // subtracting, lest the extent overflow.

@@ -33,6 +33,15 @@ class BoxTree {
   BoxTree(std::span<const Point3> points, std::span<const TriangleVertices> triangles,
           std::span<const std::uint32_t> members);
 
+  struct Item {
+    Box box;
+    std::uint32_t triangle;
+  };
+  /// A tree over triangles of a soup by finite boxes of any kind. Nodes know their boxes in
+  /// space as well.
+  BoxTree(std::span<const Point3> points, std::span<const TriangleVertices> triangles,
+          const std::vector<Item>& items);
+
   /// Calls visit(i, j) once for each unordered pair of members, i != j, whose closed boxes
   /// meet. The order depends on the input alone.
   template <class Visit>
@@ -42,6 +51,10 @@ class BoxTree {
   /// the input alone.
   template <class Visit>
   void for_each_meeting(const Box& box, Visit&& visit) const;
+
+  /// The same for members that are in addition in nodes whose boxes in space meet `around`.
+  template <class Visit>
+  void for_each_meeting(const Box& box, const Box& around, Visit&& visit) const;
 
  private:
   /// Triangles items_[begin … end − 1], one at least. A leaf iff left is 0, else the
@@ -56,14 +69,13 @@ class BoxTree {
     float at[3];
     std::uint32_t triangle;
   };
-  struct Item {
-    Box box;
-    std::uint32_t triangle;
-  };
 
+  void order(const std::vector<Item>& unordered);
   void build(std::vector<Centre>& centres);
   void fit_boxes();
 
+  template <class Enters, class Visit>
+  void for_each_meeting_where(const Box& box, const Enters& enters, Visit& visit) const;
   template <class Visit>
   void visit_leaf(const Node& a, Visit& visit) const;
   template <class Visit>
@@ -71,6 +83,7 @@ class BoxTree {
 
   std::vector<Node> nodes_;  // root first, children after their parent
   std::vector<Item> items_;  // the triangles in the order of the leaves
+  std::vector<Box> around_;  // by node, in space, where the boxes are of another kind
 };
 
 template <class Visit>
@@ -133,14 +146,27 @@ void BoxTree::for_each_pair(Visit&& visit) const {
 
 template <class Visit>
 void BoxTree::for_each_meeting(const Box& box, Visit&& visit) const {
+  for_each_meeting_where(
+      box, [](std::uint32_t) { return true; }, visit);
+}
+
+template <class Visit>
+void BoxTree::for_each_meeting(const Box& box, const Box& around, Visit&& visit) const {
+  for_each_meeting_where(
+      box, [&](std::uint32_t k) { return around_[k].meets(around); }, visit);
+}
+
+template <class Enters, class Visit>
+void BoxTree::for_each_meeting_where(const Box& box, const Enters& enters, Visit& visit) const {
   if (nodes_.empty()) return;
   // Depth first: at most one sibling waits at each of fewer than 32 levels.
   std::array<std::uint32_t, 33> stack;
   std::size_t waiting = 0;
   stack[waiting++] = 0;
   while (waiting > 0) {
-    const Node& node = nodes_[stack[--waiting]];
-    if (!node.box.meets(box)) continue;
+    const std::uint32_t k = stack[--waiting];
+    const Node& node = nodes_[k];
+    if (!node.box.meets(box) || !enters(k)) continue;
     if (node.left != 0) {
       stack[waiting++] = node.left + 1;
       stack[waiting++] = node.left;

@@ -1,16 +1,21 @@
 // All contacts of a soup: boxes first, exact tests on the pairs that remain.
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "contact/box_tree.hpp"
 #include "contact/contact.hpp"
+#include "contact/fans.hpp"
 #include "contact/triangle_pair.hpp"
 
 namespace tetloft {
 
 namespace {
 
+using contact_detail::Box;
+using contact_detail::BoxTree;
 using contact_detail::Facing;
+using contact_detail::Fans;
 
 /// Keeps the lowest `limit` of the contacts it is given, in memory linear in `limit`.
 class LowestContacts {
@@ -46,11 +51,97 @@ class LowestContacts {
   Contact bound_;
 };
 
+// Tests the pairs it is given; knows the facing of every triangle that it has met.
+class Tester {
+ public:
+  Tester(std::span<const Point3> points, std::span<const TriangleVertices> triangles,
+         std::size_t limit)
+      : points_(points),
+        triangles_(triangles),
+        facing_(triangles.size()),
+        faced_(triangles.size(), 0),
+        lowest_(limit) {}
+
+  void test(std::uint32_t i, std::uint32_t j) {
+    const Contact pair{std::min(i, j), std::max(i, j)};
+    if (!lowest_.wants(pair)) return;
+    ++tested_;
+    if (contact_detail::touch(points_, triangles_[i], facing(i), triangles_[j], facing(j))) {
+      lowest_.add(pair);
+    }
+  }
+
+  [[nodiscard]] std::vector<Contact> sorted() { return lowest_.sorted(); }
+  [[nodiscard]] std::uint64_t tested() const { return tested_; }
+
+ private:
+  const Facing& facing(std::uint32_t i) {
+    if (faced_[i] == 0) {
+      facing_[i] = contact_detail::facing_of(contact_detail::corners(points_, triangles_[i]));
+      faced_[i] = 1;
+    }
+    return facing_[i];
+  }
+
+  std::span<const Point3> points_;
+  std::span<const TriangleVertices> triangles_;
+  std::vector<Facing> facing_;
+  std::vector<std::uint8_t> faced_;
+  LowestContacts lowest_;
+  std::uint64_t tested_ = 0;
+};
+
+// The pairs of a fan's members with each other, and with all triangles but those of fans before.
+void test_fans(std::span<const Point3> points, std::span<const TriangleVertices> triangles,
+               const Fans& fans, Tester& tester) {
+  if (fans.fans.empty()) return;
+  std::vector<std::uint32_t> all(triangles.size());
+  std::iota(all.begin(), all.end(), 0U);
+  const BoxTree everything(points, triangles, all);
+  for (std::uint32_t f = 0; f < fans.fans.size(); ++f) {
+    const auto& [apex, members] = fans.fans[f];
+    if (members.empty()) continue;
+    std::vector<BoxTree::Item> directions;
+    Box box = contact_detail::box_of(points, triangles[members.front()]);
+    for (const std::uint32_t i : members) {
+      directions.push_back({contact_detail::directions_of(points, apex, triangles[i]), i});
+      box.extend(contact_detail::box_of(points, triangles[i]));
+    }
+    const BoxTree fan(points, triangles, directions);
+    fan.for_each_pair([&](std::uint32_t i, std::uint32_t j) { tester.test(i, j); });
+    everything.for_each_meeting(box, [&](std::uint32_t j) {
+      if (fans.fan_of[j] != Fans::kNone && fans.fan_of[j] <= f) return;
+      const Box around = contact_detail::box_of(points, triangles[j]);
+      fan.for_each_meeting(contact_detail::directions_of(points, apex, triangles[j]), around,
+                           [&](std::uint32_t i) {
+                             if (around.meets(contact_detail::box_of(points, triangles[i]))) {
+                               tester.test(i, j);
+                             }
+                           });
+    });
+  }
+}
+
+// The pairs of the rest, and those with triangles that are not active, where some are not.
+void test_rest(std::span<const Point3> points, std::span<const TriangleVertices> triangles,
+               std::span<const std::uint32_t> rest, std::span<const std::uint8_t> active,
+               Tester& tester) {
+  if (rest.empty()) return;
+  const BoxTree tree(points, triangles, rest);
+  tree.for_each_pair([&](std::uint32_t i, std::uint32_t j) { tester.test(i, j); });
+  // One by one: most meet nothing there.
+  for (std::uint32_t j = 0; j < active.size(); ++j) {
+    if (active[j] != 0) continue;
+    tree.for_each_meeting(contact_detail::box_of(points, triangles[j]),
+                          [&](std::uint32_t i) { tester.test(i, j); });
+  }
+}
+
 }  // namespace
 
 std::vector<Contact> find_contacts(std::span<const Point3> points,
                                    std::span<const TriangleVertices> triangles, std::size_t limit,
-                                   std::span<const std::uint8_t> active) {
+                                   std::span<const std::uint8_t> active, std::uint64_t* tested) {
   if (limit == 0) return {};
   std::vector<std::uint32_t> members;
   members.reserve(triangles.size());
@@ -58,38 +149,15 @@ std::vector<Contact> find_contacts(std::span<const Point3> points,
     if (active.empty() || active[i] != 0) members.push_back(static_cast<std::uint32_t>(i));
   }
   if (members.empty()) return {};
-  const auto facing_of = [&](std::size_t i) {
-    return contact_detail::facing_of(contact_detail::corners(points, triangles[i]));
-  };
-  std::vector<Facing> facing(triangles.size());  // of members only
-  for (const std::uint32_t i : members) facing[i] = facing_of(i);
+  const bool all_active = members.size() == triangles.size();
 
-  LowestContacts lowest(limit);
-  const contact_detail::BoxTree tree(points, triangles, members);
-  tree.for_each_pair([&](std::uint32_t i, std::uint32_t j) {
-    const Contact pair{std::min(i, j), std::max(i, j)};
-    if (!lowest.wants(pair)) return;
-    if (contact_detail::touch(points, triangles[i], facing[i], triangles[j], facing[j])) {
-      lowest.add(pair);
-    }
-  });
-  if (members.size() == triangles.size()) return lowest.sorted();
-
-  // The others against the tree, one by one: most meet nothing there.
-  for (std::uint32_t j = 0; j < triangles.size(); ++j) {
-    if (active[j] != 0) continue;
-    bool faced = false;
-    tree.for_each_meeting(contact_detail::box_of(points, triangles[j]), [&](std::uint32_t i) {
-      const Contact pair{std::min(i, j), std::max(i, j)};
-      if (!lowest.wants(pair)) return;
-      if (!faced) facing[j] = facing_of(j);
-      faced = true;
-      if (contact_detail::touch(points, triangles[i], facing[i], triangles[j], facing[j])) {
-        lowest.add(pair);
-      }
-    });
-  }
-  return lowest.sorted();
+  Tester tester(points, triangles, limit);
+  const Fans fans = contact_detail::gather_fans(points.size(), triangles, members);
+  test_fans(points, triangles, fans, tester);
+  test_rest(points, triangles, fans.rest, all_active ? std::span<const std::uint8_t>() : active,
+            tester);
+  if (tested != nullptr) *tested += tester.tested();
+  return tester.sorted();
 }
 
 }  // namespace tetloft

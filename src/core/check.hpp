@@ -60,7 +60,10 @@ template <class T>
 [[nodiscard]] bool accepted(const Result<T>& result) {
   if (result) return true;
   const ErrorCode code = result.error().code;
-  if (code == ErrorCode::invalid_input || code == ErrorCode::unrepresentable) return false;
+  if (code == ErrorCode::invalid_input || code == ErrorCode::unrepresentable ||
+      code == ErrorCode::work_limit) {
+    return false;
+  }
   throw Failed(result.error());
 }
 

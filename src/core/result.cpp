@@ -14,6 +14,7 @@ const char* name_of(ErrorCode code) {
     case ErrorCode::io: return "io";
     case ErrorCode::unrepresentable: return "unrepresentable";
     case ErrorCode::cancelled: return "cancelled";
+    case ErrorCode::work_limit: return "work_limit";
     case ErrorCode::internal: return "internal";
     case ErrorCode::out_of_memory: return "out_of_memory";
     case ErrorCode::unfit_arithmetic: return "unfit_arithmetic";

@@ -242,9 +242,7 @@ class Conformer {
     const Piece piece{input_[whole[0].index()], input_[whole[1].index()], plane_.point(sub.from),
                       plane_.point(sub.to)};
     const bool shares[] = {is_joined(obstacle, whole[0]), is_joined(obstacle, whole[1])};
-    const Point2* corner = shares[0] == shares[1] ? nullptr
-                           : shares[0]            ? &piece.from
-                                                  : &piece.to;
+    const Point2* corner = shares[0] == shares[1] ? nullptr : shares[0] ? &piece.from : &piece.to;
     return {split_at_foot(piece, plane_.point(obstacle), corner), s, 0};
   }
 
@@ -288,7 +286,9 @@ class Conformer {
     }
     if (inserted_.size() + round.size() > most_inserted_ ||
         crossings_ / kMostCrossings > most_inserted_) {
-      return no_room(round.front(), "exceeds the bound on inserted points");
+      Error error = no_room(round.front(), "exceeds the bound on inserted points");
+      error.code = ErrorCode::work_limit;
+      return error;
     }
     return {};
   }

@@ -107,19 +107,32 @@ std::vector<std::uint32_t> identity(std::size_t n) {
   return names;
 }
 
-Error too_many_tets() {
+// The most tets an engine may make: as many as half-faces have numbers for, or fewer.
+std::size_t bound_on_tets(std::size_t most_tets) {
+  constexpr std::size_t kMaxTets = (std::size_t{1} << 30) - 1;
+  return most_tets == 0 ? kMaxTets : std::min(kMaxTets, most_tets);
+}
+
+Error too_many_tets(std::size_t most_tets) {
+  if (bound_on_tets(most_tets) == most_tets) {
+    return {ErrorCode::work_limit,
+            "the triangulation takes more than " + std::to_string(most_tets) +
+                " tets, the work limit; raise the limit if it is to be made",
+            {}};
+  }
   return {ErrorCode::invalid_input, "the triangulation takes 2^30 tets or more", {}};
 }
 
 // By the overlay of the two planes' Voronoi diagrams. Nothing where the points are not on two
 // planes, or one of them has no triangles.
-Result<bool> overlay_planes(const RankedPoints& ranked, unsigned threads, Delaunay3& out) {
+Result<bool> overlay_planes(const RankedPoints& ranked, const Delaunay3Options& options,
+                            Delaunay3& out) {
   const std::span<const Point3> points(ranked.point);
   const std::size_t below = count_below(points);
   if (below < 3 || points.size() - below < 3) return false;
   Result<Triangulation2> lower = Triangulation2{};
   Result<Triangulation2> upper = Triangulation2{};
-  parallel_for(2, threads, [&](std::size_t plane) {
+  parallel_for(2, options.threads, [&](std::size_t plane) {
     if (plane == 0) lower = triangulate_plane(points.first(below));
     if (plane == 1) upper = triangulate_plane(points.subspan(below));
   });
@@ -127,8 +140,8 @@ Result<bool> overlay_planes(const RankedPoints& ranked, unsigned threads, Delaun
   if (!upper) return upper.error();
   if (lower->triangles.empty() || upper->triangles.empty()) return false;
   const std::vector<delaunay3_detail::TetSlot> slab =
-      delaunay3_detail::slab_overlay(*lower, *upper);
-  if (slab.empty()) return too_many_tets();
+      delaunay3_detail::slab_overlay(*lower, *upper, bound_on_tets(options.most_tets));
+  if (slab.empty()) return too_many_tets(options.most_tets);
   const std::vector<std::uint32_t> rank_of = identity(points.size());
   out.mesh = delaunay3_detail::canonical_mesh(
       slab,
@@ -138,7 +151,7 @@ Result<bool> overlay_planes(const RankedPoints& ranked, unsigned threads, Delaun
   return true;
 }
 
-Result<bool> insert_points(RankedPoints& ranked, Delaunay3& out) {
+Result<bool> insert_points(RankedPoints& ranked, std::size_t most_tets, Delaunay3& out) {
   out.engine = DelaunayEngine::incremental;
   // order[v]: rank of the vertex inserted as v-th.
   std::vector<std::uint32_t> order = delaunay3_detail::insertion_order(ranked.point);
@@ -154,7 +167,7 @@ Result<bool> insert_points(RankedPoints& ranked, Delaunay3& out) {
   ranked.point = {};
 
   delaunay3_detail::Delaunay3Builder builder{IdVector<VertexId, Point3>(std::move(inserted))};
-  if (!builder.insert_all()) return too_many_tets();
+  if (!builder.insert_all(bound_on_tets(most_tets))) return too_many_tets(most_tets);
   out.mesh = delaunay3_detail::canonical_mesh(
       builder.slots(),
       {.rank_of = order, .input_of = ranked.input_of, .input_count = out.representative.size()});
@@ -171,7 +184,7 @@ Result<Delaunay3> triangulate(std::span<const Point3> points, const Delaunay3Opt
   Delaunay3 out;
   RankedPoints ranked = rank_points(points, out);
   Result<bool> done = false;
-  if (engine != DelaunayEngine::incremental) done = overlay_planes(ranked, options.threads, out);
+  if (engine != DelaunayEngine::incremental) done = overlay_planes(ranked, options, out);
   if (done && !*done) {
     if (engine == DelaunayEngine::slab) {
       return Error{ErrorCode::invalid_input,
@@ -179,7 +192,7 @@ Result<Delaunay3> triangulate(std::span<const Point3> points, const Delaunay3Opt
                    "each and not in a row",
                    {}};
     }
-    done = insert_points(ranked, out);
+    done = insert_points(ranked, options.most_tets, out);
   }
   if (!done) return done.error();
   return out;
@@ -249,11 +262,13 @@ Result<void> check_planes(const Triangulation2& lower, const Triangulation2& upp
   return {};
 }
 
-Result<TetMesh> triangulate_slab(const Triangulation2& lower, const Triangulation2& upper) {
+Result<TetMesh> triangulate_slab(const Triangulation2& lower, const Triangulation2& upper,
+                                 std::size_t most_tets) {
   if (Result<void> checked = fp_self_check(); !checked) return checked.error();
   if (Result<void> checked = check_planes(lower, upper); !checked) return checked.error();
-  const std::vector<delaunay3_detail::TetSlot> slab = delaunay3_detail::slab_overlay(lower, upper);
-  if (slab.empty()) return too_many_tets();
+  const std::vector<delaunay3_detail::TetSlot> slab =
+      delaunay3_detail::slab_overlay(lower, upper, bound_on_tets(most_tets));
+  if (slab.empty()) return too_many_tets(most_tets);
   const std::size_t n = lower.points.size() + upper.points.size();
   const std::vector<std::uint32_t> rank_of = identity(n);
   std::vector<VertexId> input_of(n);
@@ -277,8 +292,9 @@ Result<Delaunay3> delaunay3(std::span<const Point3> points, const Delaunay3Optio
   return guard_internal([&] { return triangulate(points, options); });
 }
 
-Result<TetMesh> slab_delaunay3(const Triangulation2& lower, const Triangulation2& upper) {
-  return guard_internal([&] { return triangulate_slab(lower, upper); });
+Result<TetMesh> slab_delaunay3(const Triangulation2& lower, const Triangulation2& upper,
+                               std::size_t most_tets) {
+  return guard_internal([&] { return triangulate_slab(lower, upper, most_tets); });
 }
 
 }  // namespace tetloft

@@ -14,9 +14,6 @@ namespace tetloft::delaunay3_detail {
 
 namespace {
 
-// Half-faces are 4 t + i in 32 bits.
-constexpr std::size_t kMaxTets = std::size_t{1} << 30;
-
 // Points of uniform distribution have 6.77 tets each (Dwyer, DCG 6, 1991); hull and
 // recycled slots come on top.
 constexpr std::size_t kExpectedTetsPerPoint = 7;
@@ -53,7 +50,8 @@ Delaunay3Builder::Delaunay3Builder(IdVector<VertexId, Point3> points)
   make_first_tets();
 }
 
-bool Delaunay3Builder::insert_all() {
+bool Delaunay3Builder::insert_all(std::size_t most_tets) {
+  most_tets_ = most_tets;
   bool complete = true;
   for (VertexId v{4U}; complete && v.index() < vertices_.size(); v = VertexId(v.value() + 1)) {
     complete = insert(v);
@@ -94,7 +92,7 @@ void Delaunay3Builder::make_first_tets() {
 bool Delaunay3Builder::insert(VertexId v) {
   const Point3 p = point(v);
   collect_conflict_zone(p, locate(p, hint_));
-  if (slots_.size() + horizon_.size() >= kMaxTets) return false;
+  if (slots_.size() + horizon_.size() > most_tets_) return false;
   hint_ = star_cavity(v);
   return true;
 }

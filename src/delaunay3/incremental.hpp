@@ -38,8 +38,9 @@ class Delaunay3Builder {
   explicit Delaunay3Builder(IdVector<VertexId, Point3> points);
 
   /// Inserts all vertices in order, once. Returns false, leaving the triangulation without the
-  /// vertices from there on, where it would take 2^30 tet slots or more.
-  [[nodiscard]] bool insert_all();
+  /// vertices from there on, where it would take more than `most_tets` slots, ghost tets
+  /// included; these are fewer than 2^30, since half-faces are 4 t + i in 32 bits.
+  [[nodiscard]] bool insert_all(std::size_t most_tets = (std::size_t{1} << 30) - 1);
 
   /// All slots: of ghost tets vertex 0 is kGhost, of dead ones it is invalid. Valid after
   /// insert_all().
@@ -136,6 +137,7 @@ class Delaunay3Builder {
   std::vector<Mark> marks_;
   // Dead slots, last freed last.
   std::vector<TetId> free_;
+  std::size_t most_tets_ = 0;
   // A live finite tet where the next walk starts.
   TetId hint_;
   // State of the walk's linear congruential generator.

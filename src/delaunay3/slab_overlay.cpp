@@ -15,8 +15,6 @@ namespace tetloft::delaunay3_detail {
 
 namespace {
 
-constexpr std::size_t kMaxTets = std::size_t{1} << 30;
-
 // chain() asks for the slots of this many tets before it comes to them.
 constexpr std::size_t kFetchedAhead = 16;
 
@@ -32,8 +30,9 @@ constexpr std::uint32_t kLeft = 3;
 
 class SlabOverlay {
  public:
-  SlabOverlay(const Triangulation2& lower, const Triangulation2& upper)
-      : lower_(lower),
+  SlabOverlay(const Triangulation2& lower, const Triangulation2& upper, std::size_t most_tets)
+      : most_tets_(most_tets),
+        lower_(lower),
         upper_(upper),
         lower_centres_{&lower_, &upper_, true},
         upper_centres_{&upper_, &lower_, false} {
@@ -44,9 +43,9 @@ class SlabOverlay {
   }
 
   std::vector<TetSlot> run() {
+    if (first_type2() > most_tets_) return {};
     start_type1();
-    trace_upper_edges();
-    if (slots_.size() >= kMaxTets) return {};
+    if (!trace_upper_edges()) return {};
     chain_lower_edges();
     settle_lower_triangles();
     return std::move(slots_);
@@ -89,8 +88,8 @@ class SlabOverlay {
   }
 
   void start_type1();
-  void trace_upper_edges();
-  void trace(HalfEdgeId upper);
+  [[nodiscard]] bool trace_upper_edges();
+  [[nodiscard]] bool trace(HalfEdgeId upper);
   [[nodiscard]] HalfEdgeId cell_from(HalfEdgeId start, TriangleId t) const;
   void enter(TriangleId t, HalfEdgeId cell);
   [[nodiscard]] HalfEdgeId exit_from(HalfEdgeId lower, const Bisector& line) const;
@@ -102,6 +101,7 @@ class SlabOverlay {
   void settle_lower_triangles();
   void settle(HalfEdgeId side, HalfFaceId face, VertexId nearest_above);
 
+  std::size_t most_tets_;
   PlaneDiagram lower_;
   PlaneDiagram upper_;
   CentresAndSites lower_centres_;
@@ -155,8 +155,8 @@ void SlabOverlay::start_type1() {
 
 // Every upper Voronoi edge once, from a circumcentre whose cell is known; its other end is then
 // known as well. In order of triangles, which are near each other: where no trace came by, the
-// cell is a few steps from the last one.
-void SlabOverlay::trace_upper_edges() {
+// cell is a few steps from the last one. False at too many tets.
+bool SlabOverlay::trace_upper_edges() {
   HalfEdgeId near = PlaneDiagram::half_edge(TriangleId(0), 0);
   for (std::size_t k = 0; k < upper_.finite_count(); ++k) {
     const TriangleId t(k);
@@ -164,9 +164,10 @@ void SlabOverlay::trace_upper_edges() {
     near = cell_of_[t];
     for (std::uint32_t i = 0; i < 3; ++i) {
       const HalfEdgeId h = PlaneDiagram::half_edge(t, i);
-      if (!opposite(face_above(h)).valid()) trace(h);
+      if (!opposite(face_above(h)).valid() && !trace(h)) return false;
     }
   }
+  return true;
 }
 
 // Goes from cell to cell, always nearer to the circumcentre of upper triangle t, until no
@@ -215,8 +216,8 @@ HalfEdgeId SlabOverlay::first_exit(HalfEdgeId lower, const Bisector& line) const
 }
 
 // Follows the Voronoi edge dual to `upper` from its triangle's circumcentre to that of the
-// triangle across, or to infinity.
-void SlabOverlay::trace(HalfEdgeId upper) {
+// triangle across, or to infinity. False at too many tets.
+bool SlabOverlay::trace(HalfEdgeId upper) {
   const VertexId left = upper_.destination(upper);
   const VertexId right = upper_.origin(upper);
   const TriangleId target = upper_.right(upper);
@@ -230,6 +231,7 @@ void SlabOverlay::trace(HalfEdgeId upper) {
     const bool leaves = ahead != PlaneDiagram::kGhostVertex &&
                         (is_ray || Bisector(upper_centres_, ahead, behind).nearer_to_first(target));
     if (!leaves) break;
+    if (slots_.size() == most_tets_) return false;
     const TetId t(slots_.size());
     slots_.push_back({{behind, ahead, upper_vertex(left), upper_vertex(right)}, {}});
     glue(last, half_face(t, kBehind));
@@ -238,13 +240,14 @@ void SlabOverlay::trace(HalfEdgeId upper) {
     ++end_on_edge_[edge_of_.back()];
     exit = exit_from(lower_.opposite(exit), line);
   }
-  if (is_ray) return;
+  if (is_ray) return true;
   glue(last, face_above(upper_.opposite(upper)));
   if (cell_of_[target].valid()) {
     TETLOFT_CHECK(lower_.origin(cell_of_[target]) == lower_.origin(exit));
-    return;
+    return true;
   }
   enter(target, exit);
+  return true;
 }
 
 void SlabOverlay::sort_by_lower_edge() {
@@ -341,8 +344,9 @@ void SlabOverlay::settle_lower_triangles() {
 
 }  // namespace
 
-std::vector<TetSlot> slab_overlay(const Triangulation2& lower, const Triangulation2& upper) {
-  return SlabOverlay(lower, upper).run();
+std::vector<TetSlot> slab_overlay(const Triangulation2& lower, const Triangulation2& upper,
+                                  std::size_t most_tets) {
+  return SlabOverlay(lower, upper, most_tets).run();
 }
 
 }  // namespace tetloft::delaunay3_detail

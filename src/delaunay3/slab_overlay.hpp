@@ -27,8 +27,10 @@ namespace tetloft::delaunay3_detail {
 /// Vertices are the lower plane's, then the upper's; tets are positive if the upper plane is
 /// above; opposite half-faces are invalid on the hull. Linear in vertices and tets but for turning
 /// around vertices of high degree. Requires two triangulations with triangles, vertices in
-/// canonical order, together fewer than 2^29 vertices. Empty where it would take 2^30 tets.
+/// canonical order, together fewer than 2^29 vertices. Empty where it would take more than
+/// `most_tets`, of which no more are made; these are fewer than 2^30.
 [[nodiscard]] std::vector<TetSlot> slab_overlay(const Triangulation2& lower,
-                                                const Triangulation2& upper);
+                                                const Triangulation2& upper,
+                                                std::size_t most_tets = (std::size_t{1} << 30) - 1);
 
 }  // namespace tetloft::delaunay3_detail

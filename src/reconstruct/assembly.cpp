@@ -69,6 +69,7 @@ void Assembly::glue(const Part& part) {
   const SlabSolid& solid = part.solid;
   for (std::size_t r = 0; r < kRules; ++r) tally_.rules[r] += solid.rules[r];
   for (std::size_t s = 0; s < kSteps; ++s) tally_.seconds[s] += solid.seconds[s];
+  tally_.work += solid.work;
   tally_.smallest_lift = std::min(tally_.smallest_lift, solid.smallest_lift);
 
   const std::size_t lows = part.lower.valid() ? sections_[part.lower].vertex_count() : 0;

@@ -31,6 +31,7 @@ struct PartTally {
   RuleCounts rules{};
   std::array<double, kSteps> seconds{};
   double smallest_lift = 1;
+  std::uint64_t work = 0;
 };
 
 /// A model that grows part by part, so that a part is held no longer than those below it take.

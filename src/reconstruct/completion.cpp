@@ -16,6 +16,8 @@ Completion::Completion(const Slab& slab, const SlabClasses& classes,
       active_(active),
       complex_(std::move(complex)),
       rules_(rules),
+      parts_(classes.region_count()),
+      changed_(slab.vertex_count(), 0),
       queued_(slab.vertex_count(), 0),
       spoke_of_(slab.mesh().tet_slots(), kHull),
       link_vertex_(slab.vertex_count()) {}
@@ -26,26 +28,7 @@ std::vector<Unconnectable> Completion::run() {
   }
   settle_queue();
 
-  std::vector<Unconnectable> left;
-  std::optional<UnionFind> sets;  // none once the complex has grown
-  for (std::size_t k = 0; k < classes_.class_count(); ++k) {
-    const ClassId c(k);
-    if (active_[c] == 0 || classes_.is_lone(c)) continue;
-    for (;;) {
-      if (!sets) sets = parts();
-      const auto& regions = classes_.regions(c);
-      const bool connected = std::all_of(regions.begin(), regions.end(), [&](SlabRegionId r) {
-        return sets->same(r.index(), regions.front().index());
-      });
-      if (connected) break;
-      if (!connect_class(c, *sets)) {
-        left.push_back({c, regions});
-        break;
-      }
-      settle_queue();
-      sets.reset();
-    }
-  }
+  std::vector<Unconnectable> left = connect_classes();
   if (left.empty()) fill_convex();
   return left;
 }
@@ -61,7 +44,9 @@ void Completion::keep(TetId t, ClassId c) {
   const std::uint8_t mask = own_corners(slab_, classes_, t, c);
   complex_.kept[t] = static_cast<std::uint8_t>(complex_.kept[t] | mask);
   for (int i = 0; i < 4; ++i) {
-    if (has_corner(mask, i)) enqueue(slab_.mesh().vertex(t, i));
+    if (!has_corner(mask, i)) continue;
+    enqueue(slab_.mesh().vertex(t, i));
+    note_change(slab_.mesh().vertex(t, i));
   }
 }
 
@@ -86,9 +71,7 @@ void Completion::settle(VertexId p) {
   }
 
   for (std::size_t k = 0; k < spokes_.size(); ++k) {
-    if (primary_[k] == 0) continue;
-    std::uint8_t& attached = complex_.attached[spokes_[k].tet];
-    attached = static_cast<std::uint8_t>(attached | (1U << spokes_[k].corner));
+    if (primary_[k] != 0) attach(spokes_[k].tet, spokes_[k].corner);
   }
 }
 

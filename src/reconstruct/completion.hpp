@@ -26,6 +26,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/union_find.hpp"
@@ -74,6 +75,25 @@ class Completion {
     [[nodiscard]] bool better_than(const Merge& other) const;
   };
 
+  // An own–own edge of D between two parts, in a tet that is not kept.
+  struct Bridge {
+    std::array<double, 3> extent{};
+    double length = 0;  // squared, in a unit of its own
+    TetId tet;
+    std::array<SlabRegionId, 2> between;
+  };
+
+  // What the connecting of one class remembers from step to step: an offer gets better only
+  // where the complex changes, and a bridge is never needed again once it is not.
+  struct Connecting {
+    ClassId id;
+    std::span<const VertexId> vertices;  // of the class, by id
+    std::vector<Merge> offers;           // heap, best first, without paths; some outdated
+    std::vector<Bridge> bridges;         // shortest first
+    std::size_t next_bridge = 0;
+    bool knows_bridges = false;
+  };
+
   void enqueue(VertexId v);
   void keep(TetId t, ClassId c);
   void settle_queue();
@@ -96,17 +116,29 @@ class Completion {
   [[nodiscard]] bool is_convex_filling(TetId t) const;
   [[nodiscard]] bool is_expansion(TetId t);
 
-  [[nodiscard]] UnionFind parts() const;
-  [[nodiscard]] bool connect_class(ClassId c, const UnionFind& parts);
-  [[nodiscard]] std::optional<Merge> best_merge(ClassId c, const UnionFind& parts);
-  void offer_merges(VertexId p, ClassId c, const UnionFind& parts, std::optional<Merge>& best);
-  [[nodiscard]] std::optional<TetId> connecting_tet(ClassId c, const UnionFind& parts) const;
+  [[nodiscard]] std::vector<Unconnectable> connect_classes();
+  bool connect_once(Connecting& connecting);
+  [[nodiscard]] std::optional<Merge> best_merge(Connecting& connecting);
+  [[nodiscard]] std::optional<Merge> offered_merge(VertexId p, ClassId c);
+  [[nodiscard]] std::optional<TetId> connecting_tet(Connecting& connecting) const;
+  [[nodiscard]] std::vector<Bridge> bridges_of(const Connecting& connecting) const;
+  void attach(TetId t, int corner);
+  void note_change(VertexId v);
 
   const Slab& slab_;
   const SlabClasses& classes_;
   const IdVector<ClassId, std::uint8_t>& active_;
   Complex complex_;
   RuleCounts& rules_;
+
+  // Regions united through attached corners: all tets attached at a vertex hang together, and
+  // so do the attached corners of one tet for one class.
+  UnionFind parts_;
+  // While classes are connected, the vertices of whose stars something changed; changed_[v]
+  // while v is among them.
+  bool note_changes_ = false;
+  std::vector<VertexId> changes_;
+  IdVector<VertexId, std::uint8_t> changed_;
 
   // Vertices to settle, lowest first; queued_[v] while v is among them.
   std::vector<VertexId> heap_;

@@ -168,6 +168,7 @@ Embedding::Blame Embedding::find_fault() {
     at_ = points_[k];
     blame_node(VertexId(k), blame);
   }
+  work_ += pieces_.size();
   for (const Piece& piece : pieces_) {
     if (is_positive(piece)) continue;
     at_ = points_[piece.node[0].index()];
@@ -215,7 +216,7 @@ std::vector<Contact> Embedding::boundary_contacts() {
     }
   }
   std::vector<Contact> contacts =
-      find_contacts(points_, boundary_, static_cast<std::size_t>(-1), active);
+      find_contacts(points_, boundary_, static_cast<std::size_t>(-1), active, &work_);
   tested_ = points_;
   in_contact_.assign(boundary_.size(), 0);
   for (const Contact& contact : contacts)

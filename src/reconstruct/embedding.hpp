@@ -68,6 +68,8 @@ class Embedding {
   [[nodiscard]] PointOrigin origin(std::size_t node) const;
   /// Seconds spent in contact tests.
   [[nodiscard]] double contact_seconds() const { return contact_seconds_; }
+  /// Pieces and pairs of triangles tested.
+  [[nodiscard]] std::uint64_t work() const { return work_; }
 
  private:
   // What a test found fault with.
@@ -113,6 +115,7 @@ class Embedding {
   std::vector<std::uint8_t> in_contact_;
   Point3 at_;
   double contact_seconds_ = 0;
+  std::uint64_t work_ = 0;
 };
 
 }  // namespace tetloft

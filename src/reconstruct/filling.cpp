@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <utility>
+#include <vector>
 
 #include <tetloft/predicates.hpp>
 
@@ -80,26 +82,47 @@ bool Completion::is_expansion(TetId t) {
                       [&](TetId r) { return complex_.keeps(r, slab_.mesh().index_in(r, u)); });
 }
 
+// Passes over the candidates by id, until one adds nothing. Adding a tet makes an expansion of
+// its neighbours at most: more kept tets in a ring never do. So only these are looked at again,
+// a higher one in the same pass, a lower one in the next.
 void Completion::fill_convex() {
-  std::vector<TetId> candidates;
+  enum : std::uint8_t { kNone, kRejected, kWaiting };
+  IdVector<TetId, std::uint8_t> candidate(slab_.mesh().tet_slots(), kNone);
+  std::vector<TetId> pass;
   for (std::size_t k = 0; k < slab_.mesh().tet_slots(); ++k) {
     const TetId t(k);
-    if (complex_.kept[t] == 0 && is_convex_filling(t)) candidates.push_back(t);
+    if (complex_.kept[t] != 0 || !is_convex_filling(t)) continue;
+    candidate[t] = kWaiting;
+    pass.push_back(t);
   }
-  for (bool grown = true; grown;) {
-    grown = false;
-    std::vector<TetId> left;
-    for (const TetId t : candidates) {
+  std::vector<TetId> next;
+  while (!pass.empty()) {
+    std::make_heap(pass.begin(), pass.end(), std::greater<>());
+    while (!pass.empty()) {
+      std::pop_heap(pass.begin(), pass.end(), std::greater<>());
+      const TetId t = pass.back();
+      pass.pop_back();
       if (!is_expansion(t)) {
-        left.push_back(t);
+        candidate[t] = kRejected;
         continue;
       }
       // Each corner is on a shared face, so that the tet belongs to its primary sheet.
       complex_.kept[t] = kAllCorners;
       complex_.attached[t] = kAllCorners;
-      grown = true;
+      candidate[t] = kNone;
+      for (int i = 0; i < 4; ++i) {
+        const TetId across = slab_.mesh().neighbour(t, i);
+        if (!across.valid() || candidate[across] != kRejected) continue;
+        candidate[across] = kWaiting;
+        if (t < across) {
+          pass.push_back(across);
+          std::push_heap(pass.begin(), pass.end(), std::greater<>());
+        } else {
+          next.push_back(across);
+        }
+      }
     }
-    candidates = std::move(left);
+    std::swap(pass, next);
   }
 }
 

@@ -19,6 +19,7 @@
 #include "reconstruct/correspondence.hpp"
 #include "reconstruct/drift_links.hpp"
 #include "reconstruct/slab_solid.hpp"
+#include "reconstruct/work_limit.hpp"
 #include "sections/scaling.hpp"
 
 namespace tetloft {
@@ -120,6 +121,9 @@ class Reconstructor {
     if (!is_enumerator(options_.delaunay, DelaunayEngine::slab)) {
       return Error{ErrorCode::usage, "there is no such Delaunay engine", {}};
     }
+    if (!(options_.work_limit > 0)) {
+      return Error{ErrorCode::usage, "the work limit must be positive", {}};
+    }
     if (options_.thickness && !(*options_.thickness > 0 && std::isfinite(*options_.thickness))) {
       return Error{ErrorCode::usage, "the thickness must be positive and finite", {}};
     }
@@ -153,7 +157,10 @@ class Reconstructor {
   }
 
   std::optional<Error> conform_section(SectionId s) {
-    Result<ConformingSection> section = conform(stack_.sections[s], s, gabriel_[s]);
+    std::size_t vertices = 0;
+    for (const Contour& contour : stack_.sections[s].contours) vertices += contour.vertices.size();
+    Result<ConformingSection> section = conform(stack_.sections[s], s, gabriel_[s], {},
+                                                most_inserted(options_.work_limit, vertices));
     if (!section) return section.error();
     sections_[s] = std::move(section.value());
     return std::nullopt;
@@ -188,7 +195,8 @@ class Reconstructor {
     if (sections_[below].vertex_count() == 0 || sections_[above].vertex_count() == 0) {
       return std::nullopt;
     }
-    Result<TetMesh> d = slab_delaunay(sections_[below], sections_[above], options_.delaunay);
+    Result<TetMesh> d = slab_delaunay(slab, sections_[below], sections_[above], options_.delaunay,
+                                      options_.work_limit);
     if (!d) return d.error();
     links = reverse_links(slab, Slab(sections_[below], sections_[above], std::move(d.value())));
     return std::nullopt;
@@ -220,9 +228,9 @@ class Reconstructor {
     auto error = parallel_errors(slab_count(), [&](std::size_t k) -> std::optional<Error> {
       const SectionId below(k);
       const SectionId above(k + 1);
-      Result<SlabSolid> solid =
-          build_slab_solid(SlabId(k), sections_[below], sections_[above],
-                           correspondence_.links[SlabId(k)], options_.delaunay);
+      Result<SlabSolid> solid = build_slab_solid(SlabId(k), sections_[below], sections_[above],
+                                                 correspondence_.links[SlabId(k)],
+                                                 options_.delaunay, options_.work_limit);
       if (!solid) return solid.error();
       unconnectable[SlabId(k)] = std::move(solid->unconnectable);
       assembly.add(ends_below + k, {SlabId(k), below, above, std::move(solid.value())});
@@ -352,6 +360,7 @@ class Reconstructor {
     report.rules = tally.rules;
     for (std::size_t s = 0; s < kSteps; ++s) report.seconds[s] += tally.seconds[s];
     report.smallest_lift = tally.smallest_lift;
+    report.work = tally.work + report.split_vertices;
     report.rules[static_cast<std::size_t>(Rule::gabriel_refinement)] = refinements_;
     for (std::size_t s = 1; s + 1 < section_count(); ++s) {
       const auto& internal = sections_[SectionId(s)].internal;

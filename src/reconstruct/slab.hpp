@@ -19,9 +19,11 @@
 
 namespace tetloft {
 
-/// D of a slab: canonical tets over the points of both planes, lower first.
-[[nodiscard]] Result<TetMesh> slab_delaunay(const ConformingSection& lower,
-                                            const ConformingSection& upper, DelaunayEngine engine);
+/// D of a slab: canonical tets over the points of both planes, lower first. Fails (work_limit)
+/// naming the slab, where it has more tets than `work_limit` allows (ReconstructOptions).
+[[nodiscard]] Result<TetMesh> slab_delaunay(SlabId id, const ConformingSection& lower,
+                                            const ConformingSection& upper, DelaunayEngine engine,
+                                            double work_limit);
 
 /// Is corner i in a mask over a tet's corners?
 [[nodiscard]] constexpr bool has_corner(unsigned mask, int i) { return ((mask >> i) & 1U) != 0; }

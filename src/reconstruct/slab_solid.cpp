@@ -14,6 +14,12 @@ namespace tetloft {
 
 namespace {
 
+// What the building of a slab took, with all its attempts.
+struct Effort {
+  std::array<double, kSteps> seconds{};
+  std::uint64_t work = 0;
+};
+
 // Adds the time since the last call to a step.
 class StepClock {
  public:
@@ -55,14 +61,16 @@ void extrude_all(const ConformingSection& section, double z, SlabSolid& solid) {
 
 // The solid over the sections of `pits`; none if these changed, since a pit was sealed.
 Result<std::optional<SlabSolid>> build_once(SlabId id, Pits& pits, const std::vector<Link>& links,
-                                            DelaunayEngine engine,
-                                            std::array<double, kSteps>& seconds) {
+                                            DelaunayEngine engine, double work_limit,
+                                            Effort& effort) {
   const ConformingSection& lower = pits.lower();
   const ConformingSection& upper = pits.upper();
   SlabSolid solid;
+  std::array<double, kSteps>& seconds = effort.seconds;
   StepClock clock(seconds);
-  Result<TetMesh> d = slab_delaunay(lower, upper, engine);
+  Result<TetMesh> d = slab_delaunay(id, lower, upper, engine, work_limit);
   if (!d) return d.error();
+  effort.work += d->tet_count();
   const Slab slab(lower, upper, std::move(d.value()));
   clock.end(Step::delaunay);
 
@@ -102,6 +110,7 @@ Result<std::optional<SlabSolid>> build_once(SlabId id, Pits& pits, const std::ve
                                      choose_trimmed(slab, classes, complex, subdivision, lifting));
     Embedding embedding(slab, classes, subdivision, lifting, truncation, lone, rules);
     const Embedding::Outcome outcome = embedding.settle();
+    effort.work += embedding.work();
     clock.end(Step::subdivision);
     seconds[static_cast<std::size_t>(Step::subdivision)] -= embedding.contact_seconds();
     seconds[static_cast<std::size_t>(Step::contact)] += embedding.contact_seconds();
@@ -141,12 +150,13 @@ void drop_exterior_vertices(const Pits& pits, SlabSolid& solid) {
 
 Result<SlabSolid> build_between(SlabId id, const ConformingSection& lower,
                                 const ConformingSection& upper, const std::vector<Link>& links,
-                                DelaunayEngine engine) {
+                                DelaunayEngine engine, double work_limit) {
   Pits pits(lower, upper);
-  std::array<double, kSteps> seconds{};
+  Effort effort;
   // Each round but the last opens a pit at least, or gives all of them up.
   for (;;) {
-    Result<std::optional<SlabSolid>> built = build_once(id, pits, links, engine, seconds);
+    Result<std::optional<SlabSolid>> built =
+        build_once(id, pits, links, engine, work_limit, effort);
     if (accepted(built) && !*built) continue;
     if (pits.opened() > 0 && (!built || !(*built)->unconnectable.empty())) {
       pits.give_up();
@@ -156,7 +166,8 @@ Result<SlabSolid> build_between(SlabId id, const ConformingSection& lower,
     SlabSolid solid = std::move(**built);
     drop_exterior_vertices(pits, solid);
     count(solid.rules, Rule::opened_pit, pits.opened());
-    solid.seconds = seconds;
+    solid.seconds = effort.seconds;
+    solid.work = effort.work;
     return solid;
   }
 }
@@ -171,14 +182,14 @@ SlabSolid build_end(const ConformingSection& section, double z) {
 
 Result<SlabSolid> build_slab_solid(SlabId id, const ConformingSection& lower,
                                    const ConformingSection& upper, const std::vector<Link>& links,
-                                   DelaunayEngine engine) {
+                                   DelaunayEngine engine, double work_limit) {
   const bool has_lower = lower.vertex_count() > 0;
   const bool has_upper = upper.vertex_count() > 0;
   const double middle = lower.z + 0.5 * (upper.z - lower.z);
   if (!(lower.z < middle && middle < upper.z)) {
     return no_room(id, {0, 0, lower.z}, "no double lies between the two section planes");
   }
-  if (has_lower && has_upper) return build_between(id, lower, upper, links, engine);
+  if (has_lower && has_upper) return build_between(id, lower, upper, links, engine, work_limit);
   if (has_lower) return build_end(lower, middle);
   if (has_upper) return build_end(upper, middle);
   return SlabSolid{};

@@ -23,17 +23,19 @@ struct SlabSolid {
   RuleCounts rules{};
   double smallest_lift = 1;
   std::array<double, kSteps> seconds{};
+  std::uint64_t work = 0;  ///< ReconstructReport::work
   /// Classes that D offers no edge to connect: their contours need Gabriel edges. If not
   /// empty, there is no solid.
   std::vector<Unconnectable> unconnectable;
 };
 
 /// Builds the solid of a slab, from its two conforming sections (either may be empty) and
-/// the accepted links; `engine` triangulates. Fails (unrepresentable) naming the place.
+/// the accepted links; `engine` triangulates. Fails (unrepresentable, work_limit) naming the
+/// place.
 [[nodiscard]] Result<SlabSolid> build_slab_solid(SlabId id, const ConformingSection& lower,
                                                  const ConformingSection& upper,
                                                  const std::vector<Link>& links,
-                                                 DelaunayEngine engine);
+                                                 DelaunayEngine engine, double work_limit);
 
 /// The end of a stack: all regions of a section extruded to z (above or below its plane).
 /// Nodes and regions are numbered as in a slab whose other section is empty.

@@ -59,12 +59,14 @@ class Conformer {
     flat_ = flatten(section, interior);
   }
 
-  Result<ConformingSection> run(const IdVector<ContourId, bool>& gabriel) {
+  Result<ConformingSection> run(const IdVector<ContourId, bool>& gabriel,
+                                std::size_t most_inserted) {
     if (flat_.points.empty()) {
       result_.first_edge = {0};
       return std::move(result_);
     }
     ConformingOptions options;
+    options.most_inserted = most_inserted;
     if (!gabriel.empty()) {
       for (const ContourId c : flat_.contour) options.gabriel.push_back(gabriel[c]);
     }
@@ -88,6 +90,14 @@ class Conformer {
       error.where.vertex = flat_.vertex[v];
       if (error.code == ErrorCode::unrepresentable) {
         error.message = "rounding leaves no room to split the contour's edge that starts here";
+      } else if (error.code == ErrorCode::work_limit) {
+        error.message =
+            "contours that are nearly parallel, or meet at angles, much closer than their edges "
+            "are "
+            "long have to be split further than the work limit allows, last at the edge that "
+            "starts "
+            "here; move them apart, divide the edges (--refine), drop the last bits (--snap), or "
+            "raise the limit";
       }
     }
     error.where.section = id_.index();
@@ -265,7 +275,8 @@ class Conformer {
 // unit given.
 std::optional<Result<ConformingSection>> conform_in_unit(const Section& section, SectionId id,
                                                          const IdVector<ContourId, bool>& gabriel,
-                                                         std::span<const Point2> interior) {
+                                                         std::span<const Point2> interior,
+                                                         std::size_t most_inserted) {
   UnitOfLength unit;
   for (const Contour& contour : section.contours) {
     for (const Point2& p : contour.vertices) unit.include(p);
@@ -275,7 +286,7 @@ std::optional<Result<ConformingSection>> conform_in_unit(const Section& section,
   std::vector<Point2> inside(interior.begin(), interior.end());
   for (Point2& p : inside) p = scaled(p, exponent);
   const Section in_unit = sections::scaled_in_plane(section, exponent);
-  Result<ConformingSection> result = Conformer(in_unit, id, inside).run(gabriel);
+  Result<ConformingSection> result = Conformer(in_unit, id, inside).run(gabriel, most_inserted);
   if (!result) {
     Error error = result.error();
     if (error.where.point) {
@@ -295,13 +306,15 @@ std::optional<Result<ConformingSection>> conform_in_unit(const Section& section,
 
 Result<ConformingSection> conform(const Section& section, SectionId id,
                                   const IdVector<ContourId, bool>& gabriel,
-                                  std::span<const Point2> interior) {
+                                  std::span<const Point2> interior, std::size_t most_inserted) {
   return guard_internal([&]() -> Result<ConformingSection> {
     if (!gabriel.empty() && gabriel.size() != section.contours.size()) {
       return Error{ErrorCode::usage, "gabriel needs one flag for each contour", {}};
     }
-    if (auto result = conform_in_unit(section, id, gabriel, interior)) return *std::move(result);
-    return Conformer(section, id, interior).run(gabriel);
+    if (auto result = conform_in_unit(section, id, gabriel, interior, most_inserted)) {
+      return *std::move(result);
+    }
+    return Conformer(section, id, interior).run(gabriel, most_inserted);
   });
 }
 

@@ -49,6 +49,12 @@ TEST_F(Campaign, EveryRuleFiresAtLeastTenTimes) {
   }
 }
 
+TEST(CampaignWork, AStackOfAHundredMediansIsAFinding) {
+  EXPECT_EQ(tetloft::testing::median({5, 1, 9}), 5);
+  EXPECT_FALSE(tetloft::testing::is_costly(500, 5));
+  EXPECT_TRUE(tetloft::testing::is_costly(501, 5));
+}
+
 // The kinds with regions that overlap nothing.
 TEST(DriftCampaign, EveryModelKeepsTheGuarantees) {
   using tetloft::testing::Outcome;

@@ -41,6 +41,7 @@ enum class Outcome : std::uint8_t {
   wrong_report,   ///< the report contradicts the model
   wrong_error,    ///< any other error, or a refusal without excuse
   wrong_check,    ///< check() itself failed
+  wrong_cost,     ///< kMostWork times the work per vertex that the median of the run takes
 };
 [[nodiscard]] const char* name_of(Outcome outcome);
 
@@ -48,7 +49,11 @@ struct Attempt {
   Outcome outcome = Outcome::model;
   std::string detail;  ///< of anything but a model
   std::array<std::uint64_t, kRules> rules{};
+  double work = 0;  ///< of a model: per input vertex (ReconstructReport::work)
 };
+
+/// A stack that takes so many times the work per vertex of the run's median is a finding.
+inline constexpr double kMostWork = 100;
 
 /// Why a stack may be refused as unrepresentable.
 enum class Excuse : std::uint8_t {
@@ -84,7 +89,15 @@ struct CampaignResult {
   std::vector<KindTally> tallies;
   std::vector<Failure> failures;  ///< by kind, seed and criterion
   std::array<std::uint64_t, kRules> rules{};
+  double median_work = 0;  ///< per vertex, of all models
+  double most_work = 0;
 };
+
+/// The median, and whether `work` is a finding beside it.
+[[nodiscard]] double median(std::vector<double> work);
+[[nodiscard]] constexpr bool is_costly(double work, double median) {
+  return work > kMostWork * median;
+}
 
 [[nodiscard]] CampaignResult run_campaign(const CampaignOptions& options);
 

@@ -60,6 +60,14 @@ constexpr std::array kKinds{
     Kind{StackKind::complementary_sections, "complementary_sections", draft_complementary_sections},
     Kind{StackKind::changing_classes, "changing_classes", draft_changing_classes},
     Kind{StackKind::large_contours, "large_contours", draft_large_contours},
+    Kind{StackKind::islands, "islands", draft_islands},
+    Kind{StackKind::nested_ngons, "nested_ngons", draft_nested_ngons},
+    Kind{StackKind::concentric_ngons, "concentric_ngons", draft_concentric_ngons, true},
+    Kind{StackKind::tight_spirals, "tight_spirals", draft_tight_spirals, true},
+    Kind{StackKind::tiny_gaps, "tiny_gaps", draft_tiny_gaps, true},
+    Kind{StackKind::ulp_combs, "ulp_combs", draft_ulp_combs, true},
+    Kind{StackKind::ulp_lattices, "ulp_lattices", draft_ulp_lattices, true},
+    Kind{StackKind::needles, "needles", draft_needles, true},
 };
 
 constexpr auto kAllKinds = [] {

@@ -46,6 +46,14 @@ enum class StackKind : std::uint8_t {
   complementary_sections,  ///< each section the complement of the one before, in a frame
   changing_classes,        ///< regions that are one class below a section, several above it
   large_contours,          ///< up to 20,000 vertices
+  islands,                 ///< many small contours, the same or nearly in each section
+  nested_ngons,            ///< many polygons of few vertices in each other, turned
+  concentric_ngons,        ///< fine polygons about centres that nearly agree
+  tight_spirals,           ///< spirals whose windings nearly touch
+  tiny_gaps,               ///< cells parted by gaps from 2^-6 to 2^-50 of their size
+  ulp_combs,               ///< combs over themselves, teeth an ulp or few aside
+  ulp_lattices,            ///< a lattice that the next section computes in another way
+  needles,                 ///< thin triangles, far longer than apart
 };
 
 [[nodiscard]] std::span<const StackKind> all_kinds();

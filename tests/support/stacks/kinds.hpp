@@ -49,6 +49,16 @@ SectionStack draft_interlocking(Prng& prng);
 SectionStack draft_split_runs(Prng& prng);
 SectionStack draft_few_ulps(Prng& prng);
 
+// kinds_costly.cpp
+SectionStack draft_islands(Prng& prng);
+SectionStack draft_nested_ngons(Prng& prng);
+SectionStack draft_concentric_ngons(Prng& prng);
+SectionStack draft_tight_spirals(Prng& prng);
+SectionStack draft_tiny_gaps(Prng& prng);
+SectionStack draft_ulp_combs(Prng& prng);
+SectionStack draft_ulp_lattices(Prng& prng);
+SectionStack draft_needles(Prng& prng);
+
 // labels.cpp
 /// Labels for regions of a valid stack such that each label can be made one component by
 /// links between its own regions: its regions lie in consecutive sections, at least one in
