@@ -89,8 +89,9 @@ bool valid_pairs(const CntContents& contents) {
 
 void take_threes(CntContents& contents) {
   SectionStack stack;
-  for (const Section& section : contents.stack.sections.raw())
+  for (const Section& section : contents.stack.sections.raw()) {
     stack.sections.push_back({section.z, {}});
+  }
   for_each_contour(contents, [&](std::size_t s, std::size_t, const Numbers& in) {
     Contour contour;
     contour.vertices.reserve(in.size() / 3);
@@ -127,10 +128,10 @@ Error off_plane_error(const CntContents& contents, const OffPlane& off) {
   return error;
 }
 
-Error odd_error(const CntContents::Odd& odd) {
+Error odd_error(const CntContents::Odd& odd, const std::string& remark = {}) {
   Error error{ErrorCode::invalid_input,
               "the contour opened in line " + std::to_string(odd.opened) +
-                  " has an odd number of coordinates",
+                  " has an odd number of coordinates" + remark,
               {}};
   error.where.line = odd.closed;
   return error;
@@ -161,6 +162,10 @@ Result<std::optional<Warning>> settle_vertices(CntContents& contents) {
   if (reading.off_plane || !evident) {
     if (!odd && valid_pairs(contents)) return Settled();
     if (reading.off_plane) {
+      if (!reading.counts_are_threes && odd) {
+        return odd_error(*contents.odd,
+                         "; if it has three numbers to a vertex, leave out the third");
+      }
       if (evident) return off_plane_error(contents, *reading.off_plane);
       return Settled();
     }

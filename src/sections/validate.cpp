@@ -184,11 +184,11 @@ Result<void> validate(const SectionStack& stack, unsigned threads) {
       }
     });
     if (lowest < errors.size()) return *std::move(errors[lowest]);
-    if (stack.contour_count() == 0) {
-      return Error{
-          ErrorCode::invalid_input, "the stack has no contour: all its sections are empty", {}};
-    }
-    return {};
+    if (stack.contour_count() > 0) return {};
+    Error error{
+        ErrorCode::invalid_input, "the stack has no contour: all its sections are empty", {}};
+    error.where.section = 0;
+    return error;
   });
 }
 

@@ -129,6 +129,12 @@ TEST(CntTriples, OutOfTheirPlaneAreNamed) {
   }
 }
 
+TEST(CntTriples, AreOnlySupposedWhereNothingButAnOddNumberTellsOfThem) {
+  // One number of ten is missing; nine are three times three.
+  expect_refused("S 1\nv 5 z 0\n{ 0 0 9 0 9 9 4 7 1 }\n",
+                 "odd number of coordinates; if it has three numbers to a vertex", 3);
+}
+
 TEST(CntTriples, MayCloseTheirContours) {
   Prng prng(17);
   for (const std::size_t n : kCorners) {

@@ -81,17 +81,15 @@ TEST(Ends, EmptySectionsAtBothEndsAndInARowAreAccepted) {
   EXPECT_EQ(extent_in_z(checked->result.model), std::pair(1.5, 2.5));
 }
 
-TEST(Ends, AStackOfEmptySectionsMakesAnEmptyModel) {
+TEST(Ends, AStackOfEmptySectionsIsRefused) {
   for (const std::size_t sections : {std::size_t{1}, std::size_t{3}}) {
     for (const Ends ends : {Ends::flat, Ends::half}) {
       ReconstructOptions options;
       options.ends = ends;
-      const auto checked = reconstruct_and_check(
-          stack_of_boxes(std::vector<std::vector<Contour>>(sections)), options);
-      ASSERT_TRUE(checked);
-      EXPECT_TRUE(checked->result.model.points.empty());
-      EXPECT_TRUE(checked->result.model.tets.empty());
-      EXPECT_EQ(checked->result.model.component_count, 0U);
+      const auto result =
+          reconstruct(stack_of_boxes(std::vector<std::vector<Contour>>(sections)), options);
+      ASSERT_FALSE(result.ok());
+      EXPECT_EQ(result.error().code, ErrorCode::invalid_input);
     }
   }
 }
