@@ -405,7 +405,7 @@ const Corruption kComponents[] = {
                   {vertex_at(m, 10, 1, 0), vertex_at(m, 10, 5, 0), vertex_at(m, 10, 5, 1)});
      }},
     {"4.4", "EvidenceDemandedTooHigh", testing::slabs_case,
-     [](Case&, CheckOptions& options) { options.correspondence.tau = 1; }},
+     [](Case&, CheckOptions& options) { options.correspondence.tau = 0x1.fffffffffffffp-1; }},
     {"4.4", "EqualTrianglesHaveNoReverseTet", testing::prism_case,
      [](Case&, CheckOptions& options) { options.correspondence.criterion = Criterion::reverse; }},
     {"4.4", "TwoLabelsOnOneOfThree", three_case,
