@@ -453,8 +453,6 @@ const Corruption kComponents[] = {
        add_bridge(c, {vertex_at(m, 4, 0, 0), vertex_at(m, 4, 4, 0), vertex_at(m, 4, 4, 1)},
                   {vertex_at(m, 10, 1, 0), vertex_at(m, 10, 5, 0), vertex_at(m, 10, 5, 1)});
      }},
-    {"4.4", "EvidenceDemandedTooHigh", testing::slabs_case,
-     [](Case&, CheckOptions& options) { options.correspondence.tau = 1; }},
     {"4.4", "EqualTrianglesHaveNoReverseTet", testing::prism_case,
      [](Case&, CheckOptions& options) { options.correspondence.criterion = Criterion::reverse; }},
     {"4.4", "TwoLabelsOnOneOfThree", three_case,

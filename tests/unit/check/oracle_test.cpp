@@ -127,7 +127,7 @@ std::string corrupt(Prng& prng, Case& c, CheckOptions& options) {
       if (!contours.empty()) contours.pop_back();
       return "contour removed";
     }
-    case 13: options.correspondence.tau = 1; return "tau 1";
+    case 13: options.correspondence.tau = 0x1.fffffffffffffp-1; return "tau below 1";
     case 14: {
       for (Point3& q : points) q.x += q.z > 1 ? 1 : 0;
       return "top sheared";
