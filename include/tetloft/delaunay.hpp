@@ -126,10 +126,10 @@ struct Conforming2 {
 /// round together, until none is missing: at the midpoint; where one end makes an angle
 /// below 90° with another segment, on concentric shells around that end, at the roundest
 /// radius in the middle third (a power of two for the piece at the corner); where both do,
-/// first at the midpoint (Ruppert 1995; Shewchuk 2002). If that divides a segment that need not be
-/// Gabriel into more than 160 pieces, or fails, all is done again with splits at the feet of the
-/// vertices in a missing piece's diametral circle: about as many as segments lie side by side,
-/// times their vertices, however close they are.
+/// first at the midpoint (Ruppert 1995; Shewchuk 2002). If that fails, or without `gabriel`
+/// divides a segment into more than 160 pieces, all is done again with splits at the feet of the
+/// vertices in a missing piece's diametral circle: at most about as many as segments lie side by
+/// side, times their vertices, however close they are.
 /// (1) The set of inserted points does not depend on the order of points, segments or ends;
 /// a segment set whose segments are all edges is not split. (2) Inserted points are numbered
 /// by round, within a round in canonical order. (3) Every inserted point is rounded once and

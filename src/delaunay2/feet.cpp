@@ -75,8 +75,8 @@ Point2 split_at_foot(const Piece& piece, const Point2& obstacle, const Point2* c
   const double from_a = dot(along, frame.difference(obstacle, a));
   const double to_b = dot(along, frame.difference(b, obstacle));
   // Relative to the nearer end of the segment, so that what is small is told exactly.
-  const bool near_from = length(frame.difference(obstacle, from)) <
-                         length(frame.difference(obstacle, to));
+  const bool near_from =
+      length(frame.difference(obstacle, from)) < length(frame.difference(obstacle, to));
   const double height = cross(along, frame.difference(obstacle, near_from ? from : to));
   const double d = std::abs(height);
   const double near = std::min(from_a, to_b);
@@ -97,8 +97,8 @@ Point2 split_at_foot(const Piece& piece, const Point2& obstacle, const Point2* c
   const double whole = from_a + to_b;
   const double reach = near > 0 ? (near + d * (d / near)) / 2 : whole;
   if (!(reach < whole / 2)) return midpoint(a, b);
-  const Point2 first = from_a < to_b ? frame.moved(a, times(reach, along))
-                                     : frame.moved(b, times(-reach, along));
+  const Point2 first =
+      from_a < to_b ? frame.moved(a, times(reach, along)) : frame.moved(b, times(-reach, along));
   return onto(first, from, to, a, b);
 }
 

@@ -80,8 +80,7 @@ bool is_nearer(const Incremental2& plane, std::span<const Ends> segments, const 
     return side == line.side[end] ? Sign::positive : Sign::negative;
   };
   const Sign place_of_s = place(t, s);
-  return place_of_s != Sign::zero ? place_of_s == Sign::positive
-                                  : place(s, t) == Sign::negative;
+  return place_of_s != Sign::zero ? place_of_s == Sign::positive : place(s, t) == Sign::negative;
 }
 
 void sort_unique(std::vector<VertexId>& vertices) {

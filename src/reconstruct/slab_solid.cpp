@@ -1,7 +1,9 @@
 #include "reconstruct/slab_solid.hpp"
+#include "reconstruct/lattice_hint.hpp"
 
 #include <algorithm>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "core/check.hpp"
@@ -31,14 +33,23 @@ class StepClock {
   WorkStopwatch watch_;
 };
 
-Error no_room(SlabId id, const Point3& at,
-              const char* what =
-                  "doubles leave no room for a valid model here: features are too "
-                  "close for the coordinates' precision (snapping them to a lattice may help)") {
+Error no_room(SlabId id, const Point3& at, std::string what) {
   Place place;
   place.slab = id.index();
   place.point = at;
-  return {ErrorCode::unrepresentable, what, place};
+  return {ErrorCode::unrepresentable, std::move(what), place};
+}
+
+Error too_close(SlabId id, const Point3& at, const Slab& slab) {
+  std::string what =
+      "doubles leave no room for a valid model here: features are too close for the coordinates' "
+      "precision";
+  const int bits = merging_bits(slab.lower(), slab.upper());
+  what += bits == 0 ? " (snapping them to a lattice may help)"
+                    : "; coordinates differ in their last bits: snapping them to a lattice of " +
+                          std::to_string(bits) + " bits (--snap " + std::to_string(bits) +
+                          ") merges these and nothing else";
+  return no_room(id, at, std::move(what));
 }
 
 // Extrudes every region of one section; its vertices are nodes from 0.
@@ -105,7 +116,7 @@ Result<std::optional<SlabSolid>> build_once(SlabId id, Pits& pits, const std::ve
     }
     const Subdivision subdivision = subdivide(slab, complex, rules);
     Lifting lifting(slab, subdivision);
-    if (!lifting.settle(rules)) return no_room(id, lifting.at());
+    if (!lifting.settle(rules)) return too_close(id, lifting.at(), slab);
     Truncation truncation = truncate(slab, classes, complex, subdivision,
                                      choose_trimmed(slab, classes, complex, subdivision, lifting));
     Embedding embedding(slab, classes, subdivision, lifting, truncation, lone, rules);
@@ -116,7 +127,7 @@ Result<std::optional<SlabSolid>> build_once(SlabId id, Pits& pits, const std::ve
     seconds[static_cast<std::size_t>(Step::contact)] += embedding.contact_seconds();
     if (outcome == Embedding::Outcome::more_truncated) continue;
     if (outcome == Embedding::Outcome::failed) {
-      return no_room(id, embedding.at());
+      return too_close(id, embedding.at(), slab);
     }
 
     solid.section_vertices = slab.vertex_count();

@@ -122,7 +122,8 @@ class BoxTree {
       const std::size_t last = std::min(first + kFanOut, count);
       const std::size_t bottom = top;
       for (std::size_t k = first; k < last; ++k) {
-        stack[top++] = {offset_of(nodes_[level_[below] + k]), {below, static_cast<std::uint32_t>(k)}};
+        stack[top++] = {offset_of(nodes_[level_[below] + k]),
+                        {below, static_cast<std::uint32_t>(k)}};
       }
       // The nearest is taken up first.
       std::sort(stack + bottom, stack + top, [](const Candidate& a, const Candidate& b) {

@@ -104,8 +104,8 @@ TEST(ThinShapes, NeedFewPointsHoweverThin) {
   for (const Family& family : kFamilies) {
     for (const int count : {1, 4, 12}) {
       for (int exponent = 2; exponent <= 12; ++exponent) {
-        SCOPED_TRACE(testing::Message() << &family - kFamilies.data() << ": " << count
-                                        << " of aspect 1e" << exponent);
+        SCOPED_TRACE(testing::Message()
+                     << &family - kFamilies.data() << ": " << count << " of aspect 1e" << exponent);
         expect_few(family(count, kLength * std::pow(10.0, -exponent), prng));
       }
     }
@@ -118,8 +118,8 @@ TEST(ThinShapes, NeedFewPointsInAnyDirection) {
   for (const Family& family : kFamilies) {
     for (const int count : {1, 4, 12}) {
       for (int exponent = 2; exponent <= 7; ++exponent) {
-        SCOPED_TRACE(testing::Message() << &family - kFamilies.data() << ": " << count
-                                        << " of aspect 1e" << exponent);
+        SCOPED_TRACE(testing::Message()
+                     << &family - kFamilies.data() << ": " << count << " of aspect 1e" << exponent);
         const double angle = 6.28 * prng.unit();
         expect_few(turned(family(count, kLength * std::pow(10.0, -exponent), prng), angle));
       }

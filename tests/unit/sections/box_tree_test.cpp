@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "core/prng.hpp"
 #include "sections/box_tree.hpp"
@@ -35,6 +36,35 @@ TEST(BoxTree, FindsWhatASearchOfAllFinds) {
       }
       ASSERT_EQ(found, expected);
     }
+  }
+}
+
+TEST(BoxTree, FindsTheNearest) {
+  Prng prng(2);
+  for (const std::size_t n : {0U, 1U, 8U, 9U, 65U, 1000U, 5000U}) {
+    std::vector<Box> boxes;
+    for (std::size_t k = 0; k < n; ++k) boxes.push_back(random_box(prng, k % 50 == 0 ? 80 : 3));
+    const BoxTree tree(boxes);
+    std::size_t visited = 0;
+    for (int round = 0; round < 50; ++round) {
+      const Point2 p{prng.between(-50, 150), prng.between(-50, 150)};
+      const auto offset = [&](std::size_t k) {
+        const Point2 of = boxes[k].offset(p);
+        return std::max(of.x, of.y);
+      };
+      double expected = std::numeric_limits<double>::infinity();
+      for (std::size_t k = 0; k < n; ++k) expected = std::min(expected, offset(k));
+      double found = std::numeric_limits<double>::infinity();
+      tree.query_nearest(
+          p,
+          [&](std::size_t k) {
+            found = std::min(found, offset(k));
+            ++visited;
+          },
+          [&] { return found; });
+      ASSERT_EQ(found, expected);
+    }
+    EXPECT_LE(visited, 50 * (100 + n / 10));
   }
 }
 
