@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include <tetloft/reconstruct.hpp>
 #include <tetloft/sections.hpp>
 
 #include "core/union_find.hpp"
