@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include <tetloft/reconstruct.hpp>
 #include <tetloft/sections.hpp>
 
 #include "core/union_find.hpp"
@@ -239,7 +240,9 @@ StackFacts facts_of(const SlicedSolid& sliced) {
         slab.ratio.push_back(overlap_ratio(below.outline_of(i), above.outline_of(j)));
       }
     }
-    TetMesh mesh = slab_delaunay(conformed[s], conformed[s + 1], DelaunayEngine::slab).value();
+    TetMesh mesh = slab_delaunay(SlabId(s), conformed[s], conformed[s + 1], DelaunayEngine::slab,
+                                 kDefaultWorkLimit)
+                       .value();
     slab.reverse = reverse_links(SlabId(s), Slab(conformed[s], conformed[s + 1], std::move(mesh)));
     facts.slabs.push_back(std::move(slab));
   }

@@ -100,8 +100,8 @@ struct ReconstructReport {
   /// ideal; 1 without lifted vertices.
   double smallest_lift = 1;
   /// What was done, whatever the clock and the threads: tets of the slabs' Delaunay
-  /// triangulations and tets tested for embedding, each as often as it was done, pairs of
-  /// triangles tested for contact, and inserted vertices.
+  /// triangulations, looked at in completion and tested for embedding, each as often as it was,
+  /// pairs of triangles tested for contact, and inserted vertices.
   std::uint64_t work = 0;
   std::array<std::uint64_t, kRules> rules{};
   /// CPU seconds summed over threads, by step; and wall-clock seconds in all.

@@ -77,6 +77,7 @@ void Completion::settle(VertexId p) {
 
 void Completion::gather_star(VertexId p) {
   spokes_.clear();
+  work_ += slab_.star(p).size();
   for (const Slab::StarEntry& entry : slab_.star(p)) {
     spoke_of_[entry.tet] = static_cast<std::int32_t>(spokes_.size());
     spokes_.push_back({entry.tet, entry.corner, {}});

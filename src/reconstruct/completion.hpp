@@ -49,6 +49,8 @@ class Completion {
   std::vector<Unconnectable> run();
 
   [[nodiscard]] Complex& complex() { return complex_; }
+  /// Tets looked at, as often as that was.
+  [[nodiscard]] std::uint64_t work() const { return work_; }
 
  private:
   // A tet of the current vertex's star.
@@ -155,6 +157,7 @@ class Completion {
   // Of the vertices in the current star's link, those with the current epoch.
   IdVector<VertexId, LinkVertex> link_vertex_;
   std::uint32_t epoch_ = 0;
+  std::uint64_t work_ = 0;
 };
 
 }  // namespace tetloft

@@ -46,6 +46,7 @@ bool Completion::is_convex_filling(TetId t) const {
 // vertices, so fewer faces would leave out a vertex that is in the complex. Links stay discs:
 // no vertex has to be settled anew.
 bool Completion::is_expansion(TetId t) {
+  ++work_;
   std::array<bool, 4> shared{};
   int faces = 0;
   for (int i = 0; i < 4; ++i) {

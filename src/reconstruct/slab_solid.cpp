@@ -100,6 +100,7 @@ Result<std::optional<SlabSolid>> build_once(SlabId id, Pits& pits, const std::ve
     RuleCounts rules{};
     Completion completion(slab, classes, active, seed(slab, classes, active, rules), rules);
     solid.unconnectable = completion.run();
+    effort.work += completion.work();
     clock.end(Step::complex);
     if (!solid.unconnectable.empty()) return std::optional(std::move(solid));
 

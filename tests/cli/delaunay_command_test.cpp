@@ -49,6 +49,20 @@ TEST(DelaunayCommand, ReadsBinaryPointsAndWritesTets) {
   EXPECT_GT(volume(*model), 0);
 }
 
+TEST(DelaunayCommand, EndsAtTheWorkLimit) {
+  TempFolder folder;
+  const std::string points = folder.file("p.txt");
+  // Two skew lines: every piece of one spans a tet with every piece of the other.
+  std::string text;
+  for (int i = 0; i < 60; ++i) {
+    text += std::to_string(i) + " 0.25 0\n30.5 " + std::to_string(i - 30) + " 7\n";
+  }
+  test::put(points, text);
+  expect_failure({"delaunay", points, "--work-limit", "0.1"}, 7, "work_limit", "more than 3276");
+  expect_failure({"delaunay", points, "--work-limit", "0"}, 2, "usage", "--work-limit");
+  EXPECT_GE(run_json({"delaunay", points}).at("tets").number, 59 * 59);
+}
+
 TEST(DelaunayCommand, OffersItsEngines) {
   TempFolder folder;
   const std::string points = folder.file("p.txt");

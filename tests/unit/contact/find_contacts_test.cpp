@@ -1,5 +1,6 @@
 // find_contacts() against all pairs.
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -81,6 +82,75 @@ void append_box(int n, const Point3& corner, Soup& soup) {
         }
       }
     }
+  }
+}
+
+/// Fans of long triangles about few vertices, among small triangles; some through an apex.
+Soup fans_soup(std::size_t fans, std::size_t blades, std::size_t small, bool flat, Prng& random) {
+  Soup soup = random_soup(small, 0.5, false, random);
+  for (std::size_t f = 0; f < fans; ++f) {
+    const VertexId apex(soup.points.size());
+    soup.points.push_back({random.between(0, 20), random.between(0, 20), flat ? 1 : 2.5});
+    const Point3 at = soup.points.back();
+    const auto rim = [&](double angle) {
+      const double length = random.between(2, 9);
+      const double tilt = flat ? 0 : random.between(-0.3, 0.3);
+      return Point3{at.x + length * std::cos(angle), at.y + length * std::sin(angle),
+                    at.z + length * tilt};
+    };
+    for (std::size_t k = 0; k < blades; ++k) {
+      const double angle = 6.28 * static_cast<double>(k) / static_cast<double>(blades);
+      // Now and then a blade as wide as the next ones, or half of the circle.
+      const double width = random.below(8) == 0 ? random.between(0.02, 3.5) : 4 / 1e3;
+      const VertexId first(soup.points.size());
+      soup.points.push_back(rim(angle));
+      soup.points.push_back(rim(angle + width));
+      soup.triangles.push_back({apex, first, VertexId(first.index() + 1)});
+    }
+    // Triangles that hold the apex without having it as their vertex, inside and at a corner.
+    for (const double back : {-1.0, 0.0}) {
+      const VertexId first(soup.points.size());
+      soup.points.push_back({at.x + back, at.y + back, at.z});
+      soup.points.push_back({at.x + 2, at.y + 0.5, at.z});
+      soup.points.push_back({at.x + 0.5, at.y + 2, at.z});
+      soup.triangles.push_back({first, VertexId(first.index() + 1), VertexId(first.index() + 2)});
+    }
+  }
+  return soup;
+}
+
+TEST(FindContacts, OfFansAgreesWithAllPairs) {
+  Prng random(11);
+  for (int round = 0; round < 12; ++round) {
+    const Soup soup = fans_soup(2, 90, 150, round % 2 == 0, random);
+    const std::vector<Contact> expected = all_pairs(soup);
+    EXPECT_GT(expected.size(), 20U);
+    EXPECT_EQ(find_contacts(soup.points, soup.triangles), expected);
+    std::vector<std::uint8_t> active(soup.triangles.size());
+    for (std::uint8_t& flag : active) flag = random.below(3) != 0 ? 1 : 0;
+    EXPECT_EQ(find_contacts(soup.points, soup.triangles, static_cast<std::size_t>(-1), active),
+              all_pairs(soup, active));
+    const std::vector<Contact> lowest(expected.begin(), expected.begin() + 10);
+    EXPECT_EQ(find_contacts(soup.points, soup.triangles, 10), lowest);
+  }
+}
+
+// A fan alone, its blades far from each other but at the apex: the pairs tested grow with the
+// blades, not with their square.
+TEST(FindContacts, OfAFanTestsFewPairs) {
+  for (const std::size_t blades : {1000U, 8000U}) {
+    Soup soup;
+    soup.points.push_back({0, 0, 0});
+    for (std::size_t k = 0; k < 2 * blades; ++k) {
+      const double angle = 6.28 * static_cast<double>(k) / static_cast<double>(2 * blades);
+      soup.points.push_back({std::cos(angle), std::sin(angle), 0.1 * std::cos(9 * angle)});
+    }
+    for (std::size_t k = 0; k < blades; ++k) {
+      soup.triangles.push_back({VertexId(0), VertexId(2 * k + 1), VertexId(2 * k + 2)});
+    }
+    std::uint64_t tested = 0;
+    EXPECT_TRUE(find_contacts(soup.points, soup.triangles, 10, {}, &tested).empty());
+    EXPECT_LT(tested, 4 * blades);
   }
 }
 

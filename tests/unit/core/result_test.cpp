@@ -49,6 +49,7 @@ TEST(ErrorCode, NamesAreThoseOfTheReports) {
   EXPECT_STREQ(name_of(ErrorCode::invalid_input), "invalid_input");
   EXPECT_STREQ(name_of(ErrorCode::io), "io");
   EXPECT_STREQ(name_of(ErrorCode::unrepresentable), "unrepresentable");
+  EXPECT_STREQ(name_of(ErrorCode::work_limit), "work_limit");
   EXPECT_STREQ(name_of(ErrorCode::internal), "internal");
 }
 

@@ -140,7 +140,7 @@ TEST(ConformingApi, TheBoundOnInsertedPointsHolds) {
   options.most_inserted = 1;
   const Result<Conforming2> result = conforming_delaunay2(graph.points, graph.segments, options);
   ASSERT_FALSE(result.ok());
-  EXPECT_EQ(result.error().code, ErrorCode::unrepresentable);
+  EXPECT_EQ(result.error().code, ErrorCode::work_limit);
 }
 
 }  // namespace

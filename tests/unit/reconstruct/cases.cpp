@@ -72,9 +72,9 @@ std::unique_ptr<SlabCase> slab_case(const SectionStack& stack, std::size_t k,
   built->lower = value_or_throw(conform(below, SectionId(k)));
   built->upper = value_or_throw(conform(above, SectionId(k + 1)));
   built->links = std::move(links);
-  built->slab.emplace(
-      built->lower, built->upper,
-      value_or_throw(slab_delaunay(built->lower, built->upper, DelaunayEngine::automatic)));
+  built->slab.emplace(built->lower, built->upper,
+                      value_or_throw(slab_delaunay(SlabId(0), built->lower, built->upper,
+                                                   DelaunayEngine::automatic, kDefaultWorkLimit)));
   built->classes.emplace(built->lower, built->upper, built->links);
   return built;
 }
