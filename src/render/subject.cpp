@@ -31,9 +31,6 @@ namespace tetloft::render {
 
 namespace {
 
-// float32 holds the square of what is below.
-constexpr double kLargestDrawn = 1e18;
-
 Error invalid(std::string message) { return {ErrorCode::invalid_input, std::move(message), {}}; }
 
 // The angles between faces i and j are π less that between their outward normals.
@@ -68,7 +65,7 @@ Result<void> check_options(const RenderOptions& options) {
   if (!(options.explode >= 0 && options.explode <= 100)) {
     return usage("slabs can be moved apart by 0 to 100 heights");
   }
-  // Heights below kLargestDrawn stay far within float32, and visible.
+  // Heights stay far within float32, and visible.
   constexpr double kMostStretched = 1e6;
   if (!(options.stretch <= kMostStretched && options.stretch >= 1 / kMostStretched)) {
     return usage("z can be stretched by 1e-6 to 1e6");
@@ -90,12 +87,36 @@ Result<void> check_model(const Model& model) {
     return invalid("an array of the model has not one value for each tet");
   }
   for (const Point3& p : model.points) {
-    if (!(std::abs(p.x) < kLargestDrawn && std::abs(p.y) < kLargestDrawn &&
-          std::abs(p.z) < kLargestDrawn)) {
-      return invalid("the model has a coordinate of 1e18 or more, too large to be drawn");
+    if (!(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z))) {
+      return invalid("the model has a coordinate that is not finite");
     }
   }
   return {};
+}
+
+// The least exponent e for which all coordinates are below 2^e.
+int exponent_of(const Model& model, const SectionStack* contours) {
+  double largest = 0;
+  const auto include = [&](double value) { largest = std::max(largest, std::abs(value)); };
+  for (const Point3& p : model.points) {
+    include(p.x);
+    include(p.y);
+    include(p.z);
+  }
+  if (contours != nullptr) {
+    for (const Section& section : contours->sections) {
+      include(section.z);
+      for (const Contour& contour : section.contours) {
+        for (const Point2& p : contour.vertices) {
+          include(p.x);
+          include(p.y);
+        }
+      }
+    }
+  }
+  int exponent = 0;
+  std::frexp(std::isfinite(largest) ? largest : 0.0, &exponent);
+  return exponent;
 }
 
 // Order of the tets by slab, slabs renumbered from 0 without gaps.
@@ -224,7 +245,10 @@ std::map<std::int32_t, std::vector<std::array<VertexId, 2>>> outlines_of(const M
 }
 
 void add_given_contours(const SectionStack& stack, double stretch, Subject& subject) {
-  for (const Section& section : stack.sections) subject.sections.push_back(stretch * section.z);
+  const auto scaled = [&](double value) { return std::ldexp(value, -subject.exponent); };
+  for (const Section& section : stack.sections) {
+    subject.sections.push_back(stretch * scaled(section.z));
+  }
   const Planes planes = planes_of(subject, subject.sections);
   for (std::size_t s = 0; s < stack.sections.size(); ++s) {
     for (const Contour& contour : stack.sections[SectionId(s)].contours) {
@@ -232,8 +256,10 @@ void add_given_contours(const SectionStack& stack, double stretch, Subject& subj
       for (std::size_t i = 0; i < v.size(); ++i) {
         const Point2& p = v[i];
         const Point2& q = v[(i + 1) % v.size()];
-        subject.contours.push_back(
-            {{p.x, p.y, planes.z[s]}, {q.x, q.y, planes.z[s]}, planes.below[s], planes.above[s]});
+        subject.contours.push_back({{scaled(p.x), scaled(p.y), planes.z[s]},
+                                    {scaled(q.x), scaled(q.y), planes.z[s]},
+                                    planes.below[s],
+                                    planes.above[s]});
       }
     }
   }
@@ -282,7 +308,11 @@ Result<Subject> subject_of(const Model& model, const SectionStack* contours,
   }
   Subject subject;
   subject.points.reserve(model.points.size());
-  for (const Point3& p : model.points) subject.points.push_back({p.x, p.y, options.stretch * p.z});
+  subject.exponent = exponent_of(model, contours);
+  const auto scaled = [&](double value) { return std::ldexp(value, -subject.exponent); };
+  for (const Point3& p : model.points) {
+    subject.points.push_back({scaled(p.x), scaled(p.y), options.stretch * scaled(p.z)});
+  }
   sort_by_slab(model, subject);
   const Result<TetMesh> mesh = TetMesh::from_tets(model.points.size(), subject.tets);
   if (!mesh) return mesh.error();

@@ -43,7 +43,7 @@ class Mesh {
     return mesh;
   }
 
-  // The box of all, and the heights that each slab takes.
+  // The heights that each slab, and all, take, and what lies outermost.
   measure() {
     this.slabLow = [];
     this.slabHigh = [];
@@ -60,11 +60,21 @@ class Mesh {
     }
     this.low = this.slabLow.reduce((a, b) => Math.min(a, b), Infinity);
     this.high = this.slabHigh.reduce((a, b) => Math.max(a, b), -Infinity);
-    this.box = [[Infinity, -Infinity], [Infinity, -Infinity]];
-    for (let axis = 0; axis < 2; ++axis) {
-      for (const v of this.tets) {
-        this.box[axis][0] = Math.min(this.box[axis][0], this.points[3 * v + axis]);
-        this.box[axis][1] = Math.max(this.box[axis][1], this.points[3 * v + axis]);
+    // x, y, z and slab of the points of each slab that lie farthest in 16 directions across.
+    this.outermost = [];
+    for (let s = 0; s < this.slabLow.length; ++s) {
+      for (let k = 0; k < 16; ++k) {
+        const [c, d] = [Math.cos(k * Math.PI / 8), Math.sin(k * Math.PI / 8)];
+        let most = -Infinity;
+        let at = 0;
+        for (let i = 4 * this.slabFirst[s]; i < 4 * this.slabFirst[s + 1]; ++i) {
+          const v = 3 * this.tets[i];
+          const reach = c * this.points[v] + d * this.points[v + 1];
+          if (reach > most) [most, at] = [reach, v];
+        }
+        for (const z of [this.slabLow[s], this.slabHigh[s]]) {
+          this.outermost.push([this.points[at], this.points[at + 1], z, s]);
+        }
       }
     }
   }

@@ -105,9 +105,9 @@ class Viewer {
   // All in the free part of the page, from where the eye looks.
   fit() {
     const mesh = this.mesh;
-    const apart = this.state.explode * mesh.gap * (mesh.slabLow.length - 1) / 2;
-    const corners = Array.from({length: 8}, (_, k) => [
-      mesh.box[0][k & 1], mesh.box[1][k >> 1 & 1], k < 4 ? mesh.low - apart : mesh.high + apart]);
+    const apart = this.state.explode * mesh.gap;
+    const middle = (mesh.slabLow.length - 1) / 2;
+    const corners = mesh.outermost.map(([x, y, z, slab]) => [x, y, z + apart * (slab - middle)]);
     this.camera.fit(corners, this.canvas.clientWidth / Math.max(1, this.canvas.clientHeight));
   }
 
@@ -226,7 +226,7 @@ class Viewer {
     };
     button.addEventListener('click', () => fold(button.getAttribute('aria-expanded') === 'true'));
     fold(window.matchMedia('(max-width: 720px)').matches);
-    document.getElementById('hint').textContent = window.matchMedia('(pointer: coarse)').matches
+    document.getElementById('hint').textContent = window.matchMedia('(pointer: coarse), (max-width: 720px)').matches
       ? 'drag: turn · two fingers: move and zoom'
       : 'drag: turn · wheel: nearer · shift and drag: move · ↑ ↓: sections';
   }
