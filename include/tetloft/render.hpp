@@ -61,8 +61,8 @@ struct RenderOptions {
 /// stopped; usage for options out
 /// of range, a cut of a page that is not by z, or a colour that the model has no data for;
 /// invalid_input for a model without tets, with a face of more than two, ids out of range, arrays
-/// of a wrong length, and coordinates, of contours too, not finite or too large for float32
-/// squares.
+/// of a wrong length, and coordinates, of contours too, that are not finite. A model and its
+/// multiple by a power of two have the same picture.
 [[nodiscard]] Result<std::string> render_png(const Model& model, const SectionStack* contours,
                                              const RenderOptions& options = {});
 /// Only triangles that are seen are written.

@@ -1,6 +1,7 @@
 // The picture: several samples a pixel, lines, edges.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "render/raster.hpp"
 #include "render/vector.hpp"
@@ -17,42 +18,71 @@ std::size_t samples_across(const RenderOptions& options) {
   return pixels <= 4e6 ? 3 : pixels <= 16e6 ? 2 : 1;
 }
 
-// Samples that show a line.
-std::vector<std::uint8_t> draw_lines(const Scene& scene, const View& view, const ItemBuffer& items,
-                                     double width) {
-  std::vector<std::uint8_t> drawn(items.item.size(), 0);
-  const double lift = kLineLift * static_cast<double>(std::max(items.width, items.height));
-  const auto clamped = [](double value, std::size_t size) {
-    return static_cast<std::size_t>(std::clamp(value, 0.0, static_cast<double>(size)));
-  };
-  for (const auto& line : scene.lines) {
-    const Projected a = view.project(line[0]);
-    const Projected b = view.project(line[1]);
+// Light changes slowly: of large pictures it is found for blocks of pixels of this side.
+std::size_t light_block(const RenderOptions& options) {
+  constexpr double kMost = 4e6;
+  const double pixels = static_cast<double>(options.width) * options.height;
+  return static_cast<std::size_t>(std::ceil(std::sqrt(pixels / kMost)));
+}
+
+// Samples that show a line. Time O(1) for each row that a line crosses, and each sample on it.
+class LinePainter {
+ public:
+  LinePainter(const View& view, const ItemBuffer& items, double width)
+      : view_(view),
+        items_(items),
+        reach_(width / 2),
+        lift_(kLineLift * static_cast<double>(std::max(items.width, items.height))),
+        drawn_(items.item.size(), 0) {}
+
+  void paint(const std::array<Point3, 2>& line) {
+    const Projected a = view_.project(line[0]);
+    const Projected b = view_.project(line[1]);
     const double dx = b.x - a.x;
     const double dy = b.y - a.y;
     const double square = dx * dx + dy * dy;
-    const double reach = width / 2;
-    const std::size_t x0 = clamped(std::min(a.x, b.x) - reach, items.width);
-    const std::size_t x1 = clamped(std::max(a.x, b.x) + reach + 1, items.width);
-    const std::size_t y0 = clamped(std::min(a.y, b.y) - reach, items.height);
-    const std::size_t y1 = clamped(std::max(a.y, b.y) + reach + 1, items.height);
+    const double left = std::min(a.x, b.x) - reach_;
+    const double right = std::max(a.x, b.x) + reach_ + 1;
+    const std::size_t y0 = clamped(std::min(a.y, b.y) - reach_, items_.height);
+    const std::size_t y1 = clamped(std::max(a.y, b.y) + reach_ + 1, items_.height);
+    const std::size_t x0 = clamped(left, items_.width);
+    const std::size_t x1 = clamped(right, items_.width);
+    const auto nearest = static_cast<float>(std::max(a.depth, b.depth) + lift_);
+    if (x0 >= x1 || y0 >= y1 || items_.pyramid.hides(x0, y0, x1, y1, nearest)) return;
     for (std::size_t y = y0; y < y1; ++y) {
-      for (std::size_t x = x0; x < x1; ++x) {
+      const double py = static_cast<double>(y) + 0.5 - a.y;
+      // Where the row meets the strip of points near the whole straight line.
+      const bool crosses = std::abs(dy) > 1e-6;
+      const double middle = crosses ? a.x + dx * py / dy : a.x;
+      const double half = crosses ? reach_ * std::sqrt(square) / std::abs(dy) + 1 : right - left;
+      const std::size_t begin = std::max(x0, clamped(middle - half, items_.width));
+      const std::size_t end = std::min(x1, clamped(middle + half + 1, items_.width));
+      for (std::size_t x = begin; x < end; ++x) {
+        const std::size_t at = items_.at(x, y);
+        if (drawn_[at] != 0) continue;
         const double px = static_cast<double>(x) + 0.5 - a.x;
-        const double py = static_cast<double>(y) + 0.5 - a.y;
         const double t = square > 0 ? std::clamp((px * dx + py * dy) / square, 0.0, 1.0) : 0;
         const double ox = px - t * dx;
         const double oy = py - t * dy;
-        if (ox * ox + oy * oy > reach * reach) continue;
-        const std::size_t at = items.at(x, y);
-        const double depth = a.depth + t * (b.depth - a.depth) + lift;
-        if (items.item[at] != ItemBuffer::kNothing && items.depth[at] > depth) continue;
-        drawn[at] = 1;
+        if (ox * ox + oy * oy > reach_ * reach_) continue;
+        const double depth = a.depth + t * (b.depth - a.depth) + lift_;
+        if (items_.depth[at] > depth) continue;
+        drawn_[at] = 1;
       }
     }
   }
-  return drawn;
-}
+  [[nodiscard]] std::vector<std::uint8_t> drawn() { return std::move(drawn_); }
+
+ private:
+  [[nodiscard]] static std::size_t clamped(double value, std::size_t size) {
+    return static_cast<std::size_t>(std::clamp(value, 0.0, static_cast<double>(size)));
+  }
+
+  const View& view_;
+  const ItemBuffer& items_;
+  double reach_, lift_;
+  std::vector<std::uint8_t> drawn_;
+};
 
 struct Sampled {
   Point3 normal;
@@ -89,14 +119,17 @@ Picture draw(const Scene& scene, const RenderOptions& options, WatchedWork& work
   const View view(scene, options);
   const std::size_t across = samples_across(options);
   const View fine = view.enlarged(static_cast<double>(across));
-  const ItemBuffer coarse = draw_items(scene, view, width, height);
+  const std::size_t block = light_block(options);
+  const ItemBuffer coarse = draw_items(scene, view.enlarged(1 / static_cast<double>(block)),
+                                       (width + block - 1) / block, (height + block - 1) / block);
   work.step_done_go_on();
   const std::vector<float> open = openness(coarse, scene, view);
   work.step_done_go_on();
   const ItemBuffer items = draw_items(scene, fine, width * across, height * across);
   work.step_done_go_on();
-  const std::vector<std::uint8_t> lines =
-      draw_lines(scene, fine, items, line_width(scene, view) * static_cast<double>(across));
+  LinePainter line_painter(fine, items, line_width(scene, view) * static_cast<double>(across));
+  for (const auto& line : scene.lines) line_painter.paint(line);
+  const std::vector<std::uint8_t> lines = line_painter.drawn();
   work.step_done_go_on();
   const double edge_reach = options.edges ? kEdgeWidth / 2 * static_cast<double>(across) : -1.0;
   const Light ink = linear(kContourColour);
@@ -119,7 +152,7 @@ Picture draw(const Scene& scene, const RenderOptions& options, WatchedWork& work
           const SceneTriangle& triangle = scene.triangles[items.item[at]];
           const Sampled s = sample(triangle, fine, static_cast<double>(sx) + 0.5,
                                    static_cast<double>(sy) + 0.5, edge_reach);
-          light = lit(triangle.colour, s.normal, open[coarse.at(x, y)]);
+          light = lit(triangle.colour, s.normal, open[coarse.at(x / block, y / block)]);
           if (s.on_edge) {
             const auto mixed = [](float a, float b) {
               return (1 - kEdgeStrength) * a + kEdgeStrength * b;

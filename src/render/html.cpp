@@ -153,8 +153,8 @@ class Page {
     Members members;
     members.text("title", options_.title);
     members.number("componentCount", static_cast<double>(s.component_count));
-    members.number("centre", centre_.z / options_.stretch);
-    members.number("scale", scale_ / options_.stretch);
+    members.number("centre", std::ldexp(centre_.z / options_.stretch, s.exponent));
+    members.number("scale", std::ldexp(scale_ / options_.stretch, s.exponent));
     members.number("gap", s.mean_gap / scale_);
     members.text("colour", name_of(options_.colour));
     members.number("azimuth", options_.azimuth);
@@ -163,7 +163,9 @@ class Page {
     members.flag("edges", options_.edges);
     members.flag("drawContours", options_.contours);
     if (options_.cut) {
-      members.number("cut", static_cast<double>(height(options_.stretch * options_.cut->position)));
+      members.number(
+          "cut", static_cast<double>(
+                     height(options_.stretch * std::ldexp(options_.cut->position, -s.exponent))));
     } else {
       members.raw("cut", "null");
     }

@@ -1,4 +1,4 @@
-// Still pictures: parallel projection, an item buffer, and light.
+// Still pictures: lines, and light.
 #pragma once
 
 #include <array>
@@ -8,47 +8,11 @@
 #include <tetloft/render.hpp>
 
 #include "core/watched_work.hpp"
+#include "render/items.hpp"
 #include "render/scene.hpp"
+#include "render/view.hpp"
 
 namespace tetloft::render {
-
-/// On the picture: pixels from its upper left corner, and height towards the eye, in pixels.
-struct Projected {
-  double x = 0, y = 0, depth = 0;
-};
-
-/// A parallel projection that fits a scene into a picture.
-class View {
- public:
-  /// The direction in which the eye stands.
-  [[nodiscard]] static Point3 toward(const RenderOptions& options);
-
-  View(const Scene& scene, const RenderOptions& options);
-  [[nodiscard]] Projected project(const Point3& p) const;
-  /// x to the right, y up, z to the eye.
-  [[nodiscard]] Point3 turned(const Point3& vector) const;
-  /// Pixels for a length across the direction of view.
-  [[nodiscard]] double pixels(double length) const { return scale_ * length; }
-  /// The picture enlarged `times`.
-  [[nodiscard]] View enlarged(double times) const;
-
- private:
-  Point3 right_, up_, toward_;
-  double scale_ = 1;
-  double x_ = 0, y_ = 0;
-};
-
-/// For each pixel the triangle that is seen there.
-struct ItemBuffer {
-  static constexpr std::uint32_t kNothing = 0xFFFFFFFFU;
-  std::size_t width = 0, height = 0;
-  std::vector<std::uint32_t> item;
-  std::vector<float> depth;
-
-  [[nodiscard]] std::size_t at(std::size_t x, std::size_t y) const { return y * width + x; }
-};
-[[nodiscard]] ItemBuffer draw_items(const Scene& scene, const View& view, std::size_t width,
-                                    std::size_t height);
 
 /// Lines lie on surfaces: they are seen up to this far behind, in parts of the picture's larger
 /// side.

@@ -1,6 +1,7 @@
 #include "render/scene.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "render/vector.hpp"
@@ -23,9 +24,11 @@ struct HalfSpace {
   }
 };
 
-std::optional<HalfSpace> half_space(const RenderOptions& options, const Point3& toward) {
+std::optional<HalfSpace> half_space(const RenderOptions& options, const Point3& toward,
+                                    int exponent) {
   if (!options.cut) return std::nullopt;
-  const auto& [axis, position] = *options.cut;
+  const int axis = options.cut->axis;
+  const double position = std::ldexp(options.cut->position, -exponent);
   if (axis == 2) return HalfSpace{2, options.stretch * position, 1};
   return HalfSpace{axis, position, coordinate(toward, axis) < 0 ? -1.0 : 1.0};
 }
@@ -55,7 +58,9 @@ std::vector<Corner> clipped(const std::array<Corner, 3>& triangle, const HalfSpa
 class Builder {
  public:
   Builder(const Subject& subject, const Point3& toward, const RenderOptions& options)
-      : subject_(subject), options_(options), kept_(half_space(options, toward)) {}
+      : subject_(subject),
+        options_(options),
+        kept_(half_space(options, toward, subject.exponent)) {}
 
   Scene build() {
     for (std::size_t k = 0; k < subject_.boundary.size(); ++k) {

@@ -13,6 +13,7 @@
 #include "core/enums.hpp"
 #include "model/well_formed.hpp"
 #include "render/normals.hpp"
+#include "render/outlines.hpp"
 #include "render/vector.hpp"
 
 namespace tetloft {
@@ -32,9 +33,6 @@ const char* name_of(ColourBy colour) {
 namespace tetloft::render {
 
 namespace {
-
-// float32 holds the square of what is below.
-constexpr double kLargestDrawn = 1e18;
 
 Error invalid(std::string message) { return {ErrorCode::invalid_input, std::move(message), {}}; }
 
@@ -73,7 +71,7 @@ Result<void> check_options(const RenderOptions& options) {
   if (!(options.explode >= 0 && options.explode <= 100)) {
     return usage("slabs can be moved apart by 0 to 100 heights");
   }
-  // Heights below kLargestDrawn stay far within float32, and visible.
+  // Heights stay far within float32, and visible.
   constexpr double kMostStretched = 1e6;
   if (!(options.stretch <= kMostStretched && options.stretch >= 1 / kMostStretched)) {
     return usage("z can be stretched by 1e-6 to 1e6");
@@ -91,28 +89,52 @@ Result<void> check_model(const Model& model) {
   if (model.tets.empty()) return invalid("the model has no tets to draw");
   if (Result<void> formed = check_well_formed(model); !formed) return formed;
   for (const Point3& p : model.points) {
-    if (!(std::abs(p.x) < kLargestDrawn && std::abs(p.y) < kLargestDrawn &&
-          std::abs(p.z) < kLargestDrawn)) {
-      return invalid("the model has a coordinate of 1e18 or more, too large to be drawn");
+    if (!(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z))) {
+      return invalid("the model has a coordinate that is not finite");
     }
   }
   return {};
 }
 
 Result<void> check_contours(const SectionStack& stack) {
-  const auto drawn = [](double c) { return std::abs(c) < kLargestDrawn; };
   for (std::size_t s = 0; s < stack.sections.size(); ++s) {
     const Section& section = stack.sections[SectionId(s)];
-    bool fine = drawn(section.z);
+    bool fine = std::isfinite(section.z);
     for (const Contour& contour : section.contours) {
-      for (const Point2& p : contour.vertices) fine = fine && drawn(p.x) && drawn(p.y);
+      for (const Point2& p : contour.vertices)
+        fine = fine && std::isfinite(p.x) && std::isfinite(p.y);
     }
     if (fine) continue;
-    Error error = invalid("the contours have a coordinate of 1e18 or more, or not finite");
+    Error error = invalid("the contours have a coordinate that is not finite");
     error.where.section = s;
     return error;
   }
   return {};
+}
+
+// The least exponent e for which all coordinates are below 2^e.
+int exponent_of(const Model& model, const SectionStack* contours) {
+  double largest = 0;
+  const auto include = [&](double value) { largest = std::max(largest, std::abs(value)); };
+  for (const Point3& p : model.points) {
+    include(p.x);
+    include(p.y);
+    include(p.z);
+  }
+  if (contours != nullptr) {
+    for (const Section& section : contours->sections) {
+      include(section.z);
+      for (const Contour& contour : section.contours) {
+        for (const Point2& p : contour.vertices) {
+          include(p.x);
+          include(p.y);
+        }
+      }
+    }
+  }
+  int exponent = 0;
+  std::frexp(std::isfinite(largest) ? largest : 0.0, &exponent);
+  return exponent;
 }
 
 // Order of the tets by slab, slabs renumbered from 0 without gaps.
@@ -178,101 +200,6 @@ void measure(Subject& subject) {
   subject.mean_gap = (subject.high.z - subject.low.z) / static_cast<double>(subject.slab_count);
 }
 
-// The two slabs that meet in each section: of tets that have the plane above or below them.
-struct Planes {
-  std::vector<double> z;
-  std::vector<std::uint32_t> below, above;
-};
-
-Planes planes_of(const Subject& subject, const std::vector<double>& heights) {
-  const double none = std::numeric_limits<double>::infinity();
-  std::vector<double> low(subject.slab_count, none), high(subject.slab_count, -none);
-  for (std::size_t t = 0; t < subject.tets.size(); ++t) {
-    for (const VertexId v : subject.tets[t]) {
-      const double z = subject.points[v.index()].z;
-      low[subject.slab[t]] = std::min(low[subject.slab[t]], z);
-      high[subject.slab[t]] = std::max(high[subject.slab[t]], z);
-    }
-  }
-  Planes planes{heights, {}, {}};
-  for (const double z : heights) {
-    std::uint32_t below = 0;
-    auto above = static_cast<std::uint32_t>(subject.slab_count - 1);
-    while (below + 1 < subject.slab_count && high[below] < z) ++below;
-    while (above > 0 && low[above] > z) --above;
-    planes.below.push_back(std::min(below, above));
-    planes.above.push_back(std::max(below, above));
-  }
-  return planes;
-}
-
-// The edges of the section regions of the model: in-plane edges of an odd number of in-plane
-// triangles.
-std::map<std::int32_t, std::vector<std::array<VertexId, 2>>> outlines_of(const Model& model) {
-  std::map<std::int32_t, std::vector<TriangleVertices>> triangles;
-  for (const TetVertices& tet : model.tets) {
-    for (const auto& face : kFaceVertex) {
-      TriangleVertices v;
-      for (std::size_t i = 0; i < 3; ++i) v[i] = tet[static_cast<std::size_t>(face[i])];
-      const std::int32_t s = model.section[v[0]];
-      if (s == kNoSection || model.section[v[1]] != s || model.section[v[2]] != s) continue;
-      std::sort(v.begin(), v.end());
-      triangles[s].push_back(v);
-    }
-  }
-  std::map<std::int32_t, std::vector<std::array<VertexId, 2>>> outlines;
-  for (auto& [section, all] : triangles) {
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
-    std::vector<std::array<VertexId, 2>> edges;
-    for (const TriangleVertices& v : all) {
-      edges.push_back({v[0], v[1]});
-      edges.push_back({v[0], v[2]});
-      edges.push_back({v[1], v[2]});
-    }
-    std::sort(edges.begin(), edges.end());
-    for (auto at = edges.begin(); at != edges.end();) {
-      const auto end = std::upper_bound(at, edges.end(), *at);
-      if ((end - at) % 2 != 0) outlines[section].push_back(*at);
-      at = end;
-    }
-  }
-  return outlines;
-}
-
-void add_given_contours(const SectionStack& stack, double stretch, Subject& subject) {
-  for (const Section& section : stack.sections) subject.sections.push_back(stretch * section.z);
-  const Planes planes = planes_of(subject, subject.sections);
-  for (std::size_t s = 0; s < stack.sections.size(); ++s) {
-    for (const Contour& contour : stack.sections[SectionId(s)].contours) {
-      const auto& v = contour.vertices;
-      for (std::size_t i = 0; i < v.size(); ++i) {
-        const Point2& p = v[i];
-        const Point2& q = v[(i + 1) % v.size()];
-        subject.contours.push_back(
-            {{p.x, p.y, planes.z[s]}, {q.x, q.y, planes.z[s]}, planes.below[s], planes.above[s]});
-      }
-    }
-  }
-}
-
-void add_own_contours(const Model& model, Subject& subject) {
-  if (model.section.empty()) return;
-  const auto outlines = outlines_of(model);
-  for (const auto& [section, edges] : outlines) {
-    subject.sections.push_back(subject.points[edges.front()[0].index()].z);
-  }
-  const Planes planes = planes_of(subject, subject.sections);
-  std::size_t s = 0;
-  for (const auto& [section, edges] : outlines) {
-    for (const auto& [a, b] : edges) {
-      subject.contours.push_back(
-          {subject.points[a.index()], subject.points[b.index()], planes.below[s], planes.above[s]});
-    }
-    ++s;
-  }
-}
-
 }  // namespace
 
 Rgb Subject::colour(std::size_t tet, ColourBy by) const {
@@ -300,7 +227,11 @@ Result<Subject> subject_of(const Model& model, const SectionStack* contours,
   }
   Subject subject;
   subject.points.reserve(model.points.size());
-  for (const Point3& p : model.points) subject.points.push_back({p.x, p.y, options.stretch * p.z});
+  subject.exponent = exponent_of(model, contours);
+  const auto scaled = [&](double value) { return std::ldexp(value, -subject.exponent); };
+  for (const Point3& p : model.points) {
+    subject.points.push_back({scaled(p.x), scaled(p.y), options.stretch * scaled(p.z)});
+  }
   sort_by_slab(model, subject);
   const Result<TetMesh> mesh = TetMesh::from_tets(model.points.size(), subject.tets);
   if (!mesh) return mesh.error();
@@ -308,11 +239,7 @@ Result<Subject> subject_of(const Model& model, const SectionStack* contours,
   number_components(*mesh, subject);
   measure(subject);
   subject.normals = smooth_normals(subject);
-  if (contours != nullptr) {
-    add_given_contours(*contours, options.stretch, subject);
-  } else {
-    add_own_contours(model, subject);
-  }
+  add_contours(model, contours, options.stretch, subject);
   return subject;
 }
 

@@ -22,6 +22,8 @@ struct ContourPiece {
 };
 
 struct Subject {
+  /// Coordinates are the model's times 2^−exponent, exactly: of any scale the same picture.
+  int exponent = 0;
   std::vector<Point3> points;     ///< z stretched
   std::vector<TetVertices> tets;  ///< by slab, in the model's order within each
   std::vector<std::uint32_t> component;

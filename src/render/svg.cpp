@@ -107,8 +107,7 @@ void append_line(std::string& out, const std::array<Point3, 2>& line, const View
       return false;
     }
     const std::size_t at = items.at(static_cast<std::size_t>(x), static_cast<std::size_t>(y));
-    return items.item[at] == ItemBuffer::kNothing ||
-           static_cast<double>(items.depth[at]) <= a.depth + t * (b.depth - a.depth) + lift;
+    return static_cast<double>(items.depth[at]) <= a.depth + t * (b.depth - a.depth) + lift;
   };
   using render::operator+;
   using render::operator-;

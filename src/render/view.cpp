@@ -1,5 +1,6 @@
-// Projection, the item buffer, and light.
+// Projection, and light.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -63,60 +64,18 @@ View View::enlarged(double times) const {
   return view;
 }
 
-namespace {
-
-// Draws one triangle that faces the eye.
-void draw_item(const std::array<Projected, 3>& p, std::uint32_t number, ItemBuffer& buffer) {
-  const double area = (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[2].x - p[0].x) * (p[1].y - p[0].y);
-  if (!(area < 0)) return;  // y runs downwards
-  const auto clamped = [](double value, std::size_t size) {
-    return static_cast<std::size_t>(std::clamp(value, 0.0, static_cast<double>(size)));
-  };
-  const std::size_t x0 =
-      clamped(std::floor(std::min({p[0].x, p[1].x, p[2].x}) - 0.5), buffer.width);
-  const std::size_t x1 = clamped(std::ceil(std::max({p[0].x, p[1].x, p[2].x}) + 0.5), buffer.width);
-  const std::size_t y0 =
-      clamped(std::floor(std::min({p[0].y, p[1].y, p[2].y}) - 0.5), buffer.height);
-  const std::size_t y1 =
-      clamped(std::ceil(std::max({p[0].y, p[1].y, p[2].y}) + 0.5), buffer.height);
-  for (std::size_t y = y0; y < y1; ++y) {
-    for (std::size_t x = x0; x < x1; ++x) {
-      const double px = static_cast<double>(x) + 0.5;
-      const double py = static_cast<double>(y) + 0.5;
-      const auto weight = [&](const Projected& a, const Projected& b) {
-        return ((b.x - a.x) * (py - a.y) - (b.y - a.y) * (px - a.x)) / area;
-      };
-      const double w0 = weight(p[1], p[2]);
-      const double w1 = weight(p[2], p[0]);
-      const double w2 = weight(p[0], p[1]);
-      if (w0 < 0 || w1 < 0 || w2 < 0) continue;
-      const auto depth = static_cast<float>(w0 * p[0].depth + w1 * p[1].depth + w2 * p[2].depth);
-      const std::size_t at = buffer.at(x, y);
-      if (buffer.item[at] != ItemBuffer::kNothing && buffer.depth[at] >= depth) continue;
-      buffer.item[at] = number;
-      buffer.depth[at] = depth;
-    }
-  }
-}
-
-}  // namespace
-
-ItemBuffer draw_items(const Scene& scene, const View& view, std::size_t width, std::size_t height) {
-  ItemBuffer buffer{width, height, {}, {}};
-  buffer.item.assign(width * height, ItemBuffer::kNothing);
-  buffer.depth.assign(width * height, 0);
-  for (std::size_t k = 0; k < scene.triangles.size(); ++k) {
-    const auto& corner = scene.triangles[k].corner;
-    draw_item({view.project(corner[0]), view.project(corner[1]), view.project(corner[2])},
-              static_cast<std::uint32_t>(k), buffer);
-  }
-  return buffer;
-}
-
 std::vector<float> openness(const ItemBuffer& items, const Scene& scene, const View& view) {
   constexpr std::size_t kDirections = 12;
   constexpr std::size_t kSteps = 5;
   const double radius = 0.07 * static_cast<double>(std::max(items.width, items.height));
+  std::array<std::array<std::array<double, 2>, kSteps>, kDirections> away;
+  for (std::size_t d = 0; d < kDirections; ++d) {
+    const double angle = 2 * std::numbers::pi * (static_cast<double>(d) + 0.5) / kDirections;
+    for (std::size_t s = 0; s < kSteps; ++s) {
+      const double length = radius * static_cast<double>((s + 1) * (s + 1)) / (kSteps * kSteps);
+      away[d][s] = {std::round(length * std::cos(angle)), std::round(length * std::sin(angle))};
+    }
+  }
   std::vector<float> open(items.item.size(), 1);
   for (std::size_t y = 0; y < items.height; ++y) {
     for (std::size_t x = 0; x < items.width; ++x) {
@@ -125,13 +84,9 @@ std::vector<float> openness(const ItemBuffer& items, const Scene& scene, const V
       const auto& corner = scene.triangles[items.item[at]].corner;
       const Point3 normal = view.turned(unit(cross(corner[1] - corner[0], corner[2] - corner[0])));
       double hidden = 0;
-      for (std::size_t d = 0; d < kDirections; ++d) {
-        const double angle = 2 * std::numbers::pi * (static_cast<double>(d) + 0.5) / kDirections;
+      for (const auto& direction : away) {
         double horizon = 0;
-        for (std::size_t s = 1; s <= kSteps; ++s) {
-          const double length = radius * static_cast<double>(s * s) / (kSteps * kSteps);
-          const double dx = std::round(length * std::cos(angle));
-          const double dy = std::round(length * std::sin(angle));
+        for (const auto& [dx, dy] : direction) {
           const double sx = static_cast<double>(x) + dx;
           const double sy = static_cast<double>(y) + dy;
           if (sx < 0 || sy < 0 || sx >= static_cast<double>(items.width) ||

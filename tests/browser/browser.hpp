@@ -20,6 +20,8 @@ class Browser {
   virtual void open(const std::string& url) = 0;
   /// The value of an expression in the page; null where it throws.
   virtual JsonValue evaluate(const std::string& expression) = 0;
+  /// The size of the page in pixels, as nearly as the browser takes it; before a page is opened.
+  virtual void resize(int width, int height) = 0;
   /// Errors that the page reported so far.
   virtual std::vector<std::string> errors() = 0;
   /// The window as PNG, base64.

@@ -52,6 +52,11 @@ class Chromium : public Browser {
         .at("result")
         .at("value");
   }
+  void resize(int width, int height) override {
+    command("Emulation.setDeviceMetricsOverride", R"({"width":)" + std::to_string(width) +
+                                                      R"(,"height":)" + std::to_string(height) +
+                                                      R"(,"deviceScaleFactor":1,"mobile":false})");
+  }
   std::vector<std::string> errors() override { return errors_; }
   std::string screenshot() override { return command("Page.captureScreenshot").at("data").string; }
 

@@ -53,6 +53,10 @@ class Firefox : public Browser {
                    R"({"args":[],"script":)" + json_quoted("return " + expression) + '}')
         .at("value");
   }
+  void resize(int width, int height) override {
+    command("WebDriver:SetWindowRect", R"({"width":)" + std::to_string(width) + R"(,"height":)" +
+                                           std::to_string(height) + '}');
+  }
   std::vector<std::string> errors() override {
     std::vector<std::string> found;
     std::istringstream log(get(folder_.file("log")));

@@ -1,7 +1,10 @@
 // The viewer's page in real browsers: no errors, a picture, and controls that change it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
+#include <cstdlib>
 #include <memory>
 #include <string>
 #include <thread>
@@ -38,14 +41,17 @@ class Viewer : public ::testing::TestWithParam<const char*> {
   void show(const std::string& sample, const RenderOptions& options = {}) {
     const auto input = read_cnt(kData + '/' + sample + ".cnt");
     ASSERT_TRUE(input);
-    ReconstructOptions half;
-    half.ends = Ends::half;
-    const auto solid = reconstruct(input->stack, half);
+    show(input->stack, Ends::half, options);
+  }
+
+  void show(const SectionStack& stack, Ends ends, const RenderOptions& options) {
+    ReconstructOptions with_ends;
+    with_ends.ends = ends;
+    const auto solid = reconstruct(stack, with_ends);
     ASSERT_TRUE(solid);
-    const auto page = render_html(solid->model, &input->stack, options);
+    const auto page = render_html(solid->model, &stack, options);
     ASSERT_TRUE(page);
-    ASSERT_TRUE(write_file(folder_.file("page.html"), *page));
-    browser_->open("file://" + folder_.file("page.html"));
+    open(*page);
     for (int waited = 0; waited < 600; ++waited) {
       const std::string message =
           browser_->evaluate("document.getElementById('message')?.textContent").string;
@@ -54,6 +60,11 @@ class Viewer : public ::testing::TestWithParam<const char*> {
       std::this_thread::sleep_for(std::chrono::milliseconds(100));
     }
     ASSERT_TRUE(browser_->evaluate("Boolean(window.tetloft)").boolean);
+  }
+
+  void open(const std::string& page) {
+    ASSERT_TRUE(write_file(folder_.file("page.html"), page));
+    browser_->open("file://" + folder_.file("page.html"));
   }
 
   struct Pixels {
@@ -76,6 +87,76 @@ class Viewer : public ::testing::TestWithParam<const char*> {
   }
   static std::string click(const std::string& selector) {
     return "document.querySelector(" + test::json_quoted(selector) + ").click();";
+  }
+
+  // What is seen of the rectangle [u0, u1] × [v0, v1], in parts of the solid's box, in section s:
+  // pixels that show nothing, and the largest difference of their reds.
+  struct Face {
+    double missing = -1, spread = -1;
+  };
+  Face face(std::size_t s, const std::array<double, 4>& parts) {
+    const JsonValue value = browser_->evaluate(
+        R"((() => {
+          const t = window.tetloft, m = t.mesh, gl = t.drawing.gl, c = t.canvas;
+          const span = (axis) => {
+            const all = m.points.filter((_, i) => i % 3 === axis);
+            return [Math.min(...all), Math.max(...all)];
+          };
+          const [x, y, z] = [span(0), span(1), m.sections[)" +
+        std::to_string(s) + R"(].at];
+          t.drawNow();
+          const bytes = new Uint8Array(4 * c.width * c.height);
+          gl.readPixels(0, 0, c.width, c.height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+          const {view, projection} = t.camera.matrices(c.width / c.height, 1.05 * t.reach());
+          const times = (a, v) => [0, 1, 2, 3].map((i) =>
+            a[i] * v[0] + a[4 + i] * v[1] + a[8 + i] * v[2] + a[12 + i] * v[3]);
+          let missing = 0, low = 255, high = 0;
+          for (let k = 0; k < 10000; ++k) {
+            const u = )" +
+        std::to_string(parts[0]) + " + " + std::to_string(parts[1] - parts[0]) +
+        R"( * (0.08 + 0.84 * (k % 100) / 99);
+            const v = )" +
+        std::to_string(parts[2]) + " + " + std::to_string(parts[3] - parts[2]) +
+        R"( * (0.08 + 0.84 * Math.floor(k / 100) / 99);
+            const q = times(projection, times(view,
+              [x[0] + u * (x[1] - x[0]), y[0] + v * (y[1] - y[0]), z, 1]));
+            const at = 4 * (Math.floor((q[0] / q[3] + 1) / 2 * c.width) +
+                            c.width * Math.floor((q[1] / q[3] + 1) / 2 * c.height));
+            if (bytes[at + 3] !== 255) ++missing;
+            low = Math.min(low, bytes[at]);
+            high = Math.max(high, bytes[at]);
+          }
+          return {missing, spread: high - low};
+        })())");
+    return {value.at("missing").number, value.at("spread").number};
+  }
+
+  // Whether stage, panel and bar lie beside each other, and the solid is seen whole on the stage.
+  void expect_the_solid_is_free(double least_part) {
+    const JsonValue value = browser_->evaluate(R"((() => {
+      const box = (id) => document.getElementById(id).getBoundingClientRect();
+      const [stage, panel, bar] = [box('picture'), box('panel'), box('bar')];
+      const apart = (a, b) => a.right <= b.left + 0.5 || b.right <= a.left + 0.5 ||
+        a.bottom <= b.top + 0.5 || b.bottom <= a.top + 0.5;
+      window.tetloft.drawNow();
+      const gl = window.tetloft.drawing.gl, c = window.tetloft.canvas;
+      const bytes = new Uint8Array(4 * c.width * c.height);
+      gl.readPixels(0, 0, c.width, c.height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+      let covered = 0, border = 0;
+      for (let k = 0; k < c.width * c.height; ++k) {
+        if (bytes[4 * k + 3] === 0) continue;
+        ++covered;
+        const x = k % c.width, y = Math.floor(k / c.width);
+        if (x === 0 || y === 0 || x + 1 === c.width || y + 1 === c.height) ++border;
+      }
+      return {apart: apart(stage, panel) && apart(stage, bar) && apart(panel, bar), border,
+              covered: covered / c.width / c.height,
+              part: stage.width * stage.height / innerWidth / innerHeight};
+    })())");
+    EXPECT_TRUE(value.at("apart").boolean);
+    EXPECT_EQ(value.at("border").number, 0);
+    EXPECT_GT(value.at("covered").number, 0.03);
+    EXPECT_GT(value.at("part").number, least_part);
   }
 
   void expect_no_errors() {
@@ -172,6 +253,108 @@ TEST_P(Viewer, StepsFromSectionToSectionAndHidesComponents) {
   EXPECT_GT(pixels().covered, at_first.covered);
   EXPECT_EQ(after(click("#contours") + click("#legend button")).covered, 0);
   expect_no_errors();
+}
+
+// Two boxes, of which one ends above the middle section.
+SectionStack two_heights() {
+  SectionStack stack;
+  for (std::size_t s = 0; s < 5; ++s) {
+    Section section{0.3 + 0.7 * static_cast<double>(s), {}};
+    section.contours.push_back({{{0, 0}, {1, 0}, {1, 3}, {0, 3}}});
+    if (s < 3) section.contours.push_back({{{2, 0}, {3, 0}, {3, 3}, {2, 3}}});
+    stack.sections.push_back(section);
+  }
+  return stack;
+}
+
+TEST_P(Viewer, FlatFacesHaveNoHolesWholeOrCutInAnySection) {
+  if (!start()) GTEST_SKIP() << "no " << GetParam();
+  RenderOptions options;
+  options.contours = false;
+  options.elevation = 40;
+  browser_->resize(1000, 800);
+  show(two_heights(), Ends::flat, options);
+  if (IsSkipped() || HasFatalFailure()) return;
+  const std::array left{0.0, 1.0 / 3, 0.0, 1.0}, right{2.0 / 3, 1.0, 0.0, 1.0};
+  const auto expect_uniform = [&](std::size_t s, const std::array<double, 4>& parts) {
+    const Face seen = face(s, parts);
+    EXPECT_EQ(seen.missing, 0) << s;
+    EXPECT_GE(seen.spread, 0) << s;
+    EXPECT_LT(seen.spread, 30) << s;
+  };
+  expect_uniform(4, left);
+  for (std::size_t s = 4; s-- > 1;) {
+    browser_->evaluate("document.querySelector('#down').click()");
+    expect_uniform(s, left);
+    if (s <= 2) expect_uniform(s, right);
+  }
+  expect_no_errors();
+}
+
+TEST_P(Viewer, ControlsLieBesideTheSolidAndOnAPhoneAreFoldedAndTwoFingersMoveAndZoom) {
+  if (!start()) GTEST_SKIP() << "no " << GetParam();
+  const auto unfolded = [&] {
+    return browser_->evaluate("document.getElementById('controls').offsetHeight > 0").boolean;
+  };
+  browser_->resize(1280, 720);
+  show("torus");
+  if (IsSkipped() || HasFatalFailure()) return;
+  EXPECT_TRUE(unfolded());
+  expect_the_solid_is_free(0.6);
+  after(click("#fold"));
+  EXPECT_FALSE(unfolded());
+
+  browser_->resize(390, 844);
+  show("tooth");
+  if (HasFatalFailure()) return;
+  EXPECT_FALSE(unfolded());
+  expect_the_solid_is_free(0.6);
+  after(click("#fold"));
+  EXPECT_TRUE(unfolded());
+  expect_the_solid_is_free(0.25);
+  after(click("#fold"));
+  EXPECT_FALSE(unfolded());
+  expect_the_solid_is_free(0.6);
+
+  const auto fingers = [](int dx, int dy) {
+    return "const c = document.getElementById('picture'); c.setPointerCapture = () => {};"
+           "const send = (n, id, x, y) => c.dispatchEvent(new PointerEvent(n, {pointerId: id, "
+           "pointerType: 'touch', buttons: 1, clientX: x, clientY: y}));"
+           "send('pointerdown', 1, 100, 300); send('pointerdown', 2, 200, 300);"
+           "send('pointermove', 1, " +
+           std::to_string(100 + dx) + ", " + std::to_string(300 + dy) +
+           "); send('pointermove', 2, " + std::to_string(200 + std::abs(dx)) + ", " +
+           std::to_string(300 + dy) + "); send('pointerup', 1, 0, 0); send('pointerup', 2, 0, 0);";
+  };
+  const std::string target = "window.tetloft.camera.target[2]";
+  const double before = browser_->evaluate("window.tetloft.camera.distance").number;
+  after(fingers(-50, 0));  // apart
+  EXPECT_NEAR(browser_->evaluate("window.tetloft.camera.distance").number, before / 2, before / 50);
+  const double middle = browser_->evaluate(target).number;
+  const Pixels centred = pixels();
+  const Pixels moved = after(fingers(0, 60));  // down
+  EXPECT_NE(moved.hash, centred.hash);
+  EXPECT_GT(browser_->evaluate(target).number, middle);
+  expect_no_errors();
+}
+
+TEST_P(Viewer, SaysWhatToDoWithoutWebGl) {
+  if (GetParam() != std::string("chromium")) GTEST_SKIP() << "the same in all: one will do";
+  if (!start()) GTEST_SKIP() << "no " << GetParam();
+  const auto solid = reconstruct(two_heights());
+  ASSERT_TRUE(solid);
+  auto page = render_html(solid->model, nullptr, {});
+  ASSERT_TRUE(page);
+  const std::size_t head = page->find("<title>");
+  ASSERT_NE(head, std::string::npos);
+  page->insert(head, "<script>HTMLCanvasElement.prototype.getContext = () => null;</script>");
+  open(*page);
+  std::string message;
+  for (int waited = 0; waited < 600 && message.find("WebGL") == std::string::npos; ++waited) {
+    message = browser_->evaluate("document.getElementById('message').innerText").string;
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  }
+  EXPECT_NE(message.find("tetloft render"), std::string::npos) << message;
 }
 
 INSTANTIATE_TEST_SUITE_P(Browsers, Viewer, ::testing::Values("chromium", "firefox"),

@@ -33,15 +33,20 @@ in vec3 corner;
 flat in vec4 base;
 uniform float cut, edges;
 uniform bool smoothed;
+uniform vec3 up;
 out vec4 result;
 void main() {
   vec3 facet = normalize(cross(dFdx(eye), dFdy(eye)));
   vec3 width = fwidth(corner);
-  if (height > cut || base.a < 0.5) discard;
+  // Faces that lie in the cut are kept where they close what is below, and only there, whatever
+  // the interpolation of heights: rounded apart, it would speckle them. The page's unit is half the
+  // diagonal of the solid.
+  float outward = gl_FrontFacing ? dot(facet, up) : -dot(facet, up);
+  if (height > cut + (outward > 0.0 ? 2e-5 : -2e-5) || base.a < 0.5) discard;
   vec3 n = smoothed && gl_FrontFacing ? normalize(eyeNormal) : facet;
   vec3 key = normalize(vec3(-0.45, 0.6, 0.66));
   vec3 fill = normalize(vec3(0.75, 0.1, 0.65));
-  float light = 0.27 + 0.11 * n.y + 0.72 * max(0.0, dot(n, key)) + 0.17 * max(0.0, dot(n, fill));
+  float light = 0.36 + 0.10 * n.y + 0.66 * max(0.0, dot(n, key)) + 0.17 * max(0.0, dot(n, fill));
   // Turned away from the eye: a darker rim tells shapes in front of each other apart.
   light *= 0.72 + 0.28 * smoothstep(0.0, 0.55, abs(dot(n, normalize(eye))));
   float shine = 0.05 * pow(max(0.0, dot(n, normalize(key + vec3(0.0, 0.0, 1.0)))), 32.0);
@@ -94,7 +99,10 @@ class Drawing {
     this.canvas = canvas;
     this.mesh = mesh;
     const gl = canvas.getContext('webgl2', {antialias: true, alpha: true});
-    if (!gl) throw new Error('This browser offers no WebGL 2, which the viewer needs.');
+    if (!gl) {
+      throw new Error('This browser offers no WebGL 2, which the viewer needs. Open the page in a current browser ' +
+        'with hardware acceleration switched on, or draw a picture instead: tetloft render MODEL.vtu -o MODEL.png');
+    }
     this.gl = gl;
     this.surface = this.program(SURFACE_VERTEX, SURFACE_FRAGMENT);
     this.lines = this.program(LINE_VERTEX, LINE_FRAGMENT);
@@ -221,21 +229,26 @@ class Drawing {
     place(this.surface);
     const at = (name) => this.surface.uniform(name);
     const show = (faces, cut, edges, smoothed) => {
-      gl.uniform1f(at('cut'), cut);
+      gl.uniform1f(at('cut'), Math.min(cut, 1e9));
       gl.uniform1f(at('edges'), edges ? 1 : 0);
       gl.uniform1i(at('smoothed'), smoothed ? 1 : 0);
       gl.bindVertexArray(faces.array);
       if (faces.count > 0) gl.drawArrays(gl.TRIANGLES, 0, faces.count);
     };
+    gl.uniform3f(at('up'), view[8], view[9], view[10]);
     show(this.boundary, state.cut, state.edges, state.smooth);
     if (state.explode > 0) show(this.walls, state.cut, state.edges, false);
+    // Before the faces that lie in the cut.
+    gl.enable(gl.POLYGON_OFFSET_FILL);
+    gl.polygonOffset(-1, -4);
     show(this.cap, Infinity, false, false);
+    gl.disable(gl.POLYGON_OFFSET_FILL);
 
     place(this.lines);
     const line = (name) => this.lines.uniform(name);
     gl.uniform2f(line('size'), width / 2, height / 2);
     const trace = (lines, cut, ink, ghost, thick) => {
-      gl.uniform1f(line('cut'), cut);
+      gl.uniform1f(line('cut'), Math.min(cut, 1e9));
       gl.uniform1f(line('ghost'), ghost);
       gl.uniform1f(line('width'), thick * dense);
       gl.uniform4fv(line('ink'), ink);
@@ -246,7 +259,7 @@ class Drawing {
     if (state.edges) trace(this.capLines, Infinity, [0.12, 0.14, 0.17, 0.5], 0, 0.4);
     // Where sections are dense, lines are faint: they must not cover the surface.
     const gap = camera.pixels(this.mesh.gap * (1 + state.explode), height) / dense;
-    const strength = Math.max(0.04, Math.min(1, gap / 6));
+    const strength = Math.max(0.04, Math.min(0.9, gap / 12));
     const ink = [0.10, 0.12, 0.16, strength];
     if (state.contours) trace(this.contours, state.cut, ink, 0.13 * strength, 0.75);
     gl.disable(gl.BLEND);

@@ -43,7 +43,7 @@ class Mesh {
     return mesh;
   }
 
-  // The heights that each slab, and all, take.
+  // The heights that each slab, and all, take, and what lies outermost.
   measure() {
     this.slabLow = [];
     this.slabHigh = [];
@@ -60,6 +60,23 @@ class Mesh {
     }
     this.low = this.slabLow.reduce((a, b) => Math.min(a, b), Infinity);
     this.high = this.slabHigh.reduce((a, b) => Math.max(a, b), -Infinity);
+    // x, y, z and slab of the points of each slab that lie farthest in 16 directions across.
+    this.outermost = [];
+    for (let s = 0; s < this.slabLow.length; ++s) {
+      for (let k = 0; k < 16; ++k) {
+        const [c, d] = [Math.cos(k * Math.PI / 8), Math.sin(k * Math.PI / 8)];
+        let most = -Infinity;
+        let at = 0;
+        for (let i = 4 * this.slabFirst[s]; i < 4 * this.slabFirst[s + 1]; ++i) {
+          const v = 3 * this.tets[i];
+          const reach = c * this.points[v] + d * this.points[v + 1];
+          if (reach > most) [most, at] = [reach, v];
+        }
+        for (const z of [this.slabLow[s], this.slabHigh[s]]) {
+          this.outermost.push([this.points[at], this.points[at + 1], z, s]);
+        }
+      }
+    }
   }
 
   colourOf(tet, by) {
@@ -105,8 +122,10 @@ class Mesh {
   }
 
   // The faces that a cut at height z lays open: triangles, and the outlines of the polygons. Only
-  // tets of slabs that reach across can meet it.
+  // tets of slabs that reach across can meet it. In a section these are of the slab below, of which
+  // all is kept; at the lowest height, where nothing is, the face above.
   cutAt(z, by) {
+    const lowest = z <= this.low;
     const position = [];
     const colour = [];
     const slab = [];
@@ -118,14 +137,14 @@ class Mesh {
       return [p[3 * a] + t * (p[3 * b] - p[3 * a]), p[3 * a + 1] + t * (p[3 * b + 1] - p[3 * a + 1])];
     };
     for (let s = 0; s < this.slabLow.length; ++s) {
-      if (!(this.slabLow[s] <= z && z < this.slabHigh[s])) continue;
+      if (lowest ? this.slabLow[s] > z : !(this.slabLow[s] < z && z <= this.slabHigh[s])) continue;
       for (let tet = this.slabFirst[s]; tet < this.slabFirst[s + 1]; ++tet) {
         if (this.hidden.has(this.component[tet])) continue;
         const below = [];
         const above = [];
         for (let i = 0; i < 4; ++i) {
           const v = this.tets[4 * tet + i];
-          (p[3 * v + 2] <= z ? below : above).push(v);
+          (p[3 * v + 2] < z || (lowest && p[3 * v + 2] === z) ? below : above).push(v);
         }
         if (below.length === 0 || above.length === 0) continue;
         const polygon = below.length === 2

@@ -2,16 +2,28 @@
 'use strict';
 
 class Camera {
-  constructor(azimuth, elevation, reach) {
+  constructor(azimuth, elevation) {
     this.home = {azimuth, elevation};
-    this.reset(reach);
+    this.look(azimuth, elevation);
   }
 
-  // `reach`: the radius of what is to be seen.
-  reset(reach) {
-    this.look(this.home.azimuth, this.home.elevation);
-    this.distance = 4 * reach;
+  // From as near as all `corners` are seen, in a picture of this aspect.
+  fit(corners, aspect) {
+    const {right, up, toward} = this.axes();
+    const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    const reach = 0.88 * Math.tan(14 * Math.PI / 180) * Math.max(1, 1 / aspect);
+    this.distance = 0.01;
+    for (const corner of corners) {
+      const across = Math.max(Math.abs(dot(corner, right)) / aspect, Math.abs(dot(corner, up)));
+      this.distance = Math.max(this.distance, across / reach + dot(corner, toward));
+    }
     this.target = [0, 0, 0];
+    this.fitted = true;
+  }
+
+  zoom(times) {
+    this.distance = Math.max(0.3, Math.min(400, this.distance * times));
+    this.fitted = false;
   }
 
   look(azimuth, elevation) {
@@ -31,6 +43,7 @@ class Camera {
 
   move(dx, dy) {
     const {right, up} = this.axes();
+    this.fitted = false;
     for (let i = 0; i < 3; ++i) this.target[i] += this.distance * (dx * right[i] + dy * up[i]);
   }
 
@@ -68,21 +81,40 @@ class Viewer {
     this.canvas = document.getElementById('picture');
     this.state = {
       colour: mesh.colour,
-      cut: mesh.cut === null ? mesh.high : Math.min(mesh.high, Math.max(mesh.low, mesh.cut)),
+      cut: mesh.cut === null || mesh.cut >= mesh.high ? Infinity : Math.max(mesh.low, mesh.cut),
       explode: mesh.explode,
       edges: mesh.edges,
       contours: mesh.drawContours,
       smooth: true,
     };
-    this.camera = new Camera(mesh.azimuth, mesh.elevation, this.reach());
+    this.camera = new Camera(mesh.azimuth, mesh.elevation);
     this.drawing = new Drawing(this.canvas, mesh);
     this.frames = 0;
     this.pending = false;
     this.say();
     this.connectControls();
     this.connectPointer();
-    new ResizeObserver(() => this.refresh()).observe(this.canvas);
+    this.fit();
+    new ResizeObserver(() => {
+      if (this.camera.fitted) this.fit();
+      this.refresh();
+    }).observe(this.canvas);
     this.drawNow();
+  }
+
+  // All in the free part of the page, from where the eye looks.
+  fit() {
+    const mesh = this.mesh;
+    const apart = this.state.explode * mesh.gap;
+    const middle = (mesh.slabLow.length - 1) / 2;
+    const corners = mesh.outermost.map(([x, y, z, slab]) => [x, y, z + apart * (slab - middle)]);
+    this.camera.fit(corners, this.canvas.clientWidth / Math.max(1, this.canvas.clientHeight));
+  }
+
+  home() {
+    this.camera.look(this.camera.home.azimuth, this.camera.home.elevation);
+    this.fit();
+    this.refresh();
   }
 
   // The radius of what is drawn, slabs moved apart.
@@ -112,7 +144,7 @@ class Viewer {
 
   say() {
     const mesh = this.mesh;
-    const n = (k, one) => k.toLocaleString('en') + ' ' + one + (k === 1 ? '' : 's');
+    const n = (k, one) => k.toLocaleString('en') + '\u00a0' + one.replace(' ', '\u00a0') + (k === 1 ? '' : 's');
     document.getElementById('title').textContent = mesh.title;
     document.getElementById('figures').textContent =
       n(mesh.tetCount, 'tet') + ' · ' + n(mesh.boundary.length, 'boundary triangle') + ' · ' +
@@ -155,6 +187,7 @@ class Viewer {
       this.camera.distance /= this.reach();
       this.state.explode = Number(explode.value);
       this.camera.distance *= this.reach();
+      if (this.camera.fitted) this.fit();
       this.refresh();
     });
     this.slider = document.getElementById('cut');
@@ -166,11 +199,12 @@ class Viewer {
     document.getElementById('up').addEventListener('click', () => this.step(1));
     for (const button of document.querySelectorAll('[data-view]')) {
       button.addEventListener('click', () => {
-        this.camera.reset(this.reach());
         this.camera.look(...button.dataset.view.split(' ').map(Number));
+        this.fit();
         this.refresh();
       });
     }
+    this.connectFold();
     document.getElementById('save').addEventListener('click', () => this.save());
     window.addEventListener('keydown', (event) => {
       if (event.target instanceof HTMLInputElement) return;
@@ -180,6 +214,21 @@ class Viewer {
       this.step(step);
     });
     this.setCut(this.state.cut);
+  }
+
+  // On small screens the controls are folded at first.
+  connectFold() {
+    const button = document.getElementById('fold');
+    const fold = (folded) => {
+      document.querySelector('main').classList.toggle('folded', folded);
+      button.textContent = folded ? 'Controls' : 'Hide';
+      button.setAttribute('aria-expanded', String(!folded));
+    };
+    button.addEventListener('click', () => fold(button.getAttribute('aria-expanded') === 'true'));
+    fold(window.matchMedia('(max-width: 720px)').matches);
+    document.getElementById('hint').textContent = window.matchMedia('(pointer: coarse), (max-width: 720px)').matches
+      ? 'drag: turn · two fingers: move and zoom'
+      : 'drag: turn · wheel: nearer · shift and drag: move · ↑ ↓: sections';
   }
 
   showColour() {
@@ -244,15 +293,17 @@ class Viewer {
     }
   }
 
-  setCut(cut) {
+  // From the top of the solid on nothing is cut: Infinity, not a plane in its topmost faces.
+  setCut(position) {
     const mesh = this.mesh;
+    const cut = position >= mesh.high ? Infinity : position;
     this.state.cut = cut;
     const range = mesh.high - mesh.low || 1;
-    this.slider.value = cut >= mesh.high ? 1000 : 1000 * (cut - mesh.low) / range;
+    this.slider.value = cut === Infinity ? 1000 : 1000 * (cut - mesh.low) / range;
     const z = Number((mesh.centre + cut * mesh.scale).toPrecision(6));
     const below = mesh.sections.filter((s) => s.at <= cut).length - 1;
     let text = 'the whole solid';
-    if (cut < mesh.high) {
+    if (cut !== Infinity) {
       const exactly = below >= 0 && mesh.sections[below].at === cut;
       text = `z = ${z} · ` + (exactly ? `section ${below}`
         : below < 0 ? 'below section 0'
@@ -267,7 +318,7 @@ class Viewer {
   step(way) {
     const heights = this.mesh.sections.map((s) => s.at);
     const next = way > 0 ? heights.find((z) => z > this.state.cut)
-      : heights.filter((z) => z < this.state.cut).pop();
+      : heights.filter((z) => z < Math.min(this.state.cut, this.mesh.high)).pop();
     if (next !== undefined) this.setCut(next);
     else if (way > 0) this.setCut(this.mesh.high);
   }
@@ -288,7 +339,11 @@ class Viewer {
     const down = new Map();
     const spread = () => {
       const [a, b] = [...down.values()];
-      return Math.hypot(a.x - b.x, a.y - b.y);
+      return Math.max(1, Math.hypot(a.x - b.x, a.y - b.y));
+    };
+    const move = (dx, dy) => {
+      const unit = 0.5 / canvas.clientHeight;
+      this.camera.move(-dx * unit, dy * unit);
     };
     canvas.addEventListener('pointerdown', (event) => {
       canvas.setPointerCapture(event.pointerId);
@@ -302,10 +357,11 @@ class Viewer {
       const wide = down.size > 1 ? spread() : 0;
       down.set(event.pointerId, {x: event.clientX, y: event.clientY});
       if (down.size > 1) {
-        this.camera.distance *= wide / Math.max(1, spread());
+        // Two fingers: the solid follows their middle, and their distance.
+        this.camera.zoom(wide / spread());
+        move(dx / down.size, dy / down.size);
       } else if (event.shiftKey || event.buttons === 2 || event.buttons === 4) {
-        const unit = 0.5 / canvas.clientHeight;
-        this.camera.move(-dx * unit, dy * unit);
+        move(dx, dy);
       } else {
         this.camera.look(this.camera.azimuth - 0.4 * dx, this.camera.elevation + 0.4 * dy);
       }
@@ -316,13 +372,12 @@ class Viewer {
     }
     canvas.addEventListener('contextmenu', (event) => event.preventDefault());
     canvas.addEventListener('dblclick', () => {
-      this.camera.reset(this.reach());
-      this.refresh();
+      this.home();
     });
     canvas.addEventListener('wheel', (event) => {
       event.preventDefault();
       const lines = event.deltaMode === 1 ? 16 : 1;
-      this.camera.distance = Math.max(0.3, Math.min(400, this.camera.distance * Math.exp(0.0012 * lines * event.deltaY)));
+      this.camera.zoom(Math.exp(0.0012 * lines * event.deltaY));
       this.refresh();
     }, {passive: false});
   }

@@ -423,6 +423,34 @@ TEST(Page, HoldsTheModelAndRefersToNothingOutside) {
   EXPECT_EQ(page->find("<b>"), std::string::npos);
 }
 
+TEST(Pictures, AreTheSameAtEveryScale) {
+  const auto scaled = [](int exponent) {
+    Model model = boxes(2, 2);
+    for (Point3& p : model.points) {
+      p = {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)};
+    }
+    return model;
+  };
+  RenderOptions options = small();
+  options.contours = options.edges = true;
+  options.explode = 0.5;
+  for (const int exponent : {-900, -300, 70, 900}) {
+    options.cut = PictureCut{2, 2.5};
+    const auto png = render_png(scaled(0), nullptr, options);
+    const auto svg = render_svg(scaled(0), nullptr, options);
+    ASSERT_TRUE(png && svg);
+    options.cut->position = std::ldexp(2.5, exponent);
+    const auto other = render_png(scaled(exponent), nullptr, options);
+    ASSERT_TRUE(other) << to_string(other.error());
+    EXPECT_TRUE(*other == *png) << exponent;
+    EXPECT_EQ(*render_svg(scaled(exponent), nullptr, options), *svg) << exponent;
+    const auto page = render_html(scaled(exponent), nullptr, options);
+    ASSERT_TRUE(page);
+    EXPECT_EQ(array_of<float>(*page, "points"),
+              array_of<float>(*render_html(scaled(0), nullptr, options), "points"));
+  }
+}
+
 TEST(Pictures, RefuseWhatCannotBeDrawn) {
   const auto refused = [](const Model& model, const RenderOptions& options) {
     const auto png = render_png(model, nullptr, options);
