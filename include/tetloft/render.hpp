@@ -44,7 +44,7 @@ struct RenderOptions {
   bool contours = true;  ///< draws the contours of the sections
   double stretch = 1;    ///< z is drawn this many times as large
   bool white = false;    ///< white background instead of none
-  std::string title;     ///< of the page
+  std::string title;     ///< of the page, UTF-8; what is not, and control characters, as U+FFFD
 };
 
 /// The picture of a model, as the bytes of a file. `contours`: the sections whose contours are
