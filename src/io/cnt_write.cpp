@@ -4,8 +4,8 @@
 #include <tetloft/io.hpp>
 
 #include "core/check.hpp"
-#include "io/files.hpp"
 #include "io/numbers.hpp"
+#include "io/pending_file.hpp"
 
 namespace tetloft {
 
@@ -36,7 +36,7 @@ std::string section_text(const Section& section) {
 
 Result<void> write_cnt(const std::string& path, const SectionStack& stack) {
   return guard_internal([&]() -> Result<void> {
-    io::AtomicFile file(path);
+    io::PendingFile file(path);
     file.append("S " + std::to_string(stack.sections.size()) + '\n');
     for (const Section& section : stack.sections) file.append(section_text(section));
     return file.commit();

@@ -1,18 +1,20 @@
 // Line segments as .vtp.
 #include <cstdint>
 #include <string>
+#include <utility>
 
 #include <tetloft/io.hpp>
 
 #include "core/check.hpp"
-#include "io/files.hpp"
 #include "io/numbers.hpp"
+#include "io/stage.hpp"
 #include "io/vtk_write.hpp"
 
 namespace tetloft {
 
-Result<void> write_lines(const std::string& path, const LineSet& lines, Encoding encoding) {
-  return guard_internal([&]() -> Result<void> {
+Result<io::PendingFile> io::stage_lines(const std::string& path, const LineSet& lines,
+                                        Encoding encoding, TemporaryWatcher* watcher) {
+  return guard_internal([&]() -> Result<PendingFile> {
     const std::size_t n = lines.lines.size();
     io::VtkGroup cell_data{"CellData", {}};
     for (const LineSet::Array& array : lines.data) {
@@ -38,14 +40,18 @@ Result<void> write_lines(const std::string& path, const LineSet& lines, Encoding
         "connectivity", 1, 2 * n, [](std::size_t i) { return static_cast<std::int64_t>(i); }));
     cells.arrays.push_back(io::vtk_array<std::int64_t>(
         "offsets", 1, n, [](std::size_t i) { return static_cast<std::int64_t>(2 * (i + 1)); }));
-    io::AtomicFile file(path);
+    io::PendingFile file(path, watcher);
     io::append_vtk_file(file, "PolyData",
                         "NumberOfPoints=\"" + std::to_string(2 * n) +
                             "\" NumberOfVerts=\"0\" NumberOfLines=\"" + std::to_string(n) +
                             "\" NumberOfStrips=\"0\" NumberOfPolys=\"0\"",
                         {cell_data, points, cells}, encoding);
-    return file.commit();
+    return finished(std::move(file));
   });
+}
+
+Result<void> write_lines(const std::string& path, const LineSet& lines, Encoding encoding) {
+  return io::committed(io::stage_lines(path, lines, encoding));
 }
 
 }  // namespace tetloft

@@ -144,7 +144,7 @@ Result<std::vector<Warning>> check_float32(const SurfaceMesh& mesh, const std::s
   return warnings;
 }
 
-void append_stl(AtomicFile& file, const SurfaceMesh& mesh, Encoding encoding) {
+void append_stl(PendingFile& file, const SurfaceMesh& mesh, Encoding encoding) {
   constexpr std::size_t kPiece = std::size_t{1} << 16;
   std::string piece;
   if (encoding == Encoding::binary) {

@@ -8,7 +8,7 @@
 #include <tetloft/io.hpp>
 #include <tetloft/result.hpp>
 
-#include "io/files.hpp"
+#include "io/pending_file.hpp"
 #include "io/surface.hpp"
 
 namespace tetloft::io {
@@ -20,6 +20,6 @@ namespace tetloft::io {
                                                          const std::string& path);
 
 /// Requires that check_float32 gave no error.
-void append_stl(AtomicFile& file, const SurfaceMesh& mesh, Encoding encoding);
+void append_stl(PendingFile& file, const SurfaceMesh& mesh, Encoding encoding);
 
 }  // namespace tetloft::io

@@ -10,6 +10,7 @@
 #include "core/check.hpp"
 #include "io/files.hpp"
 #include "io/numbers.hpp"
+#include "io/stage.hpp"
 #include "io/stl_write.hpp"
 #include "io/surface.hpp"
 #include "io/vtk_write.hpp"
@@ -44,7 +45,7 @@ namespace {
 
 constexpr std::size_t kPiece = std::size_t{1} << 16;
 
-void flush_if_large(AtomicFile& file, std::string& piece) {
+void flush_if_large(PendingFile& file, std::string& piece) {
   if (piece.size() < kPiece) return;
   file.append(piece);
   piece.clear();
@@ -58,7 +59,7 @@ void append_point(std::string& text, const Point3& p) {
   append_number(text, p.z);
 }
 
-void append_obj(AtomicFile& file, const SurfaceMesh& mesh) {
+void append_obj(PendingFile& file, const SurfaceMesh& mesh) {
   std::string piece;
   for (const Point3& p : mesh.points) {
     piece += "v ";
@@ -78,7 +79,7 @@ void append_obj(AtomicFile& file, const SurfaceMesh& mesh) {
   file.append(piece);
 }
 
-void append_ply(AtomicFile& file, const SurfaceMesh& mesh, Encoding encoding) {
+void append_ply(PendingFile& file, const SurfaceMesh& mesh, Encoding encoding) {
   const bool ascii = encoding == Encoding::ascii;
   std::string piece = "ply\nformat ";
   piece += ascii ? "ascii" : "binary_little_endian";
@@ -112,7 +113,7 @@ void append_ply(AtomicFile& file, const SurfaceMesh& mesh, Encoding encoding) {
   file.append(piece);
 }
 
-void append_vtp(AtomicFile& file, const SurfaceMesh& mesh, const Model& model, Encoding encoding) {
+void append_vtp(PendingFile& file, const SurfaceMesh& mesh, const Model& model, Encoding encoding) {
   const std::size_t points = mesh.points.size();
   const std::size_t triangles = mesh.triangles.size();
   VtkGroup point_data{"PointData", {}};
@@ -155,9 +156,9 @@ void append_vtp(AtomicFile& file, const SurfaceMesh& mesh, const Model& model, E
 
 }  // namespace io
 
-Result<std::vector<Warning>> write_surface(const std::string& path, const Model& model,
-                                           Encoding encoding) {
-  return guard_internal([&]() -> Result<std::vector<Warning>> {
+Result<io::StagedSurface> io::stage_surface(const std::string& path, const Model& model,
+                                            Encoding encoding, TemporaryWatcher* watcher) {
+  return guard_internal([&]() -> Result<StagedSurface> {
     const std::string extension = io::extension_of(path);
     const bool stl = extension == ".stl";
     if (!stl && extension != ".obj" && extension != ".ply" && extension != ".vtp") {
@@ -175,14 +176,22 @@ Result<std::vector<Warning>> write_surface(const std::string& path, const Model&
       if (!checked) return checked.error();
       warnings = *std::move(checked);
     }
-    io::AtomicFile file(path);
+    io::PendingFile file(path, watcher);
     if (extension == ".obj") io::append_obj(file, mesh);
     if (extension == ".ply") io::append_ply(file, mesh, encoding);
     if (extension == ".vtp") io::append_vtp(file, mesh, model, encoding);
     if (stl) io::append_stl(file, mesh, encoding);
-    if (Result<void> written = file.commit(); !written) return written.error();
-    return warnings;
+    if (Result<void> written = file.finish(); !written) return written.error();
+    return StagedSurface{std::move(file), std::move(warnings)};
   });
+}
+
+Result<std::vector<Warning>> write_surface(const std::string& path, const Model& model,
+                                           Encoding encoding) {
+  Result<io::StagedSurface> staged = io::stage_surface(path, model, encoding);
+  if (!staged) return staged.error();
+  if (Result<void> written = staged->file.commit(); !written) return written.error();
+  return std::move(staged->warnings);
 }
 
 }  // namespace tetloft

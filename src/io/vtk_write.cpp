@@ -37,7 +37,7 @@ std::string array_head(const VtkArray& array) {
 
 }  // namespace
 
-void append_vtk_file(AtomicFile& file, const std::string& grid_type, const std::string& counts,
+void append_vtk_file(PendingFile& file, const std::string& grid_type, const std::string& counts,
                      const std::vector<VtkGroup>& groups, Encoding encoding) {
   const bool ascii = encoding == Encoding::ascii;
   file.append("<?xml version=\"1.0\"?>\n<VTKFile type=\"" + grid_type +

@@ -13,8 +13,8 @@
 #include <tetloft/io.hpp>
 
 #include "io/bytes.hpp"
-#include "io/files.hpp"
 #include "io/numbers.hpp"
+#include "io/pending_file.hpp"
 
 namespace tetloft::io {
 
@@ -33,8 +33,8 @@ struct VtkArray {
   std::string type;
   std::size_t components = 1;
   std::size_t bytes = 0;
-  std::function<void(AtomicFile&)> append_text;
-  std::function<void(AtomicFile&)> append_bytes;
+  std::function<void(PendingFile&)> append_text;
+  std::function<void(PendingFile&)> append_bytes;
 };
 
 /// An array of n values of type T; get(i) is value i. get must live as long as the array.
@@ -44,7 +44,7 @@ VtkArray vtk_array(std::string name, std::size_t components, std::size_t n, Get 
   // Pieces large enough to make the calls cheap, small beside the array.
   constexpr std::size_t kPiece = std::size_t{1} << 16;
   VtkArray array{std::move(name), vtk_type_name<T>(), components, n * sizeof(T), {}, {}};
-  array.append_text = [n, components, get](AtomicFile& file) {
+  array.append_text = [n, components, get](PendingFile& file) {
     std::string piece;
     for (std::size_t i = 0; i < n; ++i) {
       if constexpr (sizeof(T) == 1) {
@@ -60,7 +60,7 @@ VtkArray vtk_array(std::string name, std::size_t components, std::size_t n, Get 
     }
     file.append(piece);
   };
-  array.append_bytes = [n, get](AtomicFile& file) {
+  array.append_bytes = [n, get](PendingFile& file) {
     std::string piece;
     for (std::size_t i = 0; i < n; ++i) {
       append_little<T>(piece, get(i));
@@ -81,7 +81,7 @@ struct VtkGroup {
 };
 
 /// Writes a file of one piece; `counts` are the attributes of Piece. Does not commit.
-void append_vtk_file(AtomicFile& file, const std::string& grid_type, const std::string& counts,
+void append_vtk_file(PendingFile& file, const std::string& grid_type, const std::string& counts,
                      const std::vector<VtkGroup>& groups, Encoding encoding);
 
 }  // namespace tetloft::io

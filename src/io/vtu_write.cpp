@@ -8,6 +8,7 @@
 #include <tetloft/io.hpp>
 
 #include "core/check.hpp"
+#include "io/stage.hpp"
 #include "io/vtk_write.hpp"
 
 namespace tetloft {
@@ -93,21 +94,23 @@ Result<void> check_sizes(const Model& model) {
   return {};
 }
 
-Result<void> write(const std::string& path, const std::vector<VtkGroup>& groups, std::size_t points,
-                   std::size_t tets, Encoding encoding) {
-  io::AtomicFile file(path);
+Result<io::PendingFile> stage(const std::string& path, const std::vector<VtkGroup>& groups,
+                              std::size_t points, std::size_t tets, Encoding encoding,
+                              io::TemporaryWatcher* watcher) {
+  io::PendingFile file(path, watcher);
   io::append_vtk_file(file, "UnstructuredGrid",
                       "NumberOfPoints=\"" + std::to_string(points) + "\" NumberOfCells=\"" +
                           std::to_string(tets) + '"',
                       groups, encoding);
-  return file.commit();
+  return finished(std::move(file));
 }
 
 }  // namespace
 
-Result<void> write_vtu(const std::string& path, const Model& model, Encoding encoding) {
-  return guard_internal([&]() -> Result<void> {
-    if (Result<void> fits = check_sizes(model); !fits) return fits;
+Result<io::PendingFile> io::stage_vtu(const std::string& path, const Model& model,
+                                      Encoding encoding, TemporaryWatcher* watcher) {
+  return guard_internal([&]() -> Result<PendingFile> {
+    if (Result<void> fits = check_sizes(model); !fits) return fits.error();
     VtkGroup point_data{"PointData", {}};
     add_unless_empty(point_data, int_array("section", model.section));
     add_unless_empty(point_data, int_array("contour", model.contour));
@@ -116,19 +119,29 @@ Result<void> write_vtu(const std::string& path, const Model& model, Encoding enc
     add_unless_empty(cell_data, id_array("component", model.component));
     add_unless_empty(cell_data, id_array("slab", model.slab));
     add_unless_empty(cell_data, enum_array("kind", model.kind));
-    return write(
+    return stage(
         path,
         {point_data, cell_data, point_group(model.points.raw()), cell_group(model.tets.raw())},
-        model.points.size(), model.tets.size(), encoding);
+        model.points.size(), model.tets.size(), encoding, watcher);
   });
+}
+
+Result<io::PendingFile> io::stage_vtu(const std::string& path, const std::vector<Point3>& points,
+                                      const std::vector<TetVertices>& tets, Encoding encoding,
+                                      TemporaryWatcher* watcher) {
+  return guard_internal([&] {
+    return stage(path, {point_group(points), cell_group(tets)}, points.size(), tets.size(),
+                 encoding, watcher);
+  });
+}
+
+Result<void> write_vtu(const std::string& path, const Model& model, Encoding encoding) {
+  return io::committed(io::stage_vtu(path, model, encoding));
 }
 
 Result<void> write_vtu(const std::string& path, const std::vector<Point3>& points,
                        const std::vector<TetVertices>& tets, Encoding encoding) {
-  return guard_internal([&]() -> Result<void> {
-    return write(path, {point_group(points), cell_group(tets)}, points.size(), tets.size(),
-                 encoding);
-  });
+  return io::committed(io::stage_vtu(path, points, tets, encoding));
 }
 
 }  // namespace tetloft

@@ -10,6 +10,8 @@
 
 #include <tetloft/io.hpp>
 
+#include "io/pending_file.hpp"
+#include "io/stage.hpp"
 #include "unit/io/io_support.hpp"
 
 namespace tetloft::io {
@@ -52,11 +54,29 @@ TEST(WriteFile, RespectsAFolderThatTakesNoFiles) {
   fs::permissions(folder.file("closed"), fs::perms::owner_all);
 }
 
-TEST(AtomicFile, LeavesTheOldFileWholeWhenTheRenameFails) {
+class Waits : public ::testing::TestWithParam<Waiting> {};
+
+INSTANTIATE_TEST_SUITE_P(PendingFile, Waits, ::testing::Values(Waiting::unnamed, Waiting::named));
+
+TEST_P(Waits, ReplacesAFileAndMakesANewOne) {
+  TempFolder folder;
+  test::put(folder.file("a"), "old");
+  for (const char* name : {"a", "b"}) {
+    PendingFile file(folder.file(name), nullptr, GetParam());
+    file.append("new");
+    ASSERT_TRUE(file.finish().ok());
+    EXPECT_EQ(test::get(folder.file("a")), name[0] == 'a' ? "old" : "new");
+    ASSERT_TRUE(file.commit().ok());
+    EXPECT_EQ(test::get(folder.file(name)), "new");
+  }
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"a", "b"}));
+}
+
+TEST(PendingFile, LeavesTheOldFileWholeWhenTheRenameFails) {
   TempFolder folder;
   const std::string path = folder.file("a");
   test::put(path, "old");
-  AtomicFile file(path);
+  PendingFile file(path, nullptr, Waiting::named);
   file.append("new");
   for (const std::string& name : folder.names()) {
     if (name != "a") fs::remove(folder.file(name));
@@ -66,20 +86,29 @@ TEST(AtomicFile, LeavesTheOldFileWholeWhenTheRenameFails) {
   EXPECT_EQ(folder.names().size(), 1U);
 }
 
-TEST(AtomicFile, LeavesNothingWithoutCommit) {
+TEST_P(Waits, LeavesNothingWhereAFolderHasTakenThePlace) {
+  TempFolder folder;
+  PendingFile file(folder.file("a"), nullptr, GetParam());
+  file.append("new");
+  fs::create_directory(folder.file("a"));
+  EXPECT_EQ(file.commit().error().code, ErrorCode::io);
+  EXPECT_EQ(folder.names().size(), 1U);
+}
+
+TEST(PendingFile, LeavesNothingWithoutCommit) {
   TempFolder folder;
   {
-    AtomicFile file(folder.file("a"));
+    PendingFile file(folder.file("a"));
     file.append("new");
   }
   EXPECT_TRUE(folder.names().empty());
 }
 
-TEST(AtomicFile, DoesNotTouchATemporaryOfAnother) {
+TEST(PendingFile, DoesNotTouchATemporaryOfAnother) {
   TempFolder folder;
   const std::string path = folder.file("a");
-  AtomicFile first(path);
-  AtomicFile second(path);
+  PendingFile first(path);
+  PendingFile second(path);
   first.append("first");
   second.append("second");
   ASSERT_TRUE(first.commit().ok());
@@ -89,7 +118,7 @@ TEST(AtomicFile, DoesNotTouchATemporaryOfAnother) {
   EXPECT_EQ(folder.names().size(), 1U);
 }
 
-TEST(AtomicFile, LeavesTheOldFileWholeWhenTheDiskIsFull) {
+TEST(PendingFile, LeavesTheOldFileWholeWhenTheDiskIsFull) {
   TempFolder folder;
   const std::string path = folder.file("a");
   test::put(path, "old");
@@ -107,7 +136,7 @@ TEST(AtomicFile, LeavesTheOldFileWholeWhenTheDiskIsFull) {
   EXPECT_EQ(folder.names().size(), 1U);
 }
 
-TEST(AtomicFile, FollowsSymbolicLinks) {
+TEST(PendingFile, FollowsSymbolicLinks) {
   TempFolder folder;
   test::put(folder.file("target"), "old");
   fs::create_symlink("target", folder.file("link"));
