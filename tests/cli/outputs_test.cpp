@@ -57,19 +57,17 @@ TEST_F(Outputs, AppearOnlyWhereTheResultReachedItsReader) {
   for (const Writer& writer : writers()) {
     for (const std::string old : {"", "old"}) {
       for (const char* how : {">/dev/full 2>/dev/null", ">&- 2>/dev/null", ">&- 2>&-"}) {
-        for (const bool json : {false, true}) {
-          for (const std::string& file : writer.files) {
-            std::filesystem::remove(file);
-            if (!old.empty()) test::put(file, old);
-          }
-          const std::size_t before = folder_.names().size();
-          std::vector<std::string> words = writer.words;
-          if (json) words.emplace_back("--json");
-          EXPECT_EQ(run_redirected(words, how), 4) << words.front() << ' ' << how;
-          EXPECT_EQ(folder_.names().size(), before) << words.front() << ' ' << how;
-          for (const std::string& file : writer.files) {
-            if (!old.empty()) EXPECT_EQ(test::get(file), old);
-          }
+        for (const std::string& file : writer.files) {
+          std::filesystem::remove(file);
+          if (!old.empty()) test::put(file, old);
+        }
+        const std::size_t before = folder_.names().size();
+        std::vector<std::string> words = writer.words;
+        if (old.empty()) words.emplace_back("--json");
+        EXPECT_EQ(run_redirected(words, how), 4) << words.front() << ' ' << how;
+        EXPECT_EQ(folder_.names().size(), before) << words.front() << ' ' << how;
+        for (const std::string& file : writer.files) {
+          EXPECT_EQ(std::filesystem::exists(file) ? test::get(file) : "", old);
         }
       }
     }
@@ -118,27 +116,29 @@ bool is_plain(const std::string& text) {
 }
 
 TEST_F(Outputs, ShowNoByteOfANameThatCouldLeadATerminalAstray) {
-  for (int byte = 1; byte < 256; ++byte) {
-    const char c = static_cast<char>(byte);
-    if (c == '/') continue;
-    const std::string name = folder_.file(std::string("a") + c + "[31mz");
+  constexpr int kBytes = 16;  // to a name: all 255 in few runs
+  for (int first = 0; first < 256; first += kBytes) {
+    std::string bytes = "a\x1b[31m";
+    for (int byte = first; byte < first + kBytes; ++byte) {
+      if (byte != 0 && byte != '/') bytes += static_cast<char>(byte);
+    }
+    const std::string name = folder_.file(bytes);
     const test::Outcome missing = run({"info", name + ".cnt"});
-    EXPECT_EQ(missing.code, 4) << byte;
-    EXPECT_TRUE(is_plain(missing.err)) << byte;
-    EXPECT_EQ(missing.err.find('\n') + 1, missing.err.size()) << byte;
-    if (byte % 8 != 3 && byte >= 0x20 && byte < 0xF0) continue;  // the rest takes its time
+    EXPECT_EQ(missing.code, 4) << first;
+    EXPECT_TRUE(is_plain(missing.err)) << first;
+    EXPECT_EQ(missing.err.find('\n') + 1, missing.err.size()) << first;
     const test::Outcome made = run({"render", model_, "-o", name + ".svg"});
-    EXPECT_EQ(made.code, 0) << byte;
-    EXPECT_TRUE(is_plain(made.out)) << byte;
-    EXPECT_EQ(made.out.find('\n') + 1, made.out.size()) << byte;
-    const test::JsonValue json = run_json({"info", name}, 4);
-    EXPECT_EQ(json.at("error").at("where").at("file").string.find('\x1b') == std::string::npos,
-              c != '\x1b');
+    EXPECT_EQ(made.code, 0) << first;
+    EXPECT_TRUE(is_plain(made.out)) << first;
+    EXPECT_EQ(made.out.find('\n') + 1, made.out.size()) << first;
+    const test::Outcome json = run({"info", name, "--json"});
+    EXPECT_TRUE(is_plain(json.out)) << first;
+    EXPECT_TRUE(test::parse_json(json.out).has_value()) << json.out;
   }
 }
 
 TEST_F(Outputs, OfAnyTitleAreValidPages) {
-  for (int byte = 0x80; byte < 256; byte += 5) {
+  for (int byte = 0x80; byte < 256; byte += 16) {
     const std::string page = folder_.file("p.html");
     const std::string title = std::string("a") + static_cast<char>(byte) + "\x01z";
     ASSERT_EQ(run({"render", model_, "-o", page, "--title", title, "--quiet"}).code, 0);
