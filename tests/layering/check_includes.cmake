@@ -36,8 +36,10 @@ set(owner_delaunay delaunay2 delaunay3)
 # Modules of which another may include only the public header.
 set(public_only_contact mesh)
 
-# Headers beside the C++ standard library: the terminal test of the command line.
-set(system_cli unistd.h)
+# Headers beside the C++ standard library: the terminal and the signals of the command line; files
+# without a name, links, permissions, and signals that wait (POSIX).
+set(system_cli fcntl.h signal.h unistd.h)
+set(system_io fcntl.h pthread.h signal.h sys/stat.h sys/types.h unistd.h)
 
 function(owners_of header result)
   get_filename_component(name "${header}" NAME_WE)
@@ -97,9 +99,11 @@ function(check_private path)
 endfunction()
 
 function(check_system header)
-  if(from STREQUAL "cli" AND header IN_LIST system_cli)
-    return()
-  endif()
+  foreach(module cli io)
+    if(from STREQUAL module AND header IN_LIST system_${module})
+      return()
+    endif()
+  endforeach()
   if(header MATCHES "[/.]")
     violation("not the standard library: ${header}")
   endif()
