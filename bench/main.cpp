@@ -1,7 +1,5 @@
 // tetloft_bench: the library's engines, alone and against others, on a table of cases.
-#include <cstdio>
-#include <cstdlib>
-#include <cstring>
+#include <algorithm>
 #include <fstream>
 #include <iostream>
 #include <string>
@@ -9,6 +7,7 @@
 
 #include "cases.hpp"
 #include "report.hpp"
+#include "words.hpp"
 
 namespace {
 
@@ -33,21 +32,23 @@ struct Options {
   std::string markdown;
 };
 
-bool parse(int argc, char** argv, Options& options) {
+// What is wrong with the words, or nothing.
+std::string parse(int argc, char** argv, Options& options) {
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
     if (word == "--list") {
       options.list = true;
       continue;
     }
-    if (i + 1 == argc) return false;
-    const std::string value = argv[++i];
+    const std::string value = i + 1 < argc ? argv[i + 1] : "";
+    bool good = i + 1 < argc;
+    ++i;
     if (word == "--only") {
       options.only = value;
     } else if (word == "--repeat") {
-      options.rounds = std::atoi(value.c_str());
+      good = good && parse_number(value, options.rounds) && options.rounds > 0;
     } else if (word == "--limit") {
-      options.limit = std::atof(value.c_str());
+      good = good && parse_number(value, options.limit) && options.limit > 0;
     } else if (word == "--peers") {
       options.peers = value;
     } else if (word == "--stack") {
@@ -57,14 +58,16 @@ bool parse(int argc, char** argv, Options& options) {
     } else if (word == "--markdown") {
       options.markdown = value;
     } else {
-      return false;
+      return "unknown option " + word;
     }
+    if (!good) return word + " has no value that it can take";
   }
-  return options.rounds > 0 && options.limit > 0;
+  return {};
 }
 
-// Those that are installed and named in the list.
-std::vector<Peer> chosen_peers(const std::string& names) {
+constexpr const char* kPredicates = "predicates";
+
+std::vector<Peer> installed_peers() {
   std::vector<Peer> peers;
 #ifdef TETLOFT_BENCH_CGAL
   peers.push_back(cgal());
@@ -75,6 +78,29 @@ std::vector<Peer> chosen_peers(const std::string& names) {
 #ifdef TETLOFT_BENCH_QHULL
   peers.push_back(qhull());
 #endif
+  return peers;
+}
+
+// Names that nothing here has; "none" and peers that are not installed are no mistakes.
+std::string unknown_name(const Options& options, const std::vector<Case>& cases) {
+  std::vector<std::string> names{kPredicates};
+  for (const Case& one : cases) names.push_back(one.name);
+  if (!any_has(names, options.only)) return no_such("--only", options.only, names);
+  const std::vector<std::string> peers{"CGAL", "TetGen", "Qhull", "none"};
+  for (std::size_t first = 0; first <= options.peers.size();) {
+    const std::size_t end = std::min(options.peers.find(',', first), options.peers.size());
+    const std::string peer = options.peers.substr(first, end - first);
+    if (std::find(peers.begin(), peers.end(), peer) == peers.end()) {
+      return no_such("--peers", peer, peers);
+    }
+    first = end + 1;
+  }
+  return {};
+}
+
+// Those that are installed and named in the list.
+std::vector<Peer> chosen_peers(const std::string& names) {
+  std::vector<Peer> peers = installed_peers();
   std::erase_if(peers,
                 [&](const Peer& peer) { return names.find(peer.name) == std::string::npos; });
   return peers;
@@ -91,10 +117,11 @@ bool put(const std::string& path, const std::string& text) {
 
 int main(int argc, char** argv) {
   Options options;
-  if (!parse(argc, argv, options)) {
-    std::cerr << kUsage;
-    return 2;
-  }
+  std::string wrong = parse(argc, argv, options);
+  if (!wrong.empty()) return usage_failure(wrong, kUsage);
+  const std::vector<Case> cases = all_cases(options.stacks);
+  wrong = unknown_name(options, cases);
+  if (!wrong.empty()) return usage_failure(wrong, kUsage);
   Report report;
   report.rounds = options.rounds;
   report.limit = options.limit;
@@ -103,7 +130,7 @@ int main(int argc, char** argv) {
   for (const std::string& version : report.versions) std::cout << version << '\n';
 
   bool failed = false;
-  for (const Case& one : all_cases(options.stacks)) {
+  for (const Case& one : cases) {
     if (one.name.find(options.only) == std::string::npos) continue;
     if (options.list) {
       std::cout << one.name << ": " << one.what << '\n';
@@ -121,7 +148,7 @@ int main(int argc, char** argv) {
     std::cout << text_of(result) << std::flush;
     report.cases.push_back(std::move(result));
   }
-  if (std::string("predicates").find(options.only) != std::string::npos && !options.list) {
+  if (std::string(kPredicates).find(options.only) != std::string::npos && !options.list) {
     report.predicates = time_predicates(options.rounds);
     std::cout << text_of(report.predicates);
   }

@@ -27,6 +27,7 @@
 #include <tetloft/tetloft.hpp>
 
 #include "stack_truth.hpp"
+#include "words.hpp"
 
 namespace {
 
@@ -141,67 +142,89 @@ std::string survey(const std::filesystem::path& path, const Options& options) {
   return row.str();
 }
 
-std::optional<Options> parse(int argc, char** argv) {
-  Options options;
+constexpr const char* kUsage =
+    "usage: tetloft_survey FOLDER-OR-FILE… [--criterion overlap|reverse] [--threads N] [--jobs N]\n"
+    "                      [--split N] [--snap BITS] [--compare THREADS] [--no-check]\n";
+
+// What is wrong with an option, or nothing. Takes its value where it has one.
+std::string take_option(const std::string& name, const std::string& value, Options& options) {
+  unsigned threads = 0;
+  bool good = true;
+  if (name == "--split") {
+    good = parse_number(value, options.split) && options.split > 0;
+  } else if (name == "--criterion") {
+    const bool reverse = value == "reverse";
+    if (!reverse && value != "overlap") return no_such(name, value, {"overlap", "reverse"});
+    options.reconstruct.correspondence.criterion =
+        reverse ? Criterion::reverse : Criterion::overlap;
+  } else if (name == "--threads") {
+    good = parse_number(value, options.reconstruct.threads);
+  } else if (name == "--compare") {
+    good = parse_number(value, threads);
+    options.compare = threads;
+  } else if (name == "--snap") {
+    int bits = 0;
+    good = parse_number(value, bits);
+    options.snap = bits;
+  } else if (name == "--jobs") {
+    good = parse_number(value, options.jobs) && options.jobs > 0;
+  } else {
+    return "unknown option " + name;
+  }
+  return good ? std::string() : name + " has no value that it can take";
+}
+
+std::string parse(int argc, char** argv, Options& options) {
   options.reconstruct.threads = 1;
   for (int i = 1; i < argc; ++i) {
     const std::string arg = argv[i];
-    const auto value = [&] { return i + 1 < argc ? std::string(argv[++i]) : std::string(); };
-    if (arg == "--split") {
-      options.split = std::max<std::size_t>(1, std::stoul(value()));
-    } else if (arg == "--criterion") {
-      options.reconstruct.correspondence.criterion =
-          value() == "reverse" ? Criterion::reverse : Criterion::overlap;
-    } else if (arg == "--threads") {
-      options.reconstruct.threads = static_cast<unsigned>(std::stoul(value()));
-    } else if (arg == "--compare") {
-      options.compare = static_cast<unsigned>(std::stoul(value()));
-    } else if (arg == "--snap") {
-      options.snap = std::stoi(value());
-    } else if (arg == "--no-check") {
+    if (arg == "--no-check") {
       options.check = false;
-    } else if (arg == "--jobs") {
-      options.jobs = std::max(1U, static_cast<unsigned>(std::stoul(value())));
+    } else if (arg.starts_with("--")) {
+      const std::string wrong = take_option(arg, i + 1 < argc ? argv[i + 1] : "", options);
+      if (!wrong.empty()) return wrong;
+      ++i;
     } else if (std::filesystem::is_directory(arg)) {
       for (const auto& entry : std::filesystem::directory_iterator(arg)) {
         if (entry.path().extension() == ".cnt") options.files.push_back(entry.path());
       }
-    } else if (arg.starts_with("--")) {
-      std::cerr << "unknown option " << arg << '\n';
-      return std::nullopt;
-    } else {
+    } else if (std::filesystem::exists(arg)) {
       options.files.emplace_back(arg);
+    } else {
+      return "there is no " + arg;
     }
   }
+  if (options.files.empty()) return "no stacks (.cnt) to survey";
   std::sort(options.files.begin(), options.files.end());
-  return options;
+  return {};
 }
 
 }  // namespace
 
 int main(int argc, char** argv) try {
-  const std::optional<Options> options = parse(argc, argv);
-  if (!options) return 2;
+  Options options;
+  const std::string wrong = parse(argc, argv, options);
+  if (!wrong.empty()) return usage_failure(wrong, kUsage);
   std::cout << "| stack | vertices | tets | components got / true | genus got / true | cavities "
                "got / true | check | overshoot | "
-            << (options->compare ? "threads | " : "") << "smallest lift | seconds |\n";
-  std::cout << "|---|---|---|---|---|---|---|---|---|---|" << (options->compare ? "---|" : "")
+            << (options.compare ? "threads | " : "") << "smallest lift | seconds |\n";
+  std::cout << "|---|---|---|---|---|---|---|---|---|---|" << (options.compare ? "---|" : "")
             << '\n'
             << std::flush;
 
   // Rows are printed in order, as soon as all before them are done.
-  std::vector<std::string> rows(options->files.size());
-  std::vector<std::atomic<bool>> done(options->files.size());
+  std::vector<std::string> rows(options.files.size());
+  std::vector<std::atomic<bool>> done(options.files.size());
   std::atomic<std::size_t> next{0};
   const auto work = [&] {
     for (std::size_t i = next++; i < rows.size(); i = next++) {
-      rows[i] = survey(options->files[i], *options);
+      rows[i] = survey(options.files[i], options);
       done[i] = true;
       done[i].notify_one();
     }
   };
   std::vector<std::thread> pool;
-  for (unsigned k = 0; k < options->jobs; ++k) pool.emplace_back(work);
+  for (unsigned k = 0; k < options.jobs; ++k) pool.emplace_back(work);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     done[i].wait(false);
     std::cout << rows[i] << '\n' << std::flush;

@@ -18,6 +18,7 @@
 #include "comparison/report.hpp"
 #include "comparison/truth.hpp"
 #include "corpus/solids.hpp"
+#include "words.hpp"
 
 namespace {
 
@@ -127,19 +128,22 @@ bool put(const std::string& path, const std::string& text) {
 }  // namespace
 
 int main(int argc, char** argv) try {
-  const std::optional<CompareOptions> options = parse_options(argc, argv);
-  if (!options) {
-    std::cerr << kUsage;
-    return 2;
+  CompareOptions options;
+  std::string wrong = parse_options(argc, argv, options);
+  std::vector<std::string> methods;
+  for (const Method& method : all_methods()) methods.push_back(method.name);
+  if (wrong.empty() && !any_has(methods, options.only)) {
+    wrong = no_such("--only", options.only, methods);
   }
-  Comparison comparison(*options);
+  if (!wrong.empty()) return usage_failure(wrong, kUsage);
+  Comparison comparison(options);
   comparison.run_corpus();
-  for (const std::filesystem::path& folder : options->folders) comparison.run_folder(folder);
+  for (const std::filesystem::path& folder : options.folders) comparison.run_folder(folder);
   const std::vector<Table> tables = tables_of(comparison.rows());
   const std::string markdown = markdown_of(tables);
   std::cout << markdown;
-  const bool written = put(options->markdown, markdown) &&
-                       put(options->json, json_of(*options, comparison.rows(), tables));
+  const bool written = put(options.markdown, markdown) &&
+                       put(options.json, json_of(options, comparison.rows(), tables));
   return written ? 0 : 4;
 } catch (const std::exception& e) {
   std::cerr << e.what() << '\n';

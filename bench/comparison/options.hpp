@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,7 +20,7 @@ struct CompareOptions {
   std::string json, markdown;  ///< files to write; empty: none
 };
 
-/// Nothing for what is no command line of ours.
-[[nodiscard]] std::optional<CompareOptions> parse_options(int argc, char** argv);
+/// What is wrong with the command line; empty if nothing is.
+[[nodiscard]] std::string parse_options(int argc, char** argv, CompareOptions& options);
 
 }  // namespace tetloft::bench

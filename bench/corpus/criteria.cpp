@@ -21,6 +21,7 @@
 #include "core/union_find.hpp"
 #include "corpus/solids.hpp"
 #include "reconstruct/correspondence.hpp"
+#include "words.hpp"
 
 namespace {
 
@@ -252,14 +253,18 @@ StackFacts facts_of(const SlicedSolid& sliced) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::uint64_t solids = 20, seed = 1;
-  std::size_t size = 96;
-  for (int i = 1; i + 1 < argc; i += 2) {
+  constexpr const char* kUsage = "usage: tetloft_criteria [--solids N] [--seed S] [--size N]\n";
+  std::uint64_t solids = 20, seed = 1, size = 96;
+  for (int i = 1; i < argc; i += 2) {
     const std::string option = argv[i];
-    const auto value = std::strtoull(argv[i + 1], nullptr, 10);
-    if (option == "--solids") solids = value;
-    if (option == "--seed") seed = value;
-    if (option == "--size") size = value;
+    std::uint64_t* const target = option == "--solids" ? &solids
+                                  : option == "--seed" ? &seed
+                                  : option == "--size" ? &size
+                                                       : nullptr;
+    if (target == nullptr) return usage_failure("unknown option " + option, kUsage);
+    if (i + 1 == argc || !parse_number(argv[i + 1], *target)) {
+      return usage_failure(option + " has no value that it can take", kUsage);
+    }
   }
   const std::vector<Rule> rules = all_rules();
   const std::array<std::size_t, 3> spacings{2, 6, 12};

@@ -14,6 +14,7 @@
 
 #include "comparison/metrics.hpp"
 #include "comparison/section_cut.hpp"
+#include "words.hpp"
 
 namespace {
 
@@ -191,10 +192,7 @@ class Book {
   std::string table_, text_;
 };
 
-int usage() {
-  std::fputs("usage: tetloft_figures FOLDER [--data DATA] [--only WORD]\n", stderr);
-  return 2;
-}
+constexpr const char* kUsage = "usage: tetloft_figures FOLDER [--data DATA] [--only WORD]\n";
 
 }  // namespace
 
@@ -211,14 +209,18 @@ int main(int argc, char** argv) {
     } else if (folder.empty() && !word.starts_with("--")) {
       folder = word;
     } else {
-      return usage();
+      return usage_failure("no use for " + word, kUsage);
     }
   }
-  if (folder.empty()) return usage();
+  if (folder.empty()) return usage_failure("missing FOLDER", kUsage);
+  const std::vector<Figure> figures = all_figures();
+  std::vector<std::string> stacks;
+  for (const Figure& figure : figures) stacks.push_back(figure.stack);
+  if (!any_has(stacks, only)) return usage_failure(no_such("--only", only, stacks), kUsage);
   std::error_code failed;
   std::filesystem::create_directories(folder, failed);
   Book book(data, folder);
-  for (const Figure& figure : all_figures()) {
+  for (const Figure& figure : figures) {
     if (figure.stack.find(only) == std::string::npos) continue;
     std::fprintf(stderr, "figure %s\n", figure.number.c_str());
     if (!book.add(figure)) return 4;

@@ -43,11 +43,12 @@ struct RenderOptions {
   std::optional<PictureCut> cut = {};  ///< the viewer takes z only
   /// Slabs are moved apart by this many mean heights of a slab.
   double explode = 0;
-  bool edges = false;      ///< draws the edges of tets
-  bool contours = true;    ///< draws the contours of the sections
-  double stretch = 1;      ///< z is drawn this many times as large
-  bool white = false;      ///< white background instead of none
-  std::string title = {};  ///< of the page
+  bool edges = false;    ///< draws the edges of tets
+  bool contours = true;  ///< draws the contours of the sections
+  double stretch = 1;    ///< z is drawn this many times as large
+  bool white = false;    ///< white background instead of none
+  /// Of the page, UTF-8; what is not, and control characters, as U+FFFD.
+  std::string title = {};
   /// Once a stop is requested (from any thread), drawing ends with ErrorCode::cancelled after the
   /// step, or the row of pixels, in work.
   std::stop_token stop = {};

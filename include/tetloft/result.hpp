@@ -47,7 +47,10 @@ struct Place {
   std::optional<Point3> point;  ///< coordinates, z included where known
 };
 
-/// "file.cnt:12: section 3, contour 0, vertex 7 (1.5, 2, 30)"; empty for an empty place.
+/// "file.cnt:12: section 3, contour 0, vertex 7 (1.5, 2, 30)"; empty for an empty place. This and
+/// the texts below are one line that can be shown anywhere: control characters, marks of the
+/// direction of writing and bytes that are no UTF-8 (all as file names may hold them) are escaped,
+/// "\x1b".
 [[nodiscard]] std::string to_string(const Place& place);
 
 struct Error {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/spelling.hpp"
 #include "io/numbers.hpp"
 
 namespace tetloft::cli {
@@ -16,6 +17,12 @@ const Option* find_option(const Usage& usage, std::string_view word) {
     if (option.name == word || (!option.alias.empty() && option.alias == word)) return &option;
   }
   return nullptr;
+}
+
+std::string unknown_option(const Usage& usage, const std::string& name) {
+  std::vector<std::string_view> names;
+  for (const Option& option : usage.options) names.push_back(option.name);
+  return "unknown option " + io::in_quotes(name) + did_you_mean(name, names);
 }
 
 // What an option is called in messages: "--output (-o)".
@@ -48,7 +55,7 @@ Result<Arguments> Arguments::parse(const Usage& usage, const std::vector<std::st
     const std::string name = word.substr(0, equals);
     const Option* const option = find_option(usage, name);
     if (option == nullptr) {
-      return usage_error("unknown option " + io::in_quotes(name) + see_help(usage));
+      return usage_error(unknown_option(usage, name) + see_help(usage));
     }
     std::string value;
     if (option->value.empty()) {
@@ -76,7 +83,9 @@ Result<Arguments> Arguments::parse(const Usage& usage, const std::vector<std::st
                        see_help(usage));
   }
   if (arguments.operands_.size() > expected) {
+    const bool writes = find_option(usage, "--output") != nullptr;
     return usage_error("unexpected argument " + io::in_quotes(arguments.operands_[expected]) +
+                       (writes && !arguments.has("--output") ? " (an output needs -o)" : "") +
                        see_help(usage));
   }
   return arguments;
@@ -114,6 +123,18 @@ Result<std::optional<std::int64_t>> Arguments::integer(std::string_view option, 
                        std::to_string(largest));
   }
   return number;
+}
+
+Result<std::optional<std::size_t>> Arguments::choice(
+    std::string_view option, const std::vector<std::string_view>& names) const {
+  const std::string* const value = find(option);
+  if (value == nullptr) return std::optional<std::size_t>();
+  const auto found = std::find(names.begin(), names.end(), *value);
+  if (found == names.end()) {
+    return usage_error("option " + std::string(option) + ": " + io::in_quotes(*value) + " is not " +
+                       list_of(names) + did_you_mean(*value, names));
+  }
+  return std::optional(static_cast<std::size_t>(found - names.begin()));
 }
 
 namespace {

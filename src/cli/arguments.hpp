@@ -45,6 +45,9 @@ class Arguments {
   [[nodiscard]] Result<std::optional<std::int64_t>> integer(std::string_view option,
                                                             std::int64_t least,
                                                             std::int64_t largest) const;
+  /// Which of `names` the option is, by index; empty if it was not given.
+  [[nodiscard]] Result<std::optional<std::size_t>> choice(
+      std::string_view option, const std::vector<std::string_view>& names) const;
 
  private:
   [[nodiscard]] const std::string* find(std::string_view option) const;

@@ -134,11 +134,13 @@ Result<int> run(const Arguments& arguments, Console& console) {
     return check(*model, input->stack, options);
   }();
   if (!report) return report.error();
+  Result<void> told;
   if (console.json()) {
-    console.print(to_json(*report, *input, console));
+    told = console.deliver(to_json(*report, *input, console));
   } else if (!console.quiet()) {
-    console.print(to_text(*report, *input));
+    told = console.deliver(to_text(*report, *input));
   }
+  if (!told) return told.error();
   if (report->pass()) return 0;
   console.say(failed_guarantees(*report));
   return kGuaranteeFails;

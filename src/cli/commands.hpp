@@ -30,6 +30,6 @@ inline constexpr Option kJsonOption{"--json", "",
 inline constexpr Option kQuietOption{"--quiet", "",
                                      "no progress and no summary; warnings, errors and --json "
                                      "stay"};
-inline constexpr Option kHelpOption{"--help", "", "print this help"};
+inline constexpr Option kHelpOption{"--help", "", "print this help", "-h"};
 
 }  // namespace tetloft::cli

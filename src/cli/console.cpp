@@ -1,41 +1,102 @@
 // Messages and their JSON.
 #include "cli/console.hpp"
 
+#include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <system_error>
+
+#include "core/text.hpp"
 
 namespace tetloft::cli {
 
-void Console::print(const std::string& text) const {
-  std::fwrite(text.data(), 1, text.size(), stdout);
-  if (text.empty() || text.back() != '\n') std::fputc('\n', stdout);
+namespace {
+
+// Lines as they are, and nothing in them that misleads.
+std::string shown(std::string_view text) {
+  std::string lines;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    lines += printable(text.substr(0, end)) + '\n';
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return lines;
+}
+
+// All of it with the system: a full disk shows when the buffer is emptied.
+Result<void> reach_reader(const std::string& text) {
+  errno = 0;
+  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+  if (written && std::fflush(stdout) == 0) return {};
+  const std::string reason = errno == 0 ? "" : ": " + std::generic_category().message(errno);
+  return Error{ErrorCode::io, "standard output cannot be written" + reason, {}};
+}
+
+}  // namespace
+
+Result<void> Console::deliver(const std::string& text) {
+  tell_rest();
+  delivered_ = true;
+  return reach_reader(shown(text));
 }
 
 void Console::say(const std::string& text) const {
-  const std::string line = "tetloft: " + text + '\n';
+  const std::string line = "tetloft: " + printable(text) + '\n';
   std::fwrite(line.data(), 1, line.size(), stderr);
 }
 
 void Console::warn(const Warning& warning) {
-  say("warning: " + to_string(warning));
+  constexpr std::size_t kFew = 3;
+  Kind& kind = kinds_[kind_of(warning.message)];
+  if (kind.printed < kFew) {
+    if (kind.printed == 0) kind.first = warning.message;
+    ++kind.printed;
+    say("warning: " + to_string(warning));
+  } else {
+    ++kind.unprinted;
+  }
   warnings_.push_back(warning);
 }
 
-int Console::fail(const Error& error) const {
-  say("error: " + to_string(error));
-  if (json_) {
-    JsonWriter json;
-    json.begin_object();
-    json.key("error");
-    json.begin_object();
-    json.member("code", name_of(error.code));
-    json.member("message", error.message);
-    json.key("where");
-    write_place(json, error.where);
-    json.end_object();
-    json.end_object();
-    print(json.text());
+void Console::tell_rest() {
+  for (auto& [key, kind] : kinds_) {
+    if (kind.unprinted == 0) continue;
+    say("warning: … and " + std::to_string(kind.unprinted) + " more of this kind: " + kind.first +
+        (json_ ? "" : " (--json lists all)"));
+    kind.unprinted = 0;
   }
-  return static_cast<int>(error.code);
+}
+
+int Console::fail(const Error& error) {
+  tell_rest();
+  say("error: " + to_string(error));
+  const int code = static_cast<int>(error.code);
+  if (!json_ || delivered_) return code;
+  JsonWriter json;
+  json.begin_object();
+  json.key("error");
+  json.begin_object();
+  json.member("code", name_of(error.code));
+  json.member("message", error.message);
+  json.key("where");
+  write_place(json, error.where);
+  json.end_object();
+  json.end_object();
+  const Result<void> told = deliver(json.text());
+  if (!told) say("error: " + to_string(told.error()));
+  return code;
+}
+
+std::string kind_of(std::string_view message) {
+  std::string kind;
+  bool quoted = false;
+  for (const char c : message) {
+    if (c == '\'') quoted = !quoted;
+    const bool number = (c >= '0' && c <= '9') || c == '.' || c == '-' || c == '+';
+    if (number && !kind.empty() && kind.back() == '#') continue;
+    if (!quoted) kind += number ? '#' : c;
+  }
+  return kind;
 }
 
 void write_place(JsonWriter& json, const Place& place) {

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
+#include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <tetloft/result.hpp>
@@ -18,22 +21,38 @@ class Console {
   [[nodiscard]] bool json() const { return json_; }
   [[nodiscard]] bool quiet() const { return quiet_; }
 
-  /// Prints a result.
-  void print(const std::string& text) const;
-  /// Prints a message on standard error.
+  /// Brings a command's result to its reader. Error io where it did not get there: a command
+  /// that also writes files calls this before they appear.
+  [[nodiscard]] Result<void> deliver(const std::string& text);
+  /// Prints one line on standard error.
   void say(const std::string& text) const;
-  /// Prints a warning and keeps it for the JSON object.
+  /// Prints a warning and keeps it for the JSON object; of many of a kind, the first few are
+  /// printed and the rest counted (tell_rest).
   void warn(const Warning& warning);
-  /// Says what failed; as JSON too where that was asked for. Returns the exit code.
-  int fail(const Error& error) const;
+  /// Says how many warnings of each kind were not printed. To be called when all have come.
+  void tell_rest();
+  /// Says what failed; as JSON too where that was asked for and nothing was delivered. Returns
+  /// the exit code.
+  int fail(const Error& error);
 
   [[nodiscard]] const std::vector<Warning>& warnings() const { return warnings_; }
 
  private:
+  struct Kind {
+    std::size_t unprinted = 0;
+    std::size_t printed = 0;
+    std::string first;  // the first one's message
+  };
+
   bool json_;
   bool quiet_;
+  bool delivered_ = false;  // or tried to
   std::vector<Warning> warnings_;
+  std::map<std::string, Kind> kinds_;
 };
+
+/// What warnings that differ in numbers and quoted words only have in common.
+[[nodiscard]] std::string kind_of(std::string_view message);
 
 /// The members file, line, section, slab, contour, vertex, point, where known.
 void write_place(JsonWriter& json, const Place& place);

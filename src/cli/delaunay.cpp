@@ -6,6 +6,8 @@
 #include "cli/commands.hpp"
 #include "cli/engine_option.hpp"
 #include "cli/outputs.hpp"
+#include "core/text.hpp"
+#include "io/stage.hpp"
 
 namespace tetloft::cli {
 
@@ -87,10 +89,13 @@ Result<int> run(const Arguments& arguments, Console& console) {
     return error;
   }
   warn_if_flat(*delaunay, console);
+  StagedFiles files;
   if (output) {
-    Result<void> written = write_vtu(*output, *points, tets_of(delaunay->mesh));
-    if (!written) return written.error();
+    auto staged = io::stage_vtu(*output, *points, tets_of(delaunay->mesh));
+    if (!staged) return staged.error();
+    files.push_back(*std::move(staged));
   }
+  std::string told;
   if (console.json()) {
     JsonWriter json;
     json.begin_object();
@@ -102,15 +107,15 @@ Result<int> run(const Arguments& arguments, Console& console) {
     json.member("engine", name_of(delaunay->engine));
     write_warnings(json, console.warnings());
     json.end_object();
-    console.print(json.text());
+    told = json.text();
   } else if (!console.quiet()) {
-    std::string text = counted(points->size(), "point") + " (" +
-                       counted(delaunay->duplicates, "duplicate") + "), " +
-                       counted(delaunay->mesh.tet_count(), "tet") + ", " +
-                       readable_seconds(seconds) + " seconds\n";
-    if (output) text += "written: " + *output + '\n';
-    console.print(text);
+    told = counted(points->size(), "point") + " (" + counted(delaunay->duplicates, "duplicate") +
+           "), " + counted(delaunay->mesh.tet_count(), "tet") + ", " + readable_seconds(seconds) +
+           " seconds\n";
+    if (output) told += "written: " + printable(*output) + '\n';
   }
+  const Result<void> done = deliver_with(files, told, console);
+  if (!done) return done.error();
   return 0;
 }
 

@@ -1,21 +1,19 @@
 // See engine_option.hpp.
 #include "cli/engine_option.hpp"
 
-#include <string>
-
-#include "io/numbers.hpp"
+#include <array>
+#include <vector>
 
 namespace tetloft::cli {
 
 Result<DelaunayEngine> engine_option(const Arguments& arguments, std::string_view option) {
-  const auto name = arguments.text(option);
-  if (!name) return DelaunayEngine::automatic;
-  for (const DelaunayEngine engine :
-       {DelaunayEngine::automatic, DelaunayEngine::incremental, DelaunayEngine::slab}) {
-    if (*name == name_of(engine)) return engine;
-  }
-  return usage_error("option " + std::string(option) + ": " + io::in_quotes(*name) +
-                     " is none of auto, incremental, slab");
+  constexpr std::array kEngines{DelaunayEngine::automatic, DelaunayEngine::incremental,
+                                DelaunayEngine::slab};
+  std::vector<std::string_view> names;
+  for (const DelaunayEngine engine : kEngines) names.emplace_back(name_of(engine));
+  const auto chosen = arguments.choice(option, names);
+  if (!chosen) return chosen.error();
+  return kEngines[chosen->value_or(0)];
 }
 
 Result<double> work_limit_option(const Arguments& arguments, double standard) {

@@ -117,14 +117,16 @@ Result<int> reconstruct_by_geiger(const Arguments& arguments, Console& console) 
     Result<void> told = tell_broken_guarantees(made->model, input->stack, console);
     if (!told) return told.error();
   }
-  if (Result<void> written = write_model(made->model, *outputs, console); !written) {
-    return written.error();
-  }
+  auto files = stage_model(made->model, *outputs, console);
+  if (!files) return files.error();
+  std::string told;
   if (console.json()) {
-    console.print(to_json(*made, *input, seconds, console));
+    told = to_json(*made, *input, seconds, console);
   } else if (!console.quiet()) {
-    console.print(to_text(*made, *input, seconds, *outputs));
+    told = to_text(*made, *input, seconds, *outputs);
   }
+  const Result<void> done = deliver_with(*files, told, console);
+  if (!done) return done.error();
   return 0;
 }
 

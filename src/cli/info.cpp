@@ -173,11 +173,13 @@ Result<int> run(const Arguments& arguments, Console& console) {
   if (!read) return read.error();
   for (const Warning& warning : read->warnings) console.warn(warning);
   const StackInfo info = describe(read->stack);
+  Result<void> told;
   if (console.json()) {
-    console.print(to_json(read->stack, info, console));
+    told = console.deliver(to_json(read->stack, info, console));
   } else if (!console.quiet()) {
-    console.print(to_text(read->stack, info));
+    told = console.deliver(to_text(read->stack, info));
   }
+  if (!told) return told.error();
   return 0;
 }
 

@@ -1,4 +1,5 @@
-// One JSON value (RFC 8259), written front to back.
+// One JSON value (RFC 8259), written front to back: always valid UTF-8, and nothing in it that
+// misleads a terminal (core/text.hpp).
 #pragma once
 
 #include <concepts>

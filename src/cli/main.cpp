@@ -1,16 +1,19 @@
 // Choosing the command; nothing thrown leaves it.
-#include <cerrno>
-#include <cstdio>
 #include <exception>
 #include <new>
 #include <string>
-#include <system_error>
+#include <string_view>
 #include <vector>
+
+#include <cstdio>
 
 #include <tetloft/version.hpp>
 
 #include "cli/commands.hpp"
 #include "cli/signals.hpp"
+#include "cli/standard_streams.hpp"
+#include "core/spelling.hpp"
+#include "io/files.hpp"
 #include "io/numbers.hpp"
 
 namespace tetloft::cli {
@@ -34,6 +37,10 @@ std::string general_help() {
   text +=
       "\n  --help        print this help; tetloft COMMAND --help tells more\n"
       "  --version     print the version\n\n"
+      "first steps:\n"
+      "  tetloft info IN.cnt\n"
+      "  tetloft reconstruct IN.cnt -o OUT.vtu\n"
+      "  tetloft render OUT.vtu -o OUT.html\n\n"
       "exit codes: 0 done, 1 check: a guarantee fails, 2 usage, 3 invalid input,\n"
       "4 a file cannot be read or written, 5 no valid model representable, 7 over the\n"
       "work limit, 70 internal error, 71 out of memory, 72 arithmetic unfit for exact\n"
@@ -41,31 +48,55 @@ std::string general_help() {
   return text;
 }
 
+Error unknown_command(const std::string& name, const std::vector<Command>& commands) {
+  std::vector<std::string_view> names{"help", "--help", "--version"};
+  for (const Command& command : commands) names.push_back(command.usage.command);
+  const std::string extension = io::extension_of(name);
+  std::string hint = did_you_mean(name, names);
+  // A file where the command should be: the first thing that people try.
+  if (extension == ".cnt") hint = " (to make a solid: tetloft reconstruct IN.cnt -o OUT.vtu)";
+  if (extension == ".vtu") hint = " (to see a solid: tetloft render MODEL.vtu -o OUT.html)";
+  return usage_error("unknown command " + io::in_quotes(name) + hint + "; see tetloft --help");
+}
+
+Result<int> help(const std::vector<std::string>& words, Console& console) {
+  std::string text = general_help();
+  if (words.size() > 1 && words[1].rfind("--", 0) != 0) {
+    const std::vector<Command> commands = all_commands();
+    const Command* asked = nullptr;
+    for (const Command& command : commands) {
+      if (command.usage.command == words[1]) asked = &command;
+    }
+    if (asked == nullptr) return unknown_command(words[1], commands);
+    text = help_text(asked->usage);
+  }
+  const Result<void> told = console.deliver(text);
+  if (!told) return told.error();
+  return 0;
+}
+
 Result<int> dispatch(const std::vector<std::string>& words, Console& console) {
+  if (words.empty()) std::fputs((general_help() + '\n').c_str(), stderr);
   if (words.empty() || words.front() == "--json" || words.front() == "--quiet") {
     return usage_error("missing command; see tetloft --help");
   }
   const std::string& name = words.front();
-  if (name == "--help" || name == "-h" || name == "help") {
-    console.print(general_help());
-    return 0;
-  }
+  if (name == "--help" || name == "-h" || name == "help") return help(words, console);
   if (name == "--version") {
-    console.print(std::string("tetloft ") + version());
+    const Result<void> told = console.deliver(std::string("tetloft ") + version());
+    if (!told) return told.error();
     return 0;
   }
-  for (const Command& command : all_commands()) {
+  const std::vector<Command> commands = all_commands();
+  for (const Command& command : commands) {
     if (command.usage.command != name) continue;
     const Result<Arguments> arguments =
         Arguments::parse(command.usage, {words.begin() + 1, words.end()});
     if (!arguments) return arguments.error();
-    if (arguments->has("--help")) {
-      console.print(help_text(command.usage));
-      return 0;
-    }
+    if (arguments->has("--help")) return help({"help", name}, console);
     return command.run(*arguments, console);
   }
-  return usage_error("unknown command " + io::in_quotes(name) + "; see tetloft --help");
+  return unknown_command(name, commands);
 }
 
 // Asked for even where the command line is wrong: its error must be JSON too.
@@ -79,25 +110,18 @@ bool asks_for(const std::vector<std::string>& words, const char* flag) {
 
 int run(const std::vector<std::string>& words) {
   Console console(asks_for(words, "--json"), asks_for(words, "--quiet"));
-  int code = 0;
   try {
     const Result<int> result = dispatch(words, console);
-    code = result ? *result : console.fail(result.error());
+    if (!result) return console.fail(result.error());
+    console.tell_rest();
+    return *result;
   } catch (const std::bad_alloc&) {
     code = console.fail({ErrorCode::out_of_memory, "out of memory", {}});
   } catch (const std::exception& e) {
-    code = console.fail({ErrorCode::internal, e.what(), {}});
+    return console.fail({ErrorCode::internal, e.what(), {}});
   } catch (...) {
-    code = console.fail({ErrorCode::internal, "unknown exception", {}});
+    return console.fail({ErrorCode::internal, "unknown exception", {}});
   }
-  // A result that did not reach its reader is a file that could not be written.
-  errno = 0;
-  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
-    console.say("error: standard output cannot be written" +
-                (errno == 0 ? std::string() : ": " + std::generic_category().message(errno)));
-    if (code == 0) code = static_cast<int>(ErrorCode::io);
-  }
-  return code;
 }
 
 }  // namespace
@@ -107,6 +131,7 @@ int run(const std::vector<std::string>& words) {
 int main(int argc, char** argv) {
   tetloft::cli::handle_signals();
   try {
+    tetloft::cli::occupy_standard_streams();
     return tetloft::cli::run({argv + (argc > 0 ? 1 : 0), argv + argc});
   } catch (...) {
     // Not even a message could be put together.

@@ -1,18 +1,20 @@
 // Checking output paths.
 #include "cli/outputs.hpp"
 
-#include <cstdio>
-
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 #include "cli/arguments.hpp"
+#include "core/spelling.hpp"
+#include "core/text.hpp"
 #include "io/files.hpp"
 #include "io/numbers.hpp"
+#include "io/stage.hpp"
 
 namespace tetloft::cli {
 
@@ -36,13 +38,8 @@ Result<void> check_output(std::string_view option, const std::string& path,
                           const std::vector<std::string>& taken) {
   const std::string extension = io::extension_of(path);
   if (std::find(extensions.begin(), extensions.end(), extension) == extensions.end()) {
-    std::string list;
-    for (const std::string_view e : extensions) {
-      if (!list.empty()) list += e == extensions.back() ? " or " : ", ";
-      list += e;
-    }
     return usage_error("option " + std::string(option) + ": " + io::in_quotes(path) +
-                       " must end in " + list);
+                       " must end in " + list_of(extensions) + did_you_mean(extension, extensions));
   }
   for (const std::string& other : taken) {
     if (!same_file(path, other)) continue;
@@ -71,38 +68,56 @@ Result<void> check_output(std::string_view option, const std::string& path,
 
 Result<ModelOutputs> model_outputs(const Arguments& arguments) {
   ModelOutputs outputs;
-  const auto solid = arguments.text("--output");
-  if (!solid) return usage_error("missing option --output (-o) OUT.vtu");
-  outputs.solid = *solid;
+  outputs.solid = arguments.text("--output");
   outputs.surface = arguments.text("--surface");
+  if (!outputs.solid && !outputs.surface) {
+    return usage_error("missing option --output (-o) OUT.vtu, or --surface FILE");
+  }
   if (arguments.has("--ascii")) outputs.encoding = Encoding::ascii;
   std::vector<std::string> taken{arguments.operand(0)};
   if (const auto labels = arguments.text("--labels")) taken.push_back(*labels);
-  Result<void> checked = check_output("--output (-o)", outputs.solid, {".vtu"}, taken);
+  Result<void> checked;
+  if (outputs.solid) {
+    checked = check_output("--output (-o)", *outputs.solid, {".vtu"}, taken);
+    taken.push_back(*outputs.solid);
+  }
   if (checked && outputs.surface) {
-    taken.push_back(outputs.solid);
     checked = check_output("--surface", *outputs.surface, {".obj", ".ply", ".vtp", ".stl"}, taken);
   }
   if (!checked) return checked.error();
   return outputs;
 }
 
-// The surface first: it is the one that can fail for what it is (coordinates beyond STL),
-// and the solid at the same place must then stay as it was.
-Result<void> write_model(const Model& model, const ModelOutputs& outputs, Console& console) {
+Result<StagedFiles> stage_model(const Model& model, const ModelOutputs& outputs, Console& console) {
+  StagedFiles files;
   if (outputs.surface) {
-    const auto warnings = write_surface(*outputs.surface, model, outputs.encoding);
-    if (!warnings) return warnings.error();
-    for (const Warning& warning : *warnings) console.warn(warning);
+    auto surface = io::stage_surface(*outputs.surface, model, outputs.encoding);
+    if (!surface) return surface.error();
+    for (const Warning& warning : surface->warnings) console.warn(warning);
+    files.push_back(std::move(surface->file));
   }
-  Result<void> written = write_vtu(outputs.solid, model, outputs.encoding);
-  // A command that fails leaves no output, also where one of two files was fine.
-  if (!written && outputs.surface) std::remove(outputs.surface->c_str());
-  return written;
+  if (outputs.solid) {
+    auto solid = io::stage_vtu(*outputs.solid, model, outputs.encoding);
+    if (!solid) return solid.error();
+    files.push_back(*std::move(solid));
+  }
+  return files;
 }
 
 std::string describe(const ModelOutputs& outputs) {
-  return "written: " + outputs.solid + (outputs.surface ? ", " + *outputs.surface : "") + '\n';
+  std::string files;
+  for (const auto& path : {outputs.solid, outputs.surface}) {
+    if (path) files += (files.empty() ? "" : ", ") + printable(*path);
+  }
+  return "written: " + files + '\n';
+}
+
+Result<void> deliver_with(StagedFiles& files, const std::string& result, Console& console) {
+  if (!result.empty()) {
+    Result<void> told = console.deliver(result);
+    if (!told) return told;
+  }
+  return io::commit_all(files);
 }
 
 }  // namespace tetloft::cli

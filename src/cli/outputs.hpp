@@ -12,6 +12,7 @@
 
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
+#include "io/pending_file.hpp"
 
 namespace tetloft::cli {
 
@@ -21,20 +22,29 @@ namespace tetloft::cli {
                                         const std::vector<std::string_view>& extensions,
                                         const std::vector<std::string>& taken);
 
-/// Where a model goes.
+/// Where a model goes: one of the two, or both.
 struct ModelOutputs {
-  std::string solid;
+  std::optional<std::string> solid;
   std::optional<std::string> surface;
   Encoding encoding = Encoding::binary;
 };
 
-/// --output, --surface and --ascii, checked; none may be an input.
+/// --output, --surface and --ascii, checked; one of the first two is required, none may be an
+/// input.
 [[nodiscard]] Result<ModelOutputs> model_outputs(const Arguments& arguments);
 
-/// Writes the surface, then the solid; where one fails, neither is there.
-[[nodiscard]] Result<void> write_model(const Model& model, const ModelOutputs& outputs,
-                                       Console& console);
+/// Files that are complete and have not appeared yet.
+using StagedFiles = std::vector<io::PendingFile>;
+
+/// The surface and the solid, up to the last step.
+[[nodiscard]] Result<StagedFiles> stage_model(const Model& model, const ModelOutputs& outputs,
+                                              Console& console);
 /// "written: a.vtu, b.ply", a line.
 [[nodiscard]] std::string describe(const ModelOutputs& outputs);
+
+/// The last step of a command that writes files: its result (none where empty) reaches the reader,
+/// then all files appear. Where the result or a file fails, none does.
+[[nodiscard]] Result<void> deliver_with(StagedFiles& files, const std::string& result,
+                                        Console& console);
 
 }  // namespace tetloft::cli

@@ -19,8 +19,9 @@ Usage usage() {
   Usage usage{"reconstruct",
               "From a stack of contours to a tetrahedral solid.",
               {"IN.cnt"},
-              {{"--output", "OUT.vtu", "the solid, a VTK XML file; required", "-o"},
-               {"--surface", "FILE", "also write its boundary: .obj, .ply, .vtp or .stl"}},
+              {{"--output", "OUT.vtu", "the solid, a VTK XML file", "-o"},
+               {"--surface", "FILE",
+                "its boundary: .obj, .ply, .vtp or .stl; this or --output must be given"}},
               "A single section is made into a solid of --thickness, or of a tenth of the larger "
               "side of its bounding box, with a warning. Nothing is written when the command "
               "fails."};
@@ -61,19 +62,18 @@ struct Request {
 Result<Request> request_of(const Arguments& arguments, Console& console) {
   Request request;
   request.input = arguments.operand(0);
-  if (!arguments.text("--output")) return usage_error("missing option --output (-o) OUT.vtu");
+  auto outputs = model_outputs(arguments);
+  if (!outputs) return outputs.error();
+  request.outputs = *std::move(outputs);
   const auto correspondence = correspondence_options(arguments, console);
   if (!correspondence) return correspondence.error();
   request.options.correspondence = *correspondence;
   const auto prepared = preparation(arguments);
   if (!prepared) return prepared.error();
   request.preparation = *prepared;
-  if (const auto ends = arguments.text("--ends")) {
-    if (*ends != "flat" && *ends != "half") {
-      return usage_error("option --ends: " + io::in_quotes(*ends) + " is neither flat nor half");
-    }
-    request.options.ends = *ends == "flat" ? Ends::flat : Ends::half;
-  }
+  const auto ends = arguments.choice("--ends", {"flat", "half"});
+  if (!ends) return ends.error();
+  request.options.ends = ends->value_or(0) == 0 ? Ends::flat : Ends::half;
   const auto thickness = arguments.number("--thickness");
   if (!thickness) return thickness.error();
   if (thickness->has_value() && !(**thickness > 0)) {
@@ -91,9 +91,6 @@ Result<Request> request_of(const Arguments& arguments, Console& console) {
   if (!threads) return threads.error();
   request.options.threads = static_cast<unsigned>(threads->value_or(0));
   request.verify = arguments.has("--verify");
-  auto outputs = model_outputs(arguments);
-  if (!outputs) return outputs.error();
-  request.outputs = *std::move(outputs);
   return request;
 }
 
@@ -192,11 +189,9 @@ std::string to_text(const Reconstruction& result, const StackInput& input, const
 }
 
 Result<int> run(const Arguments& arguments, Console& console) {
-  if (const auto method = arguments.text("--method"); method && *method != "nonato") {
-    if (*method == "geiger") return reconstruct_by_geiger(arguments, console);
-    return usage_error("option --method: " + io::in_quotes(*method) +
-                       " is neither nonato nor geiger");
-  }
+  const auto method = arguments.choice("--method", {"nonato", "geiger"});
+  if (!method) return method.error();
+  if (method->value_or(0) == 1) return reconstruct_by_geiger(arguments, console);
   const Stopwatch all;
   Result<Request> request = request_of(arguments, console);
   if (!request) return request.error();
@@ -233,15 +228,18 @@ Result<int> run(const Arguments& arguments, Console& console) {
     seconds.verify = verifying.seconds();
   }
   const Stopwatch writing;
-  Result<void> written = write_model(result->model, request->outputs, console);
-  if (!written) return written.error();
+  auto files = stage_model(result->model, request->outputs, console);
+  if (!files) return files.error();
   seconds.write = writing.seconds();
   seconds.total = all.seconds();
+  std::string told;
   if (console.json()) {
-    console.print(to_json(*result, *input, seconds, console));
+    told = to_json(*result, *input, seconds, console);
   } else if (!console.quiet()) {
-    console.print(to_text(*result, *input, seconds, *request));
+    told = to_text(*result, *input, seconds, *request);
   }
+  const Result<void> done = deliver_with(*files, told, console);
+  if (!done) return done.error();
   return 0;
 }
 

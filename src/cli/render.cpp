@@ -9,8 +9,10 @@
 #include "cli/commands.hpp"
 #include "cli/outputs.hpp"
 #include "cli/progress.hpp"
+#include "core/text.hpp"
 #include "io/files.hpp"
 #include "io/numbers.hpp"
+#include "io/stage.hpp"
 
 namespace tetloft::cli {
 
@@ -55,15 +57,11 @@ Error wrong_value(const std::string& option, const std::string& value, const cha
 
 Result<RenderOptions> render_options(const Arguments& arguments) {
   RenderOptions options;
-  if (const auto name = arguments.text("--colour")) {
-    bool known = false;
-    for (int k = 0; k < kColourings; ++k) {
-      if (*name != name_of(static_cast<ColourBy>(k))) continue;
-      options.colour = static_cast<ColourBy>(k);
-      known = true;
-    }
-    if (!known) return wrong_value("--colour", *name, "component, slab, kind or dihedral");
-  }
+  std::vector<std::string_view> colourings;
+  for (int k = 0; k < kColourings; ++k) colourings.emplace_back(name_of(static_cast<ColourBy>(k)));
+  const auto colour = arguments.choice("--colour", colourings);
+  if (!colour) return colour.error();
+  options.colour = static_cast<ColourBy>(colour->value_or(0));
   if (const auto view = arguments.text("--view")) {
     const auto angles = two_numbers(*view, ',');
     if (!angles) return wrong_value("--view", *view, "two numbers A,E");
@@ -137,8 +135,11 @@ Result<int> run(const Arguments& arguments, Console& console) {
     if (error.code == ErrorCode::invalid_input) error.where.file = arguments.operand(0);
     return error;
   }
-  Result<void> written = write_file(*output, *picture);
-  if (!written) return written.error();
+  StagedFiles files;
+  auto staged = io::stage_file(*output, *picture);
+  if (!staged) return staged.error();
+  files.push_back(*std::move(staged));
+  std::string told;
   if (console.json()) {
     JsonWriter json;
     json.begin_object();
@@ -146,10 +147,12 @@ Result<int> run(const Arguments& arguments, Console& console) {
     json.member("bytes", picture->size());
     write_warnings(json, console.warnings());
     json.end_object();
-    console.print(json.text());
+    told = json.text();
   } else if (!console.quiet()) {
-    console.print("written: " + *output + '\n');
+    told = "written: " + printable(*output) + '\n';
   }
+  const Result<void> done = deliver_with(files, told, console);
+  if (!done) return done.error();
   return 0;
 }
 

@@ -14,7 +14,8 @@
 #include "cli/commands.hpp"
 #include "cli/outputs.hpp"
 #include "cli/stack_input.hpp"
-#include "io/numbers.hpp"
+#include "core/text.hpp"
+#include "io/stage.hpp"
 
 namespace tetloft::cli {
 
@@ -169,11 +170,8 @@ std::string describe_well_positioned(const std::vector<std::vector<WellPositione
 Result<int> run(const Arguments& arguments, Console& console) {
   const auto output = arguments.text("--output");
   if (!output) return usage_error("missing option --output (-o) OUT.vtp");
-  const std::string kind = arguments.text("--kind").value_or("both");
-  if (kind != "internal" && kind != "external" && kind != "both") {
-    return usage_error("option --kind: " + io::in_quotes(kind) +
-                       " is neither internal nor external nor both");
-  }
+  const auto kind = arguments.choice("--kind", {"both", "internal", "external"});
+  if (!kind) return kind.error();
   const auto prepared = preparation(arguments);
   if (!prepared) return prepared.error();
   Result<void> checked = check_output("--output (-o)", *output, {".vtp"}, {arguments.operand(0)});
@@ -188,13 +186,17 @@ Result<int> run(const Arguments& arguments, Console& console) {
   if (!sections) return sections.error();
   for (std::size_t s = 0; s < sections->size(); ++s) {
     for (const EdgeKind each : {EdgeKind::internal, EdgeKind::external}) {
-      if (kind != "both" && (each == EdgeKind::internal) != (kind == "internal")) continue;
+      const std::size_t number = each == EdgeKind::internal ? 1 : 2;
+      if (kind->value_or(0) != 0 && **kind != number) continue;
       add_skeleton((*sections)[s], s, each, box, lines, counts);
     }
   }
-  Result<void> written =
-      write_lines(*output, lines, arguments.has("--ascii") ? Encoding::ascii : Encoding::binary);
-  if (!written) return written.error();
+  StagedFiles files;
+  auto staged = io::stage_lines(*output, lines,
+                                arguments.has("--ascii") ? Encoding::ascii : Encoding::binary);
+  if (!staged) return staged.error();
+  files.push_back(*std::move(staged));
+  std::string told;
   const auto positions = all_well_positioned(*sections);
   if (console.json()) {
     JsonWriter json;
@@ -207,14 +209,16 @@ Result<int> run(const Arguments& arguments, Console& console) {
     write_preparation(json, *input);
     write_warnings(json, console.warnings());
     json.end_object();
-    console.print(json.text());
+    told = json.text();
   } else if (!console.quiet()) {
-    console.print(describe_preparation(*input) + counted(input->stack.sections.size(), "section") +
-                  ", " + counted(counts.internal, "internal skeleton edge") + ", " +
-                  counted(counts.external, "external one") + " (" + std::to_string(counts.outside) +
-                  " outside the box)\n" + describe_well_positioned(positions) +
-                  "written: " + *output + '\n');
+    told = describe_preparation(*input) + counted(input->stack.sections.size(), "section") + ", " +
+           counted(counts.internal, "internal skeleton edge") + ", " +
+           counted(counts.external, "external one") + " (" + std::to_string(counts.outside) +
+           " outside the box)\n" + describe_well_positioned(positions) +
+           "written: " + printable(*output) + '\n';
   }
+  const Result<void> done = deliver_with(files, told, console);
+  if (!done) return done.error();
   return 0;
 }
 

@@ -40,13 +40,9 @@ std::vector<Option> preparation_options() {
 
 Result<CorrespondenceOptions> correspondence_options(const Arguments& arguments, Console& console) {
   CorrespondenceOptions options;
-  if (const auto rule = arguments.text("--correspondence")) {
-    if (*rule != "overlap" && *rule != "reverse") {
-      return usage_error("option --correspondence: " + io::in_quotes(*rule) +
-                         " is neither overlap nor reverse");
-    }
-    options.criterion = *rule == "overlap" ? Criterion::overlap : Criterion::reverse;
-  }
+  const auto rule = arguments.choice("--correspondence", {"overlap", "reverse"});
+  if (!rule) return rule.error();
+  options.criterion = rule->value_or(0) == 0 ? Criterion::overlap : Criterion::reverse;
   const auto tau = arguments.number("--overlap");
   if (!tau) return tau.error();
   if (tau->has_value()) {

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "core/check.hpp"
+#include "core/text.hpp"
 
 namespace tetloft {
 
@@ -41,14 +42,15 @@ void append_part(std::string& text, const char* name, const std::optional<std::s
 
 std::string with_place(const Place& where, const std::string& message) {
   const std::string place = to_string(where);
-  if (place.empty()) return message;
-  return place.back() == ':' ? place + ' ' + message : place + ": " + message;
+  const std::string shown = printable(message);
+  if (place.empty()) return shown;
+  return place.back() == ':' ? place + ' ' + shown : place + ": " + shown;
 }
 
 }  // namespace
 
 std::string to_string(const Place& place) {
-  std::string text = place.file;
+  std::string text = printable(place.file);
   if (place.line) text += (text.empty() ? "line " : ":") + std::to_string(*place.line);
   if (!text.empty()) text += ':';
   append_part(text, "section", place.section);

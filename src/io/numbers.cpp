@@ -7,6 +7,8 @@
 #include <limits>
 #include <system_error>
 
+#include "core/text.hpp"
+
 namespace tetloft::io {
 
 namespace {
@@ -148,12 +150,13 @@ std::optional<std::int64_t> parse_integer(std::string_view token) {
 
 std::string in_quotes(std::string_view token) {
   constexpr std::size_t kLongest = 40;
-  std::string text = "'";
-  for (const char c : token.substr(0, kLongest)) {
-    text += c >= ' ' && c <= '~' ? c : '?';
+  std::size_t shown = 0;
+  while (shown < token.size()) {
+    const std::size_t next = shown + first_unit(token.substr(shown)).length;
+    if (next > kLongest) break;  // not within a character
+    shown = next;
   }
-  text += token.size() > kLongest ? "…'" : "'";
-  return text;
+  return '\'' + printable(token.substr(0, shown)) + (shown < token.size() ? "…'" : "'");
 }
 
 std::string complaint(std::string_view token, NumberStatus status) {

@@ -37,7 +37,7 @@ struct ParsedNumber {
 /// Why `token` was not taken: "'abc' is not a number".
 [[nodiscard]] std::string complaint(std::string_view token, NumberStatus status);
 
-/// `token` for messages: quoted, cut after 40 bytes, unprintable bytes as '?'.
+/// `token` for messages: quoted, cut after 40 bytes, printable (core/text.hpp).
 [[nodiscard]] std::string in_quotes(std::string_view token);
 
 /// Appends the shortest digits that read back exactly.

@@ -1,12 +1,34 @@
 // VTK XML files of one piece (VTK File Formats, "XML File Formats").
 #include "io/vtk_write.hpp"
 
+#include <string_view>
+
+#include "core/text.hpp"
+
 namespace tetloft::io {
 
 namespace {
 
+// Names of arrays are the caller's.
+std::string attribute_value(std::string_view text) {
+  std::string value;
+  for (const char c : valid_utf8(text)) {
+    if (c == '&') {
+      value += "&amp;";
+    } else if (c == '<') {
+      value += "&lt;";
+    } else if (c == '"') {
+      value += "&quot;";
+    } else {
+      value += c;
+    }
+  }
+  return value;
+}
+
 std::string array_head(const VtkArray& array) {
-  std::string text = "<DataArray type=\"" + array.type + "\" Name=\"" + array.name + '"';
+  std::string text =
+      "<DataArray type=\"" + array.type + "\" Name=\"" + attribute_value(array.name) + '"';
   if (array.components != 1) {
     text += " NumberOfComponents=\"" + std::to_string(array.components) + '"';
   }

@@ -12,6 +12,7 @@
 #include <tetloft/render.hpp>
 
 #include "core/check.hpp"
+#include "core/text.hpp"
 #include "core/watched_work.hpp"
 #include "io/base64.hpp"
 #include "io/numbers.hpp"
@@ -129,7 +130,7 @@ class Page {
         "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
         "<link rel=\"icon\" href=\"data:,\">\n<title>" +
-        html_text(options_.title) + "</title>\n<style>\n" + render::kViewerCss +
+        html_text(valid_utf8(options_.title)) + "</title>\n<style>\n" + render::kViewerCss +
         "</style>\n</head>\n<body>\n" + render::kViewerHtml;
     page += "<script type=\"application/json\" id=\"model\">" + header() + "</script>\n";
     work_.step_done_go_on();
@@ -151,7 +152,7 @@ class Page {
   [[nodiscard]] std::string header() const {
     const Subject& s = subject_;
     Members members;
-    members.text("title", options_.title);
+    members.text("title", valid_utf8(options_.title));
     members.number("componentCount", static_cast<double>(s.component_count));
     members.number("centre", std::ldexp(centre_.z / options_.stretch, s.exponent));
     members.number("scale", std::ldexp(scale_ / options_.stretch, s.exponent));

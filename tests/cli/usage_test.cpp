@@ -1,6 +1,10 @@
 // Help, version, and command lines that make no sense.
 #include <gtest/gtest.h>
 
+#include <string>
+#include <utility>
+#include <vector>
+
 #include <tetloft/version.hpp>
 
 #include "cli/runner.hpp"
@@ -51,6 +55,42 @@ TEST(Usage, NeedsACommand) {
   expect_failure({}, 2, "usage", "command");
   expect_failure({"frobnicate"}, 2, "usage", "'frobnicate'");
   expect_failure({"--frobnicate"}, 2, "usage", "--frobnicate");
+}
+
+TEST(Usage, ShowsTheHelpWhereNothingIsAsked) {
+  const Outcome outcome = run({});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.err.find("usage: tetloft COMMAND"), std::string::npos);
+  EXPECT_TRUE(outcome.out.empty());
+}
+
+TEST(Help, OfACommandByItsName) {
+  for (const char* command : {"reconstruct", "check", "delaunay", "skeleton", "render", "info"}) {
+    const std::string help = run({command, "--help"}).out;
+    EXPECT_EQ(run({"help", command}).out, help);
+    EXPECT_EQ(run({command, "-h"}).out, help);
+  }
+  expect_failure({"help", "rendr"}, 2, "usage", "did you mean render?");
+}
+
+TEST(Usage, SuggestsWhatWasMeant) {
+  expect_failure({"recnstruct"}, 2, "usage", "did you mean reconstruct?");
+  expect_failure({"version"}, 2, "usage", "did you mean --version?");
+  expect_failure({"a.cnt"}, 2, "usage", "tetloft reconstruct IN.cnt -o OUT.vtu");
+  expect_failure({"reconstruct", "a.cnt", "--srface", "a.ply"}, 2, "usage",
+                 "did you mean --surface?");
+  expect_failure({"reconstruct", "a.cnt", "a.vtu"}, 2, "usage", "an output needs -o");
+  const std::vector<std::pair<std::vector<std::string>, std::string>> values{
+      {{"reconstruct", "a.cnt", "-o", "a.vtu", "--ends", "flatt"}, "flat"},
+      {{"reconstruct", "a.cnt", "-o", "a.vtu", "--method", "gieger"}, "geiger"},
+      {{"reconstruct", "a.cnt", "-o", "a.vtu", "--correspondence", "rev"}, "reverse"},
+      {{"reconstruct", "a.cnt", "-o", "a.vtu", "--delaunay", "incrementl"}, "incremental"},
+      {{"delaunay", "a.txt", "--engine", "Slab"}, "slab"},
+      {{"skeleton", "a.cnt", "-o", "a.vtp", "--kind", "internl"}, "internal"},
+      {{"render", "a.vtu", "-o", "a.png", "--colour", "dihedrl"}, "dihedral"}};
+  for (const auto& [words, meant] : values) {
+    expect_failure(words, 2, "usage", "did you mean " + meant + '?');
+  }
 }
 
 TEST(Usage, NeedsOperands) {

@@ -3,7 +3,9 @@
 #include <cstdio>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "core/spelling.hpp"
 #include "property/run_campaign.hpp"
 
 namespace {
@@ -25,29 +27,36 @@ bool parse_number(std::string_view text, auto& value) {
   return failed == std::errc() && stopped == end;
 }
 
-bool parse(int argc, char** argv, CampaignOptions& options) {
-  for (int i = 1; i + 1 < argc; i += 2) {
+std::string meant_kind(std::string_view value) {
+  std::vector<std::string_view> names;
+  for (const StackKind kind : all_kinds()) names.emplace_back(name_of(kind));
+  return tetloft::did_you_mean(value, names);
+}
+
+// What is wrong with the command line, or nothing.
+std::string parse(int argc, char** argv, CampaignOptions& options) {
+  for (int i = 1; i < argc; i += 2) {
     const std::string_view name = argv[i];
-    const std::string_view value = argv[i + 1];
-    bool good = true;
+    const std::string_view value = i + 1 < argc ? argv[i + 1] : "";
+    bool good = i + 1 < argc;
     if (name == "--count") {
-      good = parse_number(value, options.count) && options.count > 0;
+      good = good && parse_number(value, options.count) && options.count > 0;
     } else if (name == "--seed") {
-      good = parse_number(value, options.seed);
+      good = good && parse_number(value, options.seed);
     } else if (name == "--threads") {
-      good = parse_number(value, options.threads);
+      good = good && parse_number(value, options.threads);
     } else if (name == "--out") {
       options.folder = value;
     } else if (name == "--kind") {
       const auto kind = kind_named(value);
-      good = kind.has_value();
-      if (good) options.kinds.push_back(*kind);
+      if (!kind) return "--kind " + std::string(value) + ": no such kind" + meant_kind(value);
+      options.kinds.push_back(*kind);
     } else {
-      good = false;
+      return "unknown option " + std::string(name);
     }
-    if (!good) return false;
+    if (!good) return std::string(name) + " has no value that it can take";
   }
-  return argc % 2 == 1;
+  return {};
 }
 
 }  // namespace
@@ -57,8 +66,8 @@ int main(int argc, char** argv) {
   options.threads = 0;
   options.folder = "campaign_failures";
   options.shrink_trials = 2000;
-  if (!parse(argc, argv, options)) {
-    std::fputs(kUsage, stderr);
+  if (const std::string wrong = parse(argc, argv, options); !wrong.empty()) {
+    std::fprintf(stderr, "error: %s\n%s", wrong.c_str(), kUsage);
     std::fputs("kinds:", stderr);
     for (const StackKind kind : all_kinds()) std::fprintf(stderr, " %s", name_of(kind));
     std::fputs("\n", stderr);

@@ -125,7 +125,10 @@ TEST(ParseInteger, TakesWholeDecimalsOnly) {
 }
 
 TEST(InQuotes, IsShortAndPrintable) {
-  EXPECT_EQ(in_quotes("a\x01\xFFz"), "'a??z'");
+  EXPECT_EQ(in_quotes("a\x01\xFFz"), "'a\\x01\\xffz'");
+  EXPECT_EQ(in_quotes("Zähne"), "'Zähne'");
+  // Cut between characters: 39 bytes and a character of two.
+  EXPECT_EQ(in_quotes(std::string(39, 'x') + "ä"), '\'' + std::string(39, 'x') + "…'");
   EXPECT_LT(in_quotes(std::string(1000, 'x')).size(), 60U);
 }
 

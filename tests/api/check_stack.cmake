@@ -1,0 +1,22 @@
+# The block of README.md that makes a stack works as it stands, by the tetloft that was built.
+# cmake -DREADME=… -DTETLOFT=… -DFOLDER=… -P check_stack.cmake
+cmake_minimum_required(VERSION 3.25)
+file(READ "${README}" readme)
+string(REGEX MATCH "```sh\n(cat > fork[^`]*)```" found "${readme}")
+if(NOT found)
+  message(FATAL_ERROR "README.md has no block that makes fork.cnt")
+endif()
+string(REPLACE "build/release/tetloft" "'${TETLOFT}'" script "${CMAKE_MATCH_1}")
+file(REMOVE_RECURSE "${FOLDER}")
+file(MAKE_DIRECTORY "${FOLDER}")
+file(WRITE "${FOLDER}/commands" "set -e\n${script}")
+execute_process(COMMAND sh commands WORKING_DIRECTORY "${FOLDER}" RESULT_VARIABLE code
+  OUTPUT_VARIABLE out ERROR_VARIABLE err)
+if(NOT code EQUAL 0 OR NOT err STREQUAL "")
+  message(FATAL_ERROR "README.md's commands exit with ${code}\n${out}${err}")
+endif()
+foreach(file IN ITEMS fork.vtu fork.stl fork.html)
+  if(NOT EXISTS "${FOLDER}/${file}")
+    message(FATAL_ERROR "README.md's commands do not make ${file}")
+  endif()
+endforeach()
