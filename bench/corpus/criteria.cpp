@@ -10,12 +10,12 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include <tetloft/reconstruct.hpp>
 #include <tetloft/sections.hpp>
 
 #include "core/union_find.hpp"
@@ -242,7 +242,7 @@ StackFacts facts_of(const SlicedSolid& sliced) {
       }
     }
     TetMesh mesh = slab_delaunay(SlabId(s), conformed[s], conformed[s + 1], DelaunayEngine::slab,
-                                 kDefaultWorkLimit)
+                                 std::numeric_limits<double>::infinity())
                        .value();
     slab.reverse = reverse_links(SlabId(s), Slab(conformed[s], conformed[s + 1], std::move(mesh)));
     facts.slabs.push_back(std::move(slab));
