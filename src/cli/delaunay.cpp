@@ -6,6 +6,7 @@
 #include "cli/commands.hpp"
 #include "cli/engine_option.hpp"
 #include "cli/outputs.hpp"
+#include "cli/signals.hpp"
 #include "core/text.hpp"
 #include "io/stage.hpp"
 
@@ -91,7 +92,8 @@ Result<int> run(const Arguments& arguments, Console& console) {
   warn_if_flat(*delaunay, console);
   StagedFiles files;
   if (output) {
-    auto staged = io::stage_vtu(*output, *points, tets_of(delaunay->mesh));
+    auto staged = io::stage_vtu(*output, *points, tets_of(delaunay->mesh), Encoding::binary,
+                                temporary_watcher());
     if (!staged) return staged.error();
     files.push_back(*std::move(staged));
   }

@@ -4,6 +4,8 @@
 #include <array>
 #include <vector>
 
+#include "io/numbers.hpp"
+
 namespace tetloft::cli {
 
 Result<DelaunayEngine> engine_option(const Arguments& arguments, std::string_view option) {

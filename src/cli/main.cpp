@@ -116,7 +116,7 @@ int run(const std::vector<std::string>& words) {
     console.tell_rest();
     return *result;
   } catch (const std::bad_alloc&) {
-    code = console.fail({ErrorCode::out_of_memory, "out of memory", {}});
+    return console.fail({ErrorCode::out_of_memory, "out of memory", {}});
   } catch (const std::exception& e) {
     return console.fail({ErrorCode::internal, e.what(), {}});
   } catch (...) {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "cli/arguments.hpp"
+#include "cli/signals.hpp"
 #include "core/spelling.hpp"
 #include "core/text.hpp"
 #include "io/files.hpp"
@@ -91,13 +92,14 @@ Result<ModelOutputs> model_outputs(const Arguments& arguments) {
 Result<StagedFiles> stage_model(const Model& model, const ModelOutputs& outputs, Console& console) {
   StagedFiles files;
   if (outputs.surface) {
-    auto surface = io::stage_surface(*outputs.surface, model, outputs.encoding);
+    auto surface =
+        io::stage_surface(*outputs.surface, model, outputs.encoding, temporary_watcher());
     if (!surface) return surface.error();
     for (const Warning& warning : surface->warnings) console.warn(warning);
     files.push_back(std::move(surface->file));
   }
   if (outputs.solid) {
-    auto solid = io::stage_vtu(*outputs.solid, model, outputs.encoding);
+    auto solid = io::stage_vtu(*outputs.solid, model, outputs.encoding, temporary_watcher());
     if (!solid) return solid.error();
     files.push_back(*std::move(solid));
   }

@@ -9,6 +9,7 @@
 #include "cli/commands.hpp"
 #include "cli/outputs.hpp"
 #include "cli/progress.hpp"
+#include "cli/signals.hpp"
 #include "core/text.hpp"
 #include "io/files.hpp"
 #include "io/numbers.hpp"
@@ -136,7 +137,7 @@ Result<int> run(const Arguments& arguments, Console& console) {
     return error;
   }
   StagedFiles files;
-  auto staged = io::stage_file(*output, *picture);
+  auto staged = io::stage_file(*output, *picture, temporary_watcher());
   if (!staged) return staged.error();
   files.push_back(*std::move(staged));
   std::string told;

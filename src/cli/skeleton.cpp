@@ -13,6 +13,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/outputs.hpp"
+#include "cli/signals.hpp"
 #include "cli/stack_input.hpp"
 #include "core/text.hpp"
 #include "io/stage.hpp"
@@ -192,8 +193,9 @@ Result<int> run(const Arguments& arguments, Console& console) {
     }
   }
   StagedFiles files;
-  auto staged = io::stage_lines(*output, lines,
-                                arguments.has("--ascii") ? Encoding::ascii : Encoding::binary);
+  auto staged =
+      io::stage_lines(*output, lines, arguments.has("--ascii") ? Encoding::ascii : Encoding::binary,
+                      temporary_watcher());
   if (!staged) return staged.error();
   files.push_back(*std::move(staged));
   std::string told;
