@@ -13,7 +13,15 @@ namespace {
 
 using Ends = std::array<VertexId, 2>;
 
-/// The half-edge opposite a in the triangle that a b enters at a.
+/// Does a b pass through u?
+bool passes_through(const Point2& a, const Point2& u, const Point2& b) {
+  const bool up = canonical_less(a, b);
+  return orient2d(a, u, b) == Sign::zero && canonical_less(up ? a : b, u) &&
+         canonical_less(u, up ? b : a);
+}
+
+/// The half-edge opposite a in the triangle that a b enters at a, or that begins at the vertex
+/// it passes through along the first edge.
 HalfEdgeId first_crossed(const Incremental2& plane, VertexId a, VertexId b) {
   const Point2& from = plane.point(a);
   const Point2& to = plane.point(b);
@@ -22,6 +30,10 @@ HalfEdgeId first_crossed(const Incremental2& plane, VertexId a, VertexId b) {
   do {
     const VertexId u = plane.destination(h);
     const VertexId w = plane.apex(h);
+    // On the convex hull there may be no triangle to the left of it.
+    if (u != Incremental2::kGhost && passes_through(from, plane.point(u), to)) {
+      return Incremental2::next(h);
+    }
     if (u != Incremental2::kGhost && w != Incremental2::kGhost &&
         orient2d(from, plane.point(u), to) != Sign::negative &&
         orient2d(from, plane.point(w), to) == Sign::negative) {

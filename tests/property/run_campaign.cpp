@@ -115,6 +115,7 @@ void watch_work(std::vector<Case>& cases, CampaignResult& result) {
   }
   result.median_work = median(std::move(work));
   for (Case& tried : cases) {
+    if (has_large_triangulations(tried.kind)) continue;
     for (Attempt& attempt : tried.attempts) {
       if (attempt.outcome != Outcome::model || !is_costly(attempt.work, result.median_work)) {
         continue;

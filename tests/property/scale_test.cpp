@@ -77,6 +77,7 @@ void for_each_stack(
       SCOPED_TRACE(std::string(name_of(kind)) + " seed " + std::to_string(seed));
       const GeneratedStack generated = generate(kind, seed);
       const auto [largest, smallest] = magnitudes(generated.stack);
+      if (smallest - kRoom <= -1022) continue;
       std::vector<int> exponents;
       for (const int at : kLargest) {
         if (smallest - largest + at - kRoom > -1022) exponents.push_back(at - largest);

@@ -179,7 +179,8 @@ TEST(Models, WithArraysThatDoNotFitAreRefused) {
 TEST(Contours, ThatCannotBeDrawnAreRefused) {
   const SectionStack stack = case_stack("fork");
   const Model model = model_of(stack);
-  for (const double wrong : {std::numeric_limits<double>::quiet_NaN(), 1e300}) {
+  for (const double wrong :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     SectionStack drawn = stack;
     drawn.sections[SectionId(1)].contours[ContourId(0)].vertices[2].y = wrong;
     for (const auto render : {render_png, render_svg, render_html}) {

@@ -114,6 +114,10 @@ std::optional<StackKind> kind_named(std::string_view name) {
 
 bool is_near_coincident(StackKind kind) { return entry(kind).near_coincident; }
 
+bool has_large_triangulations(StackKind kind) {
+  return kind == StackKind::large_contours || kind == StackKind::concentric_ngons;
+}
+
 GeneratedStack generate(StackKind kind, std::uint64_t seed) {
   // Streams of different kinds with the same seed have nothing in common.
   Prng prng(seed ^ (0xD1B54A32D192ED03ULL * (static_cast<std::uint64_t>(kind) + 1)));

@@ -64,6 +64,10 @@ enum class StackKind : std::uint8_t {
 /// no valid model.
 [[nodiscard]] bool is_near_coincident(StackKind kind);
 
+/// True for the kinds whose Delaunay triangulations grow with the product of the sections'
+/// vertices (large circles about different centres): their work has the work limit alone.
+[[nodiscard]] bool has_large_triangulations(StackKind kind);
+
 struct GeneratedStack {
   SectionStack stack;
   CorrespondenceOptions correspondence;  ///< defaults, and labels where the kind has them

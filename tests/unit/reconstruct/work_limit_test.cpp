@@ -61,11 +61,13 @@ TEST(WorkLimit, TheDefaultEndsTwoCirclesOfTwentyThousandVertices) {
 }
 
 TEST(WorkLimit, EndsSectionsThatAreSplitTooOftenNamingContourAndVertex) {
-  // Long edges side by side are split at about their distance.
-  const SectionStack stack =
-      stack_of({{rectangle({0, 0}, {100, 0.011}, 1), rectangle({0.005, 0.02}, {100, 0.03}, 1)},
-                {rectangle({0, 0}, {100, 1})}},
-               {0, 1});
+  // Each of the long edges has vertices of its neighbours in its circle.
+  std::vector<Contour> bars;
+  for (int k = 0; k < 20; ++k) {
+    const double y = k;
+    bars.push_back(rectangle({0.37 * (k % 7), y}, {100 - 0.41 * (k % 5), y + 0.5}));
+  }
+  const SectionStack stack = stack_of({bars, {rectangle({0, 0}, {100, 20})}}, {0, 1});
   ReconstructOptions options;
   options.work_limit = 1e-3;  // two vertices
   const Result<Reconstruction> refused = reconstruct(stack, options);
