@@ -119,8 +119,8 @@ bool CheckReport::pass() const {
 }
 
 Result<CheckReport> check(const Model& model, const SectionStack& stack,
-                          const CheckOptions& options) {
-  return guard_internal([&]() -> Result<CheckReport> {
+                          const CheckOptions& given_options) {
+  return guard_threads(given_options, [&](const CheckOptions& options) -> Result<CheckReport> {
     if (auto good = check_arguments(model, stack, options); !good.ok()) return good.error();
     return Checks(model, stack, options).run();
   });

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <functional>
 
+#include "core/check.hpp"
+
 namespace tetloft {
 
 /// The number of threads `requested` stands for: itself, or for 0 what the machine offers.
@@ -16,5 +18,23 @@ namespace tetloft {
 /// its work: the calling thread is one of them. Their CPU time counts as the caller's
 /// (cpu_clock.hpp).
 void parallel_for(std::size_t n, unsigned threads, const std::function<void(std::size_t)>& body);
+
+/// Runs an API function's body(options) as guard_internal does. Where memory ends while several
+/// threads work, whose stacks and pools take some of it, the calling thread does the work once
+/// more alone, and tells no progress.
+template <class Options, class Body>
+auto guard_threads(const Options& options, Body&& body) -> decltype(body(options)) {
+  auto result = guard_internal([&] { return body(options); });
+  if (result || result.error().code != ErrorCode::out_of_memory ||
+      thread_count(options.threads) == 1) {
+    return result;
+  }
+  return guard_internal([&] {
+    Options alone = options;
+    alone.threads = 1;
+    alone.progress = nullptr;
+    return body(alone);
+  });
+}
 
 }  // namespace tetloft

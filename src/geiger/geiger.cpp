@@ -260,8 +260,9 @@ class Geiger {
 
 }  // namespace
 
-Result<GeigerModel> reconstruct_geiger(const SectionStack& stack, const GeigerOptions& options) {
-  return guard_internal([&]() -> Result<GeigerModel> {
+Result<GeigerModel> reconstruct_geiger(const SectionStack& stack,
+                                       const GeigerOptions& given_options) {
+  return guard_threads(given_options, [&](const GeigerOptions& options) -> Result<GeigerModel> {
     if (Result<void> sound = fp_self_check(); !sound) return sound.error();
     if (Result<void> valid = validate(stack, options.threads); !valid) return valid.error();
     if (stack.sections.size() < 2) {

@@ -387,18 +387,20 @@ class Reconstructor {
 
 }  // namespace
 
-Result<Reconstruction> reconstruct(const SectionStack& stack, const ReconstructOptions& options) {
-  return guard_internal([&]() -> Result<Reconstruction> {
-    if (Result<void> sound = fp_self_check(); !sound) return sound.error();
-    auto made = Reconstructor(stack, options, Unit::of_the_stack).run();
-    if (!made) return made.error();
-    if (*made) return std::move(**made);
-    ReconstructOptions again = options;
-    again.progress = nullptr;  // all steps have been told
-    made = Reconstructor(stack, again, Unit::as_given).run();
-    if (!made) return made.error();
-    return std::move(**made);
-  });
+Result<Reconstruction> reconstruct(const SectionStack& stack,
+                                   const ReconstructOptions& given_options) {
+  return guard_threads(given_options,
+                       [&](const ReconstructOptions& options) -> Result<Reconstruction> {
+                         if (Result<void> sound = fp_self_check(); !sound) return sound.error();
+                         auto made = Reconstructor(stack, options, Unit::of_the_stack).run();
+                         if (!made) return made.error();
+                         if (*made) return std::move(**made);
+                         ReconstructOptions again = options;
+                         again.progress = nullptr;  // all steps have been told
+                         made = Reconstructor(stack, again, Unit::as_given).run();
+                         if (!made) return made.error();
+                         return std::move(**made);
+                       });
 }
 
 const char* name_of(Rule rule) {
