@@ -37,7 +37,9 @@ TEST(Limits, OfAddressSpaceAreErrorsAtWorst) {
                                       model + "' --threads " + std::to_string(threads));
       EXPECT_TRUE(code == 0 || code == 71) << code << " with " << kilobytes << " kB";
       // Enough for one thread is enough for as many as are asked for.
-      if (kilobytes >= 100'000) EXPECT_EQ(code, 0) << threads << " threads, " << kilobytes << " kB";
+      if (kilobytes >= 100'000) {
+        EXPECT_EQ(code, 0) << threads << " threads, " << kilobytes << " kB";
+      }
       EXPECT_EQ(folder.names().empty(), code != 0) << kilobytes;
       least += code == 0 ? 1 : 0;
     }
