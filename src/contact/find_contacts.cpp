@@ -99,7 +99,8 @@ void test_fans(std::span<const Point3> points, std::span<const TriangleVertices>
   std::iota(all.begin(), all.end(), 0U);
   const BoxTree everything(points, triangles, all);
   for (std::uint32_t f = 0; f < fans.fans.size(); ++f) {
-    const auto& [apex, members] = fans.fans[f];
+    const VertexId apex = fans.fans[f].apex;
+    const std::vector<std::uint32_t>& members = fans.fans[f].members;
     if (members.empty()) continue;
     std::vector<BoxTree::Item> directions;
     Box box = contact_detail::box_of(points, triangles[members.front()]);

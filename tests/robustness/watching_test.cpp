@@ -63,7 +63,9 @@ class LongFunctions : public ::testing::Test {
 };
 
 TEST_F(LongFunctions, TellEachStepOnceUpToTheLast) {
-  for (const auto& [name, function] : all()) {
+  for (const auto& entry : all()) {
+    const std::string& name = entry.first;
+    const auto& function = entry.second;
     std::mutex mutex;
     std::size_t calls = 0;
     std::size_t last = 0;
