@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
