@@ -27,11 +27,12 @@ auto incircle_determinant(const T& ax, const T& ay, const T& bx, const T& by, co
          ((bx * bx + by * by) * (cx * ay - cy * ax) + (cx * cx + cy * cy) * (ax * by - ay * bx));
 }
 
-/// Minus the determinant of rows (x, y, z, x² + y² + z²) of a, b, c, d relative to e.
-template <class T>
-auto insphere_determinant(const T& ax, const T& ay, const T& az, const T& bx, const T& by,
-                          const T& bz, const T& cx, const T& cy, const T& cz, const T& dx,
-                          const T& dy, const T& dz) {
+/// Minus the determinant of rows (x, y, z, lift) of a, b, c, d.
+template <class T, class Lift>
+auto lifted_insphere_determinant(const T& ax, const T& ay, const T& az, const T& bx, const T& by,
+                                 const T& bz, const T& cx, const T& cy, const T& cz, const T& dx,
+                                 const T& dy, const T& dz, const Lift& alift, const Lift& blift,
+                                 const Lift& clift, const Lift& dlift) {
   const auto ab = ax * by - bx * ay;
   const auto bc = bx * cy - cx * by;
   const auto cd = cx * dy - dx * cy;
@@ -42,11 +43,18 @@ auto insphere_determinant(const T& ax, const T& ay, const T& az, const T& bx, co
   const auto bcd = (bz * cd - cz * bd) + dz * bc;
   const auto cda = (cz * da + dz * ac) + az * cd;
   const auto dab = (dz * ab + az * bd) + bz * da;
-  const auto alift = (ax * ax + ay * ay) + az * az;
-  const auto blift = (bx * bx + by * by) + bz * bz;
-  const auto clift = (cx * cx + cy * cy) + cz * cz;
-  const auto dlift = (dx * dx + dy * dy) + dz * dz;
   return (clift * dab - dlift * abc) + (alift * bcd - blift * cda);
+}
+
+/// Minus the determinant of rows (x, y, z, x² + y² + z²) of a, b, c, d relative to e.
+template <class T>
+auto insphere_determinant(const T& ax, const T& ay, const T& az, const T& bx, const T& by,
+                          const T& bz, const T& cx, const T& cy, const T& cz, const T& dx,
+                          const T& dy, const T& dz) {
+  const auto lift = [](const T& x, const T& y, const T& z) { return (x * x + y * y) + z * z; };
+  return lifted_insphere_determinant(ax, ay, az, bx, by, bz, cx, cy, cz, dx, dy, dz,
+                                     lift(ax, ay, az), lift(bx, by, bz), lift(cx, cy, cz),
+                                     lift(dx, dy, dz));
 }
 
 /// Where p, q lie on one plane of constant z and r, s, t on another, h above it, the

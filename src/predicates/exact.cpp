@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "predicates/axis_filter.hpp"
 #include "predicates/big_integer.hpp"
 #include "predicates/determinants.hpp"
 #include "predicates/double_double.hpp"
@@ -236,6 +237,9 @@ Answer exact_orient3d(const Point3& a, const Point3& b, const Point3& c, const P
                      exact_cross(flat((*p)[0]), flat((*p)[1]), flat((*p)[2]), flat((*p)[3])));
     }
   }
+  if (const int s = orient3d_axis_filter(a, b, c, d); s != 0) {
+    return {to_sign(s), &Stages::filter};
+  }
   return exact_sign<kOrient3dBits>(
       std::array{b.x, b.y, b.z, c.x, c.y, c.z, d.x, d.y, d.z},
       std::array{a.x, a.y, a.z, a.x, a.y, a.z, a.x, a.y, a.z}, kOrient3dRange, [](const auto& p) {
@@ -265,6 +269,9 @@ Answer exact_insphere(const Point3& a, const Point3& b, const Point3& c, const P
     }
   }
   if (const int s = double_double_insphere(a, b, c, d, e); s != 0) {
+    return {to_sign(s), &Stages::filter};
+  }
+  if (const int s = insphere_axis_filter(a, b, c, d, e); s != 0) {
     return {to_sign(s), &Stages::filter};
   }
   return exact_sign<kInsphereBits>(

@@ -1,11 +1,13 @@
 #include "unit/predicates/families.hpp"
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
 #include <limits>
 #include <sstream>
+#include <utility>
 
 namespace tetloft::test {
 
@@ -271,6 +273,24 @@ Points wide_and_thin(Prng& prng) {
   return points;
 }
 
+/// One axis far thinner than the others, down to the least doubles; sometimes about cocircular.
+Points thin_axis(Prng& prng) {
+  const int exponent = integer(prng, -1074, -100);
+  const std::uint64_t axis = prng.below(3);
+  const bool round = prng.chance(0.3);
+  Points points;
+  for (Point3& p : points) {
+    const double angle = prng.between(0, 6.3);
+    std::array<double, 3> at{round ? std::cos(angle) : prng.between(-1, 1),
+                             round ? std::sin(angle) : prng.between(-1, 1),
+                             std::ldexp(double(integer(prng, -500, 500)), exponent)};
+    std::swap(at[2], at[axis]);
+    p = {at[0], at[1], at[2]};
+  }
+  repeat_sometimes(prng, points);
+  return points;
+}
+
 Points signed_zeros(Prng& prng) {
   return from_coordinates(prng, [&] {
     const double values[] = {0.0, -0.0, 1.0, -1.0};
@@ -308,6 +328,7 @@ const std::vector<Family>& families() {
       {"FullMantissas", full_mantissas},
       {"TallAndThin", tall_and_thin},
       {"WideAndThin", wide_and_thin},
+      {"ThinAxis", thin_axis},
       {"SignedZeros", signed_zeros},
   };
   return all;

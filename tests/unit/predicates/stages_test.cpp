@@ -55,6 +55,23 @@ TEST(Stages, AllOfOrient3dAreReached) {
   EXPECT_EQ(total(counters.orient3d), kCalls);
 }
 
+TEST(Stages, FiltersAnswerForAThinAxis) {
+  PredicateCounters counters;
+  const PredicateCounting scope(counters);
+  Prng prng(11);
+  constexpr std::uint64_t kTrials = 500;
+  for (std::uint64_t trial = 0; trial < kTrials; ++trial) {
+    Points points;
+    for (Point3& p : points) {
+      p = {prng.between(-1, 1), prng.between(-1, 1), 5e-324 * double(prng.below(1000))};
+    }
+    (void)orient3d(points[0], points[1], points[2], points[3]);
+    (void)insphere(points[0], points[1], points[2], points[3], points[4]);
+  }
+  EXPECT_GE(counters.orient3d.filter, kTrials - 10);
+  EXPECT_GE(counters.insphere.filter, kTrials - 10);
+}
+
 TEST(Stages, AllOfIncircleAreReached) {
   PredicateCounters counters;
   const PredicateCounting scope(counters);
