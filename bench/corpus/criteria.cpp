@@ -20,7 +20,7 @@
 
 #include "core/union_find.hpp"
 #include "corpus/solids.hpp"
-#include "reconstruct/correspondence.hpp"
+#include "correspondence/correspondence.hpp"
 #include "words.hpp"
 
 namespace {

@@ -54,6 +54,34 @@ using SlabId = Id<struct SlabTag>;
 /// A connected component of the object.
 using ComponentId = Id<struct ComponentTag>;
 
+/// The ids 0 … n − 1, for range-based loops.
+template <class IdType>
+class IdRange {
+ public:
+  class Iterator {
+   public:
+    explicit constexpr Iterator(std::size_t at) : at_(at) {}
+    [[nodiscard]] constexpr IdType operator*() const {
+      return IdType(static_cast<typename IdType::Value>(at_));
+    }
+    constexpr Iterator& operator++() {
+      ++at_;
+      return *this;
+    }
+    friend constexpr bool operator==(const Iterator&, const Iterator&) = default;
+
+   private:
+    std::size_t at_;
+  };
+
+  explicit constexpr IdRange(std::size_t n) : n_(n) {}
+  [[nodiscard]] constexpr Iterator begin() const { return Iterator(0); }
+  [[nodiscard]] constexpr Iterator end() const { return Iterator(n_); }
+
+ private:
+  std::size_t n_;
+};
+
 /// A std::vector indexed by one kind of id only.
 template <class IdType, class T>
 class IdVector {
@@ -69,6 +97,7 @@ class IdVector {
   [[nodiscard]] std::size_t size() const { return data_.size(); }
   [[nodiscard]] bool empty() const { return data_.empty(); }
   [[nodiscard]] IdType end_id() const { return IdType(data_.size()); }
+  [[nodiscard]] IdRange<IdType> ids() const { return IdRange<IdType>(data_.size()); }
 
   /// Appends `value`; returns the id it got.
   IdType push_back(T value) {

@@ -7,6 +7,7 @@
 
 #include <tetloft/ids.hpp>
 #include <tetloft/point.hpp>
+#include <tetloft/result.hpp>
 #include <tetloft/tet_mesh.hpp>
 
 namespace tetloft {
@@ -60,6 +61,10 @@ struct Model {
 
   std::size_t component_count = 0;
 };
+
+/// Adjacency, stars and links of a model's tets; vertex and tet ids are the model's. Made anew by
+/// each call, in near-linear time: keep it. Refused as TetMesh::from_tets().
+[[nodiscard]] Result<TetMesh> half_faces(const Model& model);
 
 /// The boundary surface: outward oriented triangles over the model's vertices, by half-face.
 struct Surface {

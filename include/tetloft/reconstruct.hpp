@@ -2,7 +2,6 @@
 // (2000), see src/reconstruct/README.md.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -13,6 +12,7 @@
 #include <tetloft/correspondence.hpp>
 #include <tetloft/delaunay.hpp>
 #include <tetloft/model.hpp>
+#include <tetloft/report.hpp>
 #include <tetloft/result.hpp>
 #include <tetloft/sections.hpp>
 
@@ -50,63 +50,6 @@ struct ReconstructOptions {
   /// Called from any thread, one call at a time, with steps done and steps in all. What it
   /// throws ends the reconstruction with ErrorCode::cancelled.
   std::function<void(std::size_t done, std::size_t all)> progress = {};
-};
-
-/// How often each rule of the method fired; see src/reconstruct/README.md for each.
-enum class Rule : std::uint8_t {
-  run_at_contour_edge,
-  run_at_external_edge,
-  run_at_cross_edge,
-  gap_at_cross_edge,
-  hole_in_link,
-  detached_sheet,
-  merge_sheets,
-  connect_parts,
-  triangular_hole,
-  two_class_tet,
-  halved_lift,
-  moved_cut,
-  prism,
-  gluing,
-  gabriel_refinement,
-  opened_pit,
-};
-inline constexpr int kRules = 16;
-[[nodiscard]] const char* name_of(Rule rule);
-
-/// The steps that time is told for.
-enum class Step : std::uint8_t {
-  sections,        ///< validation, nesting, conforming triangulations
-  delaunay,        ///< D of every slab
-  correspondence,  ///< classes
-  complex,         ///< seed and completion
-  subdivision,     ///< midpoints, lifting, truncation
-  contact,         ///< exact contact tests
-  assembly,        ///< gluing and numbering
-};
-inline constexpr int kSteps = 7;
-[[nodiscard]] const char* name_of(Step step);
-
-struct ReconstructReport {
-  std::size_t slices = 0;
-  std::size_t contours = 0;
-  std::size_t input_vertices = 0;
-  std::size_t split_vertices = 0;
-  std::size_t vertices = 0;
-  std::size_t tets = 0;
-  std::size_t components = 0;
-  double volume = 0;
-  /// Smallest fraction of the way to its target that a lifted vertex went; 1/2 or more is
-  /// ideal; 1 without lifted vertices.
-  double smallest_lift = 1;
-  /// What was done, whatever the clock and the threads: tets of the slabs' Delaunay
-  /// triangulations, looked at in completion and tested for embedding, each as often as it was,
-  /// pairs of triangles tested for contact, and inserted vertices.
-  std::uint64_t work = 0;
-  std::array<std::uint64_t, kRules> rules{};
-  /// CPU seconds summed over threads, by step; and wall-clock seconds in all.
-  std::array<double, kSteps> seconds{};
-  double seconds_total = 0;
 };
 
 struct Reconstruction {

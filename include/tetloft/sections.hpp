@@ -178,6 +178,8 @@ struct ConformingSection {
   /// the input contour. For input vertices the vertex itself.
   IdVector<VertexId, std::size_t> edge_of;
   Nesting nesting;
+  /// The contours whose edges were refined until they were Gabriel; empty: none.
+  IdVector<ContourId, bool> gabriel;
 
   [[nodiscard]] std::size_t vertex_count() const { return contour.size(); }
   [[nodiscard]] const Point2& point(VertexId v) const { return triangulation.points[v]; }

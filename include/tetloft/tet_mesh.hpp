@@ -44,6 +44,14 @@ inline constexpr std::array<std::array<int, 2>, 6> kEdgeVertex{
 using TetVertices = std::array<VertexId, 4>;
 using TriangleVertices = std::array<VertexId, 3>;
 
+/// The vertices of face `face` of a tet, normal pointing out of a positive one.
+template <class V>
+[[nodiscard]] constexpr std::array<V, 3> face_of(const std::array<V, 4>& tet, int face) {
+  const std::array<int, 3>& f = kFaceVertex[static_cast<std::size_t>(face)];
+  return {tet[static_cast<std::size_t>(f[0])], tet[static_cast<std::size_t>(f[1])],
+          tet[static_cast<std::size_t>(f[2])]};
+}
+
 /// How a link looks, and if singular, why.
 enum class LinkKind : std::uint8_t {
   disc,                 ///< vertex on the boundary; for an edge: one arc
@@ -62,6 +70,47 @@ enum class LinkKind : std::uint8_t {
 struct MeshViolation {
   int condition = 0;
   std::string message;
+};
+
+/// The corners of one vertex, once around their circular list; valid until the mesh changes.
+class CornerRange {
+ public:
+  class Iterator {
+   public:
+    using value_type = HalfFaceId;
+    using difference_type = std::ptrdiff_t;
+    Iterator() = default;
+    Iterator(const HalfFaceId* next, HalfFaceId at, bool at_end)
+        : next_(next), at_(at), at_end_(at_end) {}
+    [[nodiscard]] HalfFaceId operator*() const { return at_; }
+    Iterator& operator++() {
+      at_ = next_[at_.index()];
+      at_end_ = true;  // or the first corner again
+      return *this;
+    }
+    Iterator operator++(int) {
+      const Iterator before = *this;
+      ++*this;
+      return before;
+    }
+    friend bool operator==(const Iterator& a, const Iterator& b) {
+      return a.at_ == b.at_ && a.at_end_ == b.at_end_;
+    }
+
+   private:
+    const HalfFaceId* next_ = nullptr;
+    HalfFaceId at_;
+    bool at_end_ = false;  // the list was left at its first corner once at least
+  };
+
+  CornerRange(const HalfFaceId* next, HalfFaceId first) : next_(next), first_(first) {}
+  [[nodiscard]] Iterator begin() const { return {next_, first_, !first_.valid()}; }
+  [[nodiscard]] Iterator end() const { return {next_, first_, true}; }
+  [[nodiscard]] bool empty() const { return !first_.valid(); }
+
+ private:
+  const HalfFaceId* next_;
+  HalfFaceId first_;
 };
 
 class TetMesh {
@@ -101,7 +150,9 @@ class TetMesh {
     return h.valid() ? tet_of(h) : TetId();
   }
   /// The vertices of a half-face, normal pointing out of its tet.
-  [[nodiscard]] TriangleVertices face_vertices(HalfFaceId h) const;
+  [[nodiscard]] TriangleVertices face_vertices(HalfFaceId h) const {
+    return tetloft::face_of(vertices(tet_of(h)), face_of(h));
+  }
   /// Local index of v in t, or −1.
   [[nodiscard]] int index_in(TetId t, VertexId v) const;
   /// Some tet of v, or invalid if v is in no tet.
@@ -109,8 +160,12 @@ class TetMesh {
     const HalfFaceId c = first_corner(v);
     return c.valid() ? tet_of(c) : TetId();
   }
-  /// The half-faces opposite v, one in each of its tets, as a circular list in no particular
-  /// order: for loops over a star that must not allocate. Invalid if v is in no tet.
+  /// The corners of v, that is the half-faces opposite it, one in each of its tets: for loops over
+  /// a star that must not allocate. By tet id until the first edit, then in no particular order.
+  [[nodiscard]] CornerRange corners(VertexId v) const {
+    return {next_corner_.data(), first_corner(v)};
+  }
+  /// One of them, invalid if v is in no tet; the others follow in a circular list.
   [[nodiscard]] HalfFaceId first_corner(VertexId v) const { return first_corner_[v.index()]; }
   /// The next half-face opposite the same vertex.
   [[nodiscard]] HalfFaceId next_corner(HalfFaceId c) const { return next_corner_[c.index()]; }
@@ -125,6 +180,8 @@ class TetMesh {
   /// cyclic order starting at `start`, or along the path from boundary to boundary that
   /// contains it. Requires: start contains a and b.
   [[nodiscard]] std::vector<TetId> ring(VertexId a, VertexId b, TetId start) const;
+  /// The same into `ring`, which is overwritten; true iff it is a cycle.
+  bool ring(VertexId a, VertexId b, TetId start, std::vector<TetId>& ring) const;
 
   /// The triangles opposite v in its star, outward normals away from v, by tet id.
   [[nodiscard]] std::vector<TriangleVertices> link(VertexId v) const;

@@ -13,6 +13,7 @@
 #include <tetloft/predicates.hpp>
 #include <tetloft/reconstruct.hpp>
 #include <tetloft/render.hpp>
+#include <tetloft/report.hpp>
 #include <tetloft/result.hpp>
 #include <tetloft/sections.hpp>
 #include <tetloft/tet_mesh.hpp>

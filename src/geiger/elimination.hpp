@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "reconstruct/slab.hpp"
+#include "slab/slab.hpp"
 
 namespace tetloft::geiger {
 

@@ -12,13 +12,14 @@
 
 #include "core/check.hpp"
 #include "core/parallel.hpp"
-#include "core/union_find.hpp"
 #include "core/watched_work.hpp"
 #include "geiger/elimination.hpp"
 #include "geiger/obtuse.hpp"
 #include "geiger/projection.hpp"
 #include "model/scaling.hpp"
 #include "sections/scaling.hpp"
+#include "slab/delaunay.hpp"
+#include "slab/slab.hpp"
 
 namespace tetloft {
 
@@ -43,8 +44,9 @@ class Geiger {
 
  private:
   struct SlabTets {
-    IdVector<TetId, TetVertices> tets;  // section vertices, lower first
-    IdVector<TetId, TetKind> kind;
+    SlabVertices vertices;
+    std::vector<std::array<SlabVertexId, 4>> tets;
+    std::vector<TetKind> kind;
     std::size_t external = 0;
     std::size_t singular = 0;
   };
@@ -134,10 +136,11 @@ class Geiger {
       SlabTets& result = slabs_[s];
       result.external = left.external;
       result.singular = left.singular;
-      for (std::size_t k = 0; k < left.stays.size(); ++k) {
-        if (left.stays[TetId(k)] == 0) continue;
-        result.tets.push_back(slab.mesh().vertices(TetId(k)));
-        result.kind.push_back(slab.kind(TetId(k)));
+      result.vertices = slab.numbering();
+      for (const TetId t : slab.tets()) {
+        if (left.stays[t] == 0) continue;
+        result.tets.push_back(slab.vertices(t));
+        result.kind.push_back(slab.kind(t));
       }
     });
     if (const auto error = first(errors)) return *error;
@@ -152,51 +155,45 @@ class Geiger {
 
   // Vertices of sections that a tet uses, and the tets, slab by slab.
   void assemble() {
-    std::vector<std::size_t> first_vertex;
-    std::size_t vertices = 0;
-    for (const ConformingSection& section : sections_) {
-      first_vertex.push_back(vertices);
-      vertices += section.vertex_count();
-    }
-    std::vector<TetVertices> tets;
+    StackVertices stack;
+    for (const ConformingSection& section : sections_) stack.add_section(section.vertex_count());
+    std::vector<TetVertices> tets;  // over all vertices of the stack
     for (std::size_t s = 0; s < slabs_.size(); ++s) {
-      const std::size_t lows = sections_[s].vertex_count();
-      report_.external_tets += slabs_[s].external;
-      report_.singular_tets += slabs_[s].singular;
-      for (std::size_t k = 0; k < slabs_[s].tets.size(); ++k) {
-        TetVertices tet = slabs_[s].tets[TetId(k)];
-        for (VertexId& v : tet) {
-          v = v.index() < lows ? VertexId(first_vertex[s] + v.index())
-                               : VertexId(first_vertex[s + 1] + v.index() - lows);
-        }
-        tets.push_back(tet);
-        model_.slab.push_back(SlabId(s));
-        model_.kind.push_back(slabs_[s].kind[TetId(k)]);
+      const SlabId id(s);
+      const SlabTets& slab = slabs_[s];
+      report_.external_tets += slab.external;
+      report_.singular_tets += slab.singular;
+      const auto in_stack = [&](SlabVertexId v) {
+        return stack.of(section_of(id, slab.vertices.is_upper(v)), slab.vertices.in_section(v));
+      };
+      for (const auto& [a, b, c, d] : slab.tets) {
+        tets.push_back({in_stack(a), in_stack(b), in_stack(c), in_stack(d)});
+        model_.slab.push_back(id);
       }
+      model_.kind.raw().insert(model_.kind.end(), slab.kind.begin(), slab.kind.end());
     }
-    number_vertices(tets, vertices);
+    number_vertices(tets, stack);
     find_components();
   }
 
-  void number_vertices(const std::vector<TetVertices>& tets, std::size_t vertices) {
-    std::vector<VertexId> number(vertices);
+  void number_vertices(const std::vector<TetVertices>& tets, const StackVertices& stack) {
+    IdVector<VertexId, VertexId> number(stack.size());
     for (const TetVertices& tet : tets) {
-      for (const VertexId v : tet) number[v.index()] = VertexId(0);
+      for (const VertexId v : tet) number[v] = VertexId(0);
     }
-    std::size_t at = 0;
     for (std::size_t s = 0; s < size(); ++s) {
       const std::map<std::pair<double, double>, bool> input = input_points(s);
       std::vector<bool> seen(stack_.sections[SectionId(s)].contours.size(), false);
-      for (std::size_t k = 0; k < sections_[s].vertex_count(); ++k, ++at) {
-        const VertexId v(k);
+      for (const VertexId v : sections_[s].contour.ids()) {
         const ContourId contour = sections_[s].contour[v];
         const Point3 p = sections_[s].point3(v);
         const bool is_input = input.contains({p.x, p.y});
         report_.input_vertices += is_input ? 1U : 0U;
         report_.split_vertices += contour.valid() && !is_input ? 1U : 0U;
-        if (!number[at].valid()) continue;
+        VertexId& at = number[stack.of(SectionId(s), v)];
+        if (!at.valid()) continue;
         if (contour.valid()) seen[contour.index()] = true;
-        number[at] = model_.points.push_back(p);
+        at = model_.points.push_back(p);
         model_.section.push_back(static_cast<std::int32_t>(s));
         model_.contour.push_back(contour.valid() ? static_cast<std::int32_t>(contour.value())
                                                  : kNoContour);
@@ -208,9 +205,8 @@ class Geiger {
           static_cast<std::size_t>(std::count(seen.begin(), seen.end(), false));
     }
     report_.split_vertices -= report_.foot_vertices;
-    for (TetVertices tet : tets) {
-      for (VertexId& v : tet) v = number[v.index()];
-      model_.tets.push_back(tet);
+    for (const auto& [a, b, c, d] : tets) {
+      model_.tets.push_back({number[a], number[b], number[c], number[d]});
     }
   }
 
@@ -224,27 +220,11 @@ class Geiger {
 
   // Face-connected parts, numbered by their lowest tet.
   void find_components() {
-    std::map<std::array<VertexId, 3>, std::size_t> open;  // faces seen once
-    UnionFind parts(model_.tets.size());
-    for (std::size_t t = 0; t < model_.tets.size(); ++t) {
-      for (std::size_t i = 0; i < 4; ++i) {
-        std::array<VertexId, 3> face;
-        std::size_t n = 0;
-        for (std::size_t j = 0; j < 4; ++j) {
-          if (j != i) face[n++] = model_.tets[TetId(t)][j];
-        }
-        std::sort(face.begin(), face.end());
-        const auto [at, is_new] = open.try_emplace(face, t);
-        if (is_new) continue;
-        parts.unite(at->second, t);
-        open.erase(at);
-      }
-    }
-    std::vector<ComponentId> component(model_.tets.size());
-    for (std::size_t t = 0; t < model_.tets.size(); ++t) {
-      ComponentId& id = component[parts.find(t)];
-      if (!id.valid()) id = ComponentId(model_.component_count++);
-      model_.component.push_back(id);
+    const Result<TetMesh> mesh = half_faces(model_);
+    TETLOFT_CHECK(accepted(mesh));
+    model_.component = mesh->components();
+    for (const ComponentId c : model_.component) {
+      model_.component_count = std::max(model_.component_count, c.index() + 1);
     }
   }
 

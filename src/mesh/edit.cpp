@@ -59,23 +59,18 @@ Result<HalfFaceId> TetMesh::find_partner(const TetVertices& tet, std::size_t i) 
   const SortedFace face = sorted_face(tet, i);
   const TriangleVertices corners{VertexId(face.vertex[0]), VertexId(face.vertex[1]),
                                  VertexId(face.vertex[2])};
-  const HalfFaceId first = first_corner(smallest_star(corners));
-  if (!first.valid()) return HalfFaceId();
-  HalfFaceId c = first;
-  do {
+  for (const HalfFaceId c : this->corners(smallest_star(corners))) {
     const TetId t = tet_of(c);
     const int j = apex_over(corners, vertices(t));
-    if (j >= 0) {
-      const HalfFaceId h = half_face(t, j);
-      if (opposite(h).valid()) return refusal(face_text(face.vertex) + " has two tets already");
-      if (sorted_face(vertices(t), static_cast<std::size_t>(j)).even == face.even) {
-        return refusal("tet " + std::to_string(t.value()) + " lies on the same side of " +
-                       face_text(face.vertex));
-      }
-      return h;
+    if (j < 0) continue;
+    const HalfFaceId h = half_face(t, j);
+    if (opposite(h).valid()) return refusal(face_text(face.vertex) + " has two tets already");
+    if (sorted_face(vertices(t), static_cast<std::size_t>(j)).even == face.even) {
+      return refusal("tet " + std::to_string(t.value()) + " lies on the same side of " +
+                     face_text(face.vertex));
     }
-    c = next_corner(c);
-  } while (c != first);
+    return h;
+  }
   return HalfFaceId();
 }
 

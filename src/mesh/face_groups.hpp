@@ -11,7 +11,7 @@
 
 #include <tetloft/tet_mesh.hpp>
 
-#include "mesh/buckets.hpp"
+#include "core/buckets.hpp"
 
 namespace tetloft::mesh_detail {
 
@@ -21,7 +21,8 @@ struct SortedFace {
   bool even = true;  ///< the outward order is an even permutation of the sorted one
 };
 
-[[nodiscard]] inline SortedFace sorted_face(const TetVertices& tet, std::size_t face) {
+template <class V>
+[[nodiscard]] SortedFace sorted_face(const std::array<V, 4>& tet, std::size_t face) {
   SortedFace f;
   for (std::size_t k = 0; k < 3; ++k) {
     f.vertex[k] = tet[static_cast<std::size_t>(kFaceVertex[face][k])].value();
@@ -44,15 +45,16 @@ struct FaceMember {
   bool even = true;
 };
 
-/// Calls visit(lowest vertex, members) for each face of the live tets with all vertices in
-/// range; members by half-face id, faces by their sorted vertices. Linear for bounded
-/// stars; a vertex of k tets costs k log k.
-template <class Visit>
-void for_each_face_group(std::size_t vertex_count, std::span<const TetVertices> tets,
+/// Calls visit(lowest vertex, members) for each face of the tets 0 … tet_count − 1 with all
+/// vertices in range; members by half-face id, faces by their sorted vertices. corners(t) are the
+/// four vertices of tet t, ids of any one kind. Linear for bounded stars; a vertex of k tets costs
+/// k log k.
+template <class Corners, class Visit>
+void for_each_face_group(std::size_t vertex_count, std::size_t tet_count, const Corners& corners,
                          Visit&& visit) {
   const auto lowest_vertex = [&](std::size_t h) -> std::size_t {
-    const TetVertices& tet = tets[h / 4];
-    for (const VertexId v : tet) {
+    const auto& tet = corners(h / 4);
+    for (const auto v : tet) {
       if (v.index() >= vertex_count) return vertex_count;
     }
     const std::array<int, 3>& f = kFaceVertex[h % 4];
@@ -60,13 +62,13 @@ void for_each_face_group(std::size_t vertex_count, std::span<const TetVertices> 
                      tet[static_cast<std::size_t>(f[2])]})
         .index();
   };
-  const Buckets by_lowest(vertex_count, 4 * tets.size(), lowest_vertex);
+  const Buckets by_lowest(vertex_count, 4 * tet_count, lowest_vertex);
 
   std::vector<FaceMember> members;
   for (std::size_t v = 0; v < vertex_count; ++v) {
     members.clear();
     for (const std::uint32_t h : by_lowest[v]) {
-      const SortedFace f = sorted_face(tets[h / 4], h % 4);
+      const SortedFace f = sorted_face(corners(h / 4), h % 4);
       members.push_back({(std::uint64_t{f.vertex[1]} << 32) | f.vertex[2], HalfFaceId(h), f.even});
     }
     std::sort(members.begin(), members.end(), [](const FaceMember& a, const FaceMember& b) {
@@ -75,10 +77,20 @@ void for_each_face_group(std::size_t vertex_count, std::span<const TetVertices> 
     for (std::size_t i = 0; i < members.size();) {
       std::size_t j = i + 1;
       while (j < members.size() && members[j].upper == members[i].upper) ++j;
-      visit(VertexId(v), std::span<const FaceMember>(members.data() + i, j - i));
+      visit(v, std::span<const FaceMember>(members.data() + i, j - i));
       i = j;
     }
   }
+}
+
+/// Calls visit(half-face) for each face that one tet alone has; faces as above.
+template <class Corners, class Visit>
+void for_each_boundary_face(std::size_t vertex_count, std::size_t tet_count, const Corners& corners,
+                            Visit&& visit) {
+  for_each_face_group(vertex_count, tet_count, corners,
+                      [&](std::size_t, std::span<const FaceMember> members) {
+                        if (members.size() == 1) visit(members[0].half_face);
+                      });
 }
 
 }  // namespace tetloft::mesh_detail

@@ -26,13 +26,7 @@ VertexId TetMesh::smallest_star(std::span<const VertexId> candidates) const {
 
 std::vector<TetId> TetMesh::star(VertexId v) const {
   std::vector<TetId> result;
-  const HalfFaceId first = first_corner(v);
-  if (!first.valid()) return result;
-  HalfFaceId c = first;
-  do {
-    result.push_back(tet_of(c));
-    c = next_corner(c);
-  } while (c != first);
+  for (const HalfFaceId c : corners(v)) result.push_back(tet_of(c));
   std::sort(result.begin(), result.end());
   return result;
 }
@@ -53,21 +47,38 @@ std::vector<TetId> TetMesh::star(HalfFaceId h) const {
 }
 
 std::vector<TetId> TetMesh::ring(VertexId a, VertexId b, TetId start) const {
-  const auto next = [&](TetId t) { return neighbour(t, turn(index_in(t, a), index_in(t, b))); };
-  const auto previous = [&](TetId t) { return neighbour(t, turn(index_in(t, b), index_in(t, a))); };
-  // On a path, the tets before `start` come first.
   std::vector<TetId> result;
-  TetId t = previous(start);
-  while (t.valid() && t != start) {
-    result.push_back(t);
-    t = previous(t);
-  }
-  const bool cycle = t.valid();
-  if (cycle) result.push_back(start);
-  std::reverse(result.begin(), result.end());
-  if (cycle) return result;
-  for (t = start; t.valid(); t = next(t)) result.push_back(t);
+  ring(a, b, start, result);
   return result;
+}
+
+bool TetMesh::ring(VertexId a, VertexId b, TetId start, std::vector<TetId>& ring) const {
+  // Leaves `start` across face `out`; of the face's vertices off the edge, the `hinge`, stays
+  // behind in the next one. Appends all tets up to the boundary, or up to `start`: then true.
+  const auto walk = [&](int out, VertexId hinge) {
+    TetId t = start;
+    for (;;) {
+      const HalfFaceId h = opposite(half_face(t, out));
+      if (!h.valid()) return false;
+      t = tet_of(h);
+      if (t == start) return true;
+      ring.push_back(t);
+      out = index_in(t, hinge);
+      hinge = corner_vertex(h);
+    }
+  };
+  const int i = index_in(start, a);
+  const int j = index_in(start, b);
+  const int forward = turn(i, j);
+  const int backward = turn(j, i);
+  ring.assign(1, start);
+  if (walk(forward, vertex(start, backward))) return true;
+  // A path: the tets before `start` come first.
+  const auto after = static_cast<std::ptrdiff_t>(ring.size());
+  walk(backward, vertex(start, forward));
+  std::rotate(ring.begin(), ring.begin() + after, ring.end());
+  std::reverse(ring.begin(), ring.end() - after);
+  return false;
 }
 
 std::vector<TriangleVertices> TetMesh::link(VertexId v) const {

@@ -3,12 +3,10 @@
 
 #include <algorithm>
 
+#include "core/buckets.hpp"
 #include "core/union_find.hpp"
-#include "mesh/buckets.hpp"
 
 namespace tetloft {
-
-using namespace mesh_detail;
 
 namespace {
 

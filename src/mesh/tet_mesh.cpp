@@ -17,11 +17,12 @@ namespace {
 std::string tet_text(HalfFaceId h) { return std::to_string(TetMesh::tet_of(h).value()); }
 
 // Why the half-faces of one face cannot all be in a mesh; nothing if they can.
-std::optional<Error> refuse_face(VertexId lowest, std::span<const FaceMember> members) {
+std::optional<Error> refuse_face(std::size_t lowest, std::span<const FaceMember> members) {
   if (members.size() == 1) return std::nullopt;
   const std::uint64_t upper = members[0].upper;
-  const std::string face = face_text(
-      {lowest.value(), static_cast<std::uint32_t>(upper >> 32), static_cast<std::uint32_t>(upper)});
+  const std::string face =
+      face_text({static_cast<std::uint32_t>(lowest), static_cast<std::uint32_t>(upper >> 32),
+                 static_cast<std::uint32_t>(upper)});
   if (members.size() > 2) {
     return refusal(face + " belongs to tets " + tet_text(members[0].half_face) + ", " +
                    tet_text(members[1].half_face) + " and " + tet_text(members[2].half_face));
@@ -44,8 +45,9 @@ Result<TetMesh> TetMesh::from_tets(std::size_t vertex_count, std::span<const Tet
 
     std::vector<HalfFaceId> opposite(4 * tets.size());
     std::optional<Error> refused;
-    for_each_face_group(vertex_count, tets,
-                        [&](VertexId lowest, std::span<const FaceMember> members) {
+    const auto corners = [&](std::size_t t) -> const TetVertices& { return tets[t]; };
+    for_each_face_group(vertex_count, tets.size(), corners,
+                        [&](std::size_t lowest, std::span<const FaceMember> members) {
                           if (members.size() == 1 || refused) return;
                           refused = refuse_face(lowest, members);
                           if (refused) return;
@@ -119,13 +121,6 @@ void TetMesh::erase_corner(HalfFaceId c) {
   next_corner_[previous.index()] = next;
   previous_corner_[next.index()] = previous;
   if (first == c) first = next == c ? HalfFaceId() : next;
-}
-
-TriangleVertices TetMesh::face_vertices(HalfFaceId h) const {
-  const TetVertices& tet = vertices(tet_of(h));
-  const std::array<int, 3>& f = kFaceVertex[h.value() & 3U];
-  return {tet[static_cast<std::size_t>(f[0])], tet[static_cast<std::size_t>(f[1])],
-          tet[static_cast<std::size_t>(f[2])]};
 }
 
 int TetMesh::index_in(TetId t, VertexId v) const {

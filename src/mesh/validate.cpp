@@ -85,15 +85,17 @@ std::vector<MeshViolation> TetMesh::validate() const {
   not_same_face.report(3, violations);
 
   Offences not_glued;
-  for_each_face_group(vertex_count(), tets_, [&](VertexId, std::span<const FaceMember> members) {
-    if (members.size() > 2) {
-      not_glued.add(half_face_text(members[0].half_face) + ": its face belongs to " +
-                    std::to_string(members.size()) + " tets");
-    } else if (members.size() == 2 && opposite(members[0].half_face) != members[1].half_face) {
-      not_glued.add(half_face_text(members[0].half_face) + " and " +
-                    half_face_text(members[1].half_face) + " share a face but are not glued");
-    }
-  });
+  const auto corners = [&](std::size_t t) -> const TetVertices& { return tets_[t]; };
+  for_each_face_group(
+      vertex_count(), slots, corners, [&](std::size_t, std::span<const FaceMember> members) {
+        if (members.size() > 2) {
+          not_glued.add(half_face_text(members[0].half_face) + ": its face belongs to " +
+                        std::to_string(members.size()) + " tets");
+        } else if (members.size() == 2 && opposite(members[0].half_face) != members[1].half_face) {
+          not_glued.add(half_face_text(members[0].half_face) + " and " +
+                        half_face_text(members[1].half_face) + " share a face but are not glued");
+        }
+      });
   not_glued.report(4, violations);
 
   check_corner_lists(violations);

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 
 #include "core/unit_of_length.hpp"
+#include "mesh/face_groups.hpp"
 
 namespace tetloft {
 
@@ -39,75 +39,31 @@ const char* name_of(PointOrigin origin) {
 
 namespace {
 
-TriangleVertices face_of_tet(const TetVertices& tet, std::size_t face) {
-  const auto& local = kFaceVertex[face];
-  return {tet[static_cast<std::size_t>(local[0])], tet[static_cast<std::size_t>(local[1])],
-          tet[static_cast<std::size_t>(local[2])]};
-}
-
 // Its vertices are the model's.
 bool is_sound(const Model& model, const TetVertices& tet) {
   return std::all_of(tet.begin(), tet.end(),
                      [&](VertexId v) { return v.index() < model.points.size(); });
 }
 
-std::vector<TetId> sound_tets(const Model& model) {
-  std::vector<TetId> sound;
-  sound.reserve(model.tets.size());
-  for (std::size_t t = 0; t < model.tets.size(); ++t) {
-    if (is_sound(model, model.tets[TetId(t)])) sound.emplace_back(t);
-  }
-  return sound;
-}
-
 }  // namespace
 
+Result<TetMesh> half_faces(const Model& model) {
+  return TetMesh::from_tets(model.points.size(), model.tets.raw());
+}
+
 Surface boundary_surface(const Model& model) {
-  // A face is put into the bucket of its lowest vertex; buckets are as small as vertex
-  // stars, so that sorting them is linear in all for bounded stars.
-  struct Face {
-    VertexId middle, high;
-    std::uint32_t half_face;
-  };
-  const std::vector<TetId> sound = sound_tets(model);
-  const std::size_t face_count = 4 * sound.size();
-  std::vector<std::uint32_t> first(model.points.size() + 1, 0);
-  const auto sorted_face = [&](std::size_t h) {
-    TriangleVertices f = face_of_tet(model.tets[sound[h / 4]], h % 4);
-    std::sort(f.begin(), f.end());
-    return f;
-  };
-  for (std::size_t h = 0; h < face_count; ++h) ++first[sorted_face(h)[0].index() + 1];
-  for (std::size_t v = 1; v < first.size(); ++v) first[v] += first[v - 1];
-  std::vector<Face> faces(face_count);
-  std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
-  for (std::size_t h = 0; h < face_count; ++h) {
-    const TriangleVertices f = sorted_face(h);
-    faces[next[f[0].index()]++] = {f[1], f[2], static_cast<std::uint32_t>(h)};
-  }
-
-  std::vector<std::uint8_t> on_boundary(face_count, 0);
-  const auto less = [](const Face& a, const Face& b) {
-    return std::pair(a.middle, a.high) < std::pair(b.middle, b.high);
-  };
-  const auto same = [](const Face& a, const Face& b) {
-    return a.middle == b.middle && a.high == b.high;
-  };
-  for (std::size_t v = 0; v + 1 < first.size(); ++v) {
-    std::sort(faces.begin() + first[v], faces.begin() + first[v + 1], less);
-    for (std::size_t i = first[v]; i < first[v + 1];) {
-      std::size_t end = i + 1;
-      while (end < first[v + 1] && same(faces[i], faces[end])) ++end;
-      if (end == i + 1) on_boundary[faces[i].half_face] = 1;
-      i = end;
-    }
-  }
-
+  const auto corners = [&](std::size_t t) -> const TetVertices& { return model.tets[TetId(t)]; };
+  std::vector<HalfFaceId> boundary;
+  mesh_detail::for_each_boundary_face(model.points.size(), model.tets.size(), corners,
+                                      [&](HalfFaceId h) { boundary.push_back(h); });
+  std::sort(boundary.begin(), boundary.end());
   Surface surface;
-  for (std::size_t h = 0; h < face_count; ++h) {
-    if (on_boundary[h] == 0) continue;
-    surface.triangles.push_back(face_of_tet(model.tets[sound[h / 4]], h % 4));
-    surface.tet.push_back(sound[h / 4]);
+  surface.triangles.reserve(boundary.size());
+  surface.tet.reserve(boundary.size());
+  for (const HalfFaceId h : boundary) {
+    const TetId t = TetMesh::tet_of(h);
+    surface.triangles.push_back(face_of(model.tets[t], TetMesh::face_of(h)));
+    surface.tet.push_back(t);
   }
   return surface;
 }

@@ -1,37 +1,20 @@
 #include "reconstruct/slab_solid.hpp"
-#include "reconstruct/lattice_hint.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <string>
 #include <utility>
 
+#include "completion/completion.hpp"
+#include "completion/pits.hpp"
 #include "core/check.hpp"
-#include "core/cpu_clock.hpp"
-#include "reconstruct/embedding.hpp"
-#include "reconstruct/pits.hpp"
-#include "reconstruct/trimming.hpp"
+#include "reconstruct/lattice_hint.hpp"
+#include "slab/delaunay.hpp"
+#include "subdivision/embedding.hpp"
+#include "subdivision/trimming.hpp"
 
 namespace tetloft {
 
 namespace {
-
-// What the building of a slab took, with all its attempts.
-struct Effort {
-  std::array<double, kSteps> seconds{};
-  std::uint64_t work = 0;
-};
-
-// Adds the time since the last call to a step.
-class StepClock {
- public:
-  explicit StepClock(std::array<double, kSteps>& seconds) : seconds_(seconds) {}
-  void end(Step step) { seconds_[static_cast<std::size_t>(step)] += watch_.lap(); }
-
- private:
-  std::array<double, kSteps>& seconds_;
-  WorkStopwatch watch_;
-};
 
 Error no_room(SlabId id, const Point3& at, std::string what) {
   Place place;
@@ -52,15 +35,189 @@ Error too_close(SlabId id, const Point3& at, const Slab& slab) {
   return no_room(id, at, std::move(what));
 }
 
-// Extrudes every region of one section; its vertices are nodes from 0.
-void extrude_all(const ConformingSection& section, double z, SlabSolid& solid) {
+std::vector<LoneEnd> lone_ends(const SlabClasses& classes) {
+  std::vector<LoneEnd> lone;
+  for (const ClassId c : IdRange<ClassId>(classes.class_count())) {
+    if (classes.is_lone(c)) lone.push_back({c, classes.regions(c).front(), 0});
+  }
+  return lone;
+}
+
+// Classes that end in a prism are not completed, nor are exterior vertices.
+IdVector<ClassId, std::uint8_t> active_classes(const SlabClasses& classes,
+                                               const std::vector<LoneEnd>& lone) {
+  IdVector<ClassId, std::uint8_t> active(classes.class_count(), 1);
+  if (classes.exterior().valid()) active[classes.exterior()] = 0;
+  for (const LoneEnd& end : lone) active[end.id] = end.is_prism() ? 0 : 1;
+  return active;
+}
+
+// Tets kept at an own corner and not attached there.
+std::uint64_t detached_sheets(const Complex& complex) {
+  std::uint64_t detached = 0;
+  for (const TetId t : complex.kept.ids()) {
+    if ((complex.kept[t] & ~complex.attached[t]) != 0) ++detached;
+  }
+  return detached;
+}
+
+class SlabBuilder {
+ public:
+  SlabBuilder(SlabId id, const ConformingSection& lower, const ConformingSection& upper,
+              const std::vector<Link>& links, const SlabOptions& options)
+      : id_(id),
+        links_(links),
+        options_(options),
+        vertices_(lower.vertex_count(), upper.vertex_count()),
+        pits_(lower, upper) {}
+
+  Result<SlabOutcome> run() {
+    // Each round but the last opens a pit at least, or gives all of them up.
+    for (;;) {
+      Result<std::optional<SlabOutcome>> built = attempt();
+      if (accepted(built) && !*built) continue;
+      const bool solid = built && std::holds_alternative<SlabSolid>(**built);
+      if (pits_.opened() > 0 && !solid) {
+        pits_.give_up();
+        continue;
+      }
+      if (!built) return built.error();
+      if (solid) finish(std::get<SlabSolid>(**built));
+      return std::move(**built);
+    }
+  }
+
+ private:
+  // Over the sections of pits_; nothing if these changed, since a pit was sealed.
+  Result<std::optional<SlabOutcome>> attempt() {
+    StepClock clock(seconds_);
+    Result<TetMesh> d =
+        slab_delaunay(id_, pits_.lower(), pits_.upper(), options_.engine, options_.work_limit);
+    if (!d) return d.error();
+    work_ += d->tet_count();
+    const Slab slab(pits_.lower(), pits_.upper(), std::move(*d));
+    clock.end(Step::delaunay);
+
+    const SlabClasses classes(slab.lower(), slab.upper(), links_);
+    std::vector<LoneEnd> lone = lone_ends(classes);
+    // Each round completes one more lone class at least that has no room for a prism.
+    for (;;) {
+      RuleCounts rules{};
+      const IdVector<ClassId, std::uint8_t> active = active_classes(classes, lone);
+      Completion completion(slab, classes, active, seed(slab, classes, active, rules), rules);
+      std::vector<LeftApart> apart = completion.run();
+      work_ += completion.work();
+      clock.end(Step::complex);
+      if (!apart.empty()) return std::optional(left_apart(slab, classes, apart.front()));
+      const bool sealed = pits_.open_sealed(slab, classes, completion.complex());
+      clock.end(Step::complex);
+      if (sealed) return std::optional<SlabOutcome>();
+      if (auto outcome = subdivided(slab, classes, completion.complex(), lone, rules, clock)) {
+        return outcome;
+      }
+    }
+  }
+
+  [[nodiscard]] static SlabOutcome left_apart(const Slab& slab, const SlabClasses& classes,
+                                              LeftApart& apart) {
+    const bool refined =
+        std::all_of(apart.regions.begin(), apart.regions.end(), [&](SlabRegionId r) {
+          const ConformingSection& section = slab.section(classes.regions().is_upper(r));
+          const RegionId region = classes.regions().in_section(r);
+          if (section.gabriel.empty()) return false;
+          const auto contours = section.nesting.region.ids();
+          for (const ContourId c : contours) {
+            if (section.nesting.region[c] == region && !section.gabriel[c]) return false;
+          }
+          return true;
+        });
+    if (refined) return Unconnectable{std::move(apart.regions)};
+    return RefineHere{std::move(apart.regions)};
+  }
+
+  // Nothing where a lone class gave up its prism, and is to be completed.
+  std::optional<SlabOutcome> subdivided(const Slab& slab, const SlabClasses& classes,
+                                        const Complex& complex, std::vector<LoneEnd>& lone,
+                                        RuleCounts& rules, StepClock& clock) {
+    count(rules, Rule::detached_sheet, detached_sheets(complex));
+    const Subdivision subdivision = subdivide(slab, complex, rules);
+    Lifting lifting(slab, subdivision);
+    if (!lifting.settle(rules)) return Unrepresentable{too_close(id_, lifting.at(), slab)};
+    Truncation truncation = truncate(slab, classes, complex, subdivision,
+                                     choose_trimmed(slab, classes, complex, subdivision, lifting));
+    Embedding embedding(slab, classes, subdivision, lifting, truncation, lone, rules);
+    const Embedding::Outcome outcome = embedding.settle();
+    work_ += embedding.work();
+    clock.end(Step::subdivision);
+    add_seconds(seconds_, Step::subdivision, -embedding.contact_seconds());
+    add_seconds(seconds_, Step::contact, embedding.contact_seconds());
+    if (outcome == Embedding::Outcome::more_truncated) return std::nullopt;
+    if (outcome == Embedding::Outcome::failed) {
+      return Unrepresentable{too_close(id_, embedding.at(), slab)};
+    }
+    for (const LoneEnd& end : lone) count(rules, Rule::prism, end.is_prism() ? 1 : 0);
+    SlabSolid solid;
+    solid.vertices = slab.numbering();
+    solid.regions = classes.regions();
+    const Nodes nodes = solid.nodes();
+    for (const NodeId n : embedding.points().ids()) {
+      if (nodes.is_slab_vertex(n)) continue;
+      solid.constructed.push_back(embedding.points()[n]);
+      solid.origin.push_back(embedding.origin(n));
+    }
+    solid.pieces = embedding.take_pieces();
+    solid.smallest_lift = embedding.smallest_lift();
+    solid.rules = rules;
+    return solid;
+  }
+
+  // Numbers the nodes as if the sections had no exterior vertices; what all attempts took.
+  void finish(SlabSolid& solid) const {
+    const IdVector<SlabVertexId, SlabVertexId> original = pits_.original_numbers();
+    const Nodes before = solid.nodes();
+    solid.vertices = vertices_;
+    const Nodes after = solid.nodes();
+    for (Piece& piece : solid.pieces) {
+      for (NodeId& n : piece.node) {
+        if (before.is_constructed(n)) {
+          n = after.of(before.constructed(n));
+        } else {
+          n = Nodes::of(original[Nodes::slab_vertex(n)]);
+          TETLOFT_CHECK(n.valid());
+        }
+      }
+    }
+    count(solid.rules, Rule::opened_pit, pits_.opened());
+    solid.seconds = seconds_;
+    solid.work = work_;
+  }
+
+  SlabId id_;
+  const std::vector<Link>& links_;
+  const SlabOptions& options_;
+  SlabVertices vertices_;
+  Pits pits_;
+  // Of all attempts.
+  StepSeconds seconds_{};
+  std::uint64_t work_ = 0;
+};
+
+}  // namespace
+
+SlabSolid build_end(const ConformingSection& section, double z) {
+  const bool upper = z < section.z;
   const auto triangles = triangles_by_region(section);
   const auto vertices = vertices_by_region(section);
-  solid.section_vertices = section.vertex_count();
-  for (std::size_t k = 0; k < triangles.size(); ++k) {
-    const RegionId r(k);
-    extrude(section, triangles[r], vertices[r], SlabRegionId(k), 0,
-            solid.section_vertices + solid.constructed.size(), z > section.z, solid.pieces);
+  const auto numbering = [&](std::size_t n, auto numbers) {
+    return upper ? decltype(numbers)(0, n) : decltype(numbers)(n, 0);
+  };
+  SlabSolid solid;
+  solid.vertices = numbering(section.vertex_count(), SlabVertices());
+  solid.regions = numbering(section.nesting.outer.size(), SlabRegions());
+  for (const RegionId r : triangles.ids()) {
+    const PrismNodes prism{solid.vertices, upper, solid.nodes(), CapId(solid.constructed.size())};
+    extrude(section, triangles[r], vertices[r], solid.regions.in_slab(upper, r), prism,
+            solid.pieces);
     for (const VertexId v : vertices[r]) {
       const Point2& p = section.point(v);
       solid.constructed.push_back({p.x, p.y, z});
@@ -68,143 +225,23 @@ void extrude_all(const ConformingSection& section, double z, SlabSolid& solid) {
     }
     count(solid.rules, Rule::prism);
   }
-}
-
-// The solid over the sections of `pits`; none if these changed, since a pit was sealed.
-Result<std::optional<SlabSolid>> build_once(SlabId id, Pits& pits, const std::vector<Link>& links,
-                                            DelaunayEngine engine, double work_limit,
-                                            Effort& effort) {
-  const ConformingSection& lower = pits.lower();
-  const ConformingSection& upper = pits.upper();
-  SlabSolid solid;
-  std::array<double, kSteps>& seconds = effort.seconds;
-  StepClock clock(seconds);
-  Result<TetMesh> d = slab_delaunay(id, lower, upper, engine, work_limit);
-  if (!d) return d.error();
-  effort.work += d->tet_count();
-  const Slab slab(lower, upper, std::move(d.value()));
-  clock.end(Step::delaunay);
-
-  const SlabClasses classes(lower, upper, links);
-  IdVector<ClassId, std::uint8_t> active(classes.class_count(), 1);
-  if (classes.exterior().valid()) active[classes.exterior()] = 0;
-  std::vector<LoneEnd> lone;
-  for (std::size_t k = 0; k < classes.class_count(); ++k) {
-    const ClassId c(k);
-    if (classes.is_lone(c)) lone.push_back({c, classes.regions(c).front(), 0});
-  }
-
-  // Each round completes one more lone class at least that has no room for a prism.
-  for (;;) {
-    for (const LoneEnd& end : lone) active[end.id] = end.is_prism() ? 0 : 1;
-    RuleCounts rules{};
-    Completion completion(slab, classes, active, seed(slab, classes, active, rules), rules);
-    solid.unconnectable = completion.run();
-    effort.work += completion.work();
-    clock.end(Step::complex);
-    if (!solid.unconnectable.empty()) return std::optional(std::move(solid));
-
-    const Complex& complex = completion.complex();
-    if (pits.open_sealed(slab, classes, complex)) {
-      clock.end(Step::complex);
-      return std::optional<SlabSolid>();
-    }
-    for (std::size_t k = 0; k < complex.kept.size(); ++k) {
-      // Kept at an own corner and not attached there.
-      if ((complex.kept[TetId(k)] & ~complex.attached[TetId(k)]) != 0) {
-        count(rules, Rule::detached_sheet);
-      }
-    }
-    const Subdivision subdivision = subdivide(slab, complex, rules);
-    Lifting lifting(slab, subdivision);
-    if (!lifting.settle(rules)) return too_close(id, lifting.at(), slab);
-    Truncation truncation = truncate(slab, classes, complex, subdivision,
-                                     choose_trimmed(slab, classes, complex, subdivision, lifting));
-    Embedding embedding(slab, classes, subdivision, lifting, truncation, lone, rules);
-    const Embedding::Outcome outcome = embedding.settle();
-    effort.work += embedding.work();
-    clock.end(Step::subdivision);
-    seconds[static_cast<std::size_t>(Step::subdivision)] -= embedding.contact_seconds();
-    seconds[static_cast<std::size_t>(Step::contact)] += embedding.contact_seconds();
-    if (outcome == Embedding::Outcome::more_truncated) continue;
-    if (outcome == Embedding::Outcome::failed) {
-      return too_close(id, embedding.at(), slab);
-    }
-
-    solid.section_vertices = slab.vertex_count();
-    solid.constructed.assign(
-        embedding.points().begin() + static_cast<std::ptrdiff_t>(slab.vertex_count()),
-        embedding.points().end());
-    for (std::size_t k = slab.vertex_count(); k < embedding.points().size(); ++k) {
-      solid.origin.push_back(embedding.origin(k));
-    }
-    solid.pieces = embedding.pieces();
-    solid.smallest_lift = embedding.smallest_lift();
-    for (const LoneEnd& end : lone) count(rules, Rule::prism, end.is_prism() ? 1 : 0);
-    solid.rules = rules;
-    return std::optional(std::move(solid));
-  }
-}
-
-// Numbers the nodes as if the sections had no exterior vertices.
-void drop_exterior_vertices(const Pits& pits, SlabSolid& solid) {
-  const std::vector<VertexId> original = pits.original_numbers();
-  const auto exterior = static_cast<std::size_t>(
-      std::count_if(original.begin(), original.end(), [](VertexId v) { return !v.valid(); }));
-  solid.section_vertices -= exterior;
-  for (Piece& piece : solid.pieces) {
-    for (VertexId& v : piece.node) {
-      v = v.index() < original.size() ? original[v.index()] : VertexId(v.index() - exterior);
-      TETLOFT_CHECK(v.valid());
-    }
-  }
-}
-
-Result<SlabSolid> build_between(SlabId id, const ConformingSection& lower,
-                                const ConformingSection& upper, const std::vector<Link>& links,
-                                DelaunayEngine engine, double work_limit) {
-  Pits pits(lower, upper);
-  Effort effort;
-  // Each round but the last opens a pit at least, or gives all of them up.
-  for (;;) {
-    Result<std::optional<SlabSolid>> built =
-        build_once(id, pits, links, engine, work_limit, effort);
-    if (accepted(built) && !*built) continue;
-    if (pits.opened() > 0 && (!built || !(*built)->unconnectable.empty())) {
-      pits.give_up();
-      continue;
-    }
-    if (!built) return built.error();
-    SlabSolid solid = std::move(**built);
-    drop_exterior_vertices(pits, solid);
-    count(solid.rules, Rule::opened_pit, pits.opened());
-    solid.seconds = effort.seconds;
-    solid.work = effort.work;
-    return solid;
-  }
-}
-
-}  // namespace
-
-SlabSolid build_end(const ConformingSection& section, double z) {
-  SlabSolid solid;
-  extrude_all(section, z, solid);
   return solid;
 }
 
-Result<SlabSolid> build_slab_solid(SlabId id, const ConformingSection& lower,
-                                   const ConformingSection& upper, const std::vector<Link>& links,
-                                   DelaunayEngine engine, double work_limit) {
-  const bool has_lower = lower.vertex_count() > 0;
-  const bool has_upper = upper.vertex_count() > 0;
+Result<SlabOutcome> build_slab(SlabId id, const ConformingSection& lower,
+                               const ConformingSection& upper, const std::vector<Link>& links,
+                               const SlabOptions& options) {
   const double middle = lower.z + 0.5 * (upper.z - lower.z);
   if (!(lower.z < middle && middle < upper.z)) {
-    return no_room(id, {0, 0, lower.z}, "no double lies between the two section planes");
+    return SlabOutcome(Unrepresentable{
+        no_room(id, {0, 0, lower.z}, "no double lies between the two section planes")});
   }
-  if (has_lower && has_upper) return build_between(id, lower, upper, links, engine, work_limit);
-  if (has_lower) return build_end(lower, middle);
-  if (has_upper) return build_end(upper, middle);
-  return SlabSolid{};
+  const bool has_lower = lower.vertex_count() > 0;
+  const bool has_upper = upper.vertex_count() > 0;
+  if (has_lower && has_upper) return SlabBuilder(id, lower, upper, links, options).run();
+  if (has_lower) return SlabOutcome(build_end(lower, middle));
+  if (has_upper) return SlabOutcome(build_end(upper, middle));
+  return SlabOutcome(SlabSolid{});
 }
 
 }  // namespace tetloft

@@ -2,43 +2,71 @@
 // proof that the result is embedded.
 #pragma once
 
-#include <array>
+#include <cstdint>
+#include <optional>
 #include <variant>
 #include <vector>
 
-#include <tetloft/reconstruct.hpp>
+#include <tetloft/delaunay.hpp>
+#include <tetloft/model.hpp>
+#include <tetloft/result.hpp>
+#include <tetloft/sections.hpp>
 
-#include "reconstruct/completion.hpp"
-#include "reconstruct/complex.hpp"
-#include "reconstruct/truncation.hpp"
+#include "slab/link.hpp"
+#include "slab/rules.hpp"
+#include "subdivision/truncation.hpp"
 
 namespace tetloft {
 
-/// Tets over the vertices of two sections (lower, then upper) and constructed ones.
+/// Tets over the vertices of two sections and constructed ones, and what making them took.
 struct SlabSolid {
-  std::size_t section_vertices = 0;  ///< nodes below this are vertices of the sections
-  std::vector<Point3> constructed;   ///< node section_vertices + i
-  std::vector<PointOrigin> origin;   ///< of constructed nodes
+  SlabVertices vertices;
+  SlabRegions regions;
+  IdVector<ConstructedId, Point3> constructed;
+  IdVector<ConstructedId, PointOrigin> origin;
   std::vector<Piece> pieces;
   RuleCounts rules{};
   double smallest_lift = 1;
-  std::array<double, kSteps> seconds{};
+  StepSeconds seconds{};
   std::uint64_t work = 0;  ///< ReconstructReport::work
-  /// Classes that D offers no edge to connect: their contours need Gabriel edges. If not
-  /// empty, there is no solid.
-  std::vector<Unconnectable> unconnectable;
+
+  /// Of the pieces: slab vertices and constructed ones.
+  [[nodiscard]] Nodes nodes() const { return Nodes(vertices.size()); }
 };
 
-/// Builds the solid of a slab, from its two conforming sections (either may be empty) and
-/// the accepted links; `engine` triangulates. Fails (unrepresentable, work_limit) naming the
-/// place.
-[[nodiscard]] Result<SlabSolid> build_slab_solid(SlabId id, const ConformingSection& lower,
-                                                 const ConformingSection& upper,
-                                                 const std::vector<Link>& links,
-                                                 DelaunayEngine engine, double work_limit);
+/// A class of several regions has no Delaunay edge between its parts, and contours of its that
+/// are not refined to Gabriel edges yet: it may be connectable with them.
+struct RefineHere {
+  std::vector<SlabRegionId> regions;  ///< of the class
+};
 
-/// The end of a stack: all regions of a section extruded to z (above or below its plane).
-/// Nodes and regions are numbered as in a slab whose other section is empty.
+/// The same where all its contours are.
+struct Unconnectable {
+  std::vector<SlabRegionId> regions;
+};
+
+/// Doubles hold no valid solid; the error names the place.
+struct Unrepresentable {
+  Error error;
+};
+
+using SlabOutcome = std::variant<SlabSolid, RefineHere, Unconnectable, Unrepresentable>;
+
+/// How slabs are built. The solid is the same for each.
+struct SlabOptions {
+  DelaunayEngine engine = DelaunayEngine::automatic;
+  double work_limit;
+};
+
+/// Builds the solid of a slab from its two conforming sections (either may be empty) and the
+/// accepted links: a function of these alone. Fails (work_limit) naming the place.
+[[nodiscard]] Result<SlabOutcome> build_slab(SlabId id, const ConformingSection& lower,
+                                             const ConformingSection& upper,
+                                             const std::vector<Link>& links,
+                                             const SlabOptions& options);
+
+/// The end of a stack: all regions of a section extruded to z. Above its plane the section is the
+/// lower one of a slab whose upper one is empty; below, the other way round.
 [[nodiscard]] SlabSolid build_end(const ConformingSection& section, double z);
 
 }  // namespace tetloft

@@ -311,10 +311,12 @@ Result<ConformingSection> conform(const Section& section, SectionId id,
     if (!gabriel.empty() && gabriel.size() != section.contours.size()) {
       return Error{ErrorCode::usage, "gabriel needs one flag for each contour", {}};
     }
-    if (auto result = conform_in_unit(section, id, gabriel, interior, most_inserted)) {
-      return *std::move(result);
-    }
-    return Conformer(section, id, interior).run(gabriel, most_inserted);
+    auto in_unit = conform_in_unit(section, id, gabriel, interior, most_inserted);
+    Result<ConformingSection> result =
+        in_unit ? *std::move(in_unit)
+                : Conformer(section, id, interior).run(gabriel, most_inserted);
+    if (result) result->gabriel = gabriel;
+    return result;
   });
 }
 

@@ -113,6 +113,18 @@ IdVector<VertexId, VertexId> sections::adopt(const Triangulation2& triangulation
   return number;
 }
 
+void sections::classify_edges(ConformingSection& section) {
+  for (ConformingSection::Edge& edge : section.edges) {
+    if (section.next[edge.a] == edge.b || section.next[edge.b] == edge.a) {
+      edge.kind = EdgeKind::contour;
+    } else if (edge.left.valid() && section.internal[edge.left] != 0) {
+      edge.kind = EdgeKind::internal;
+    } else {
+      edge.kind = EdgeKind::external;
+    }
+  }
+}
+
 EdgeId ConformingSection::find_edge(VertexId u, VertexId v) const {
   const VertexId a = std::min(u, v);
   const VertexId b = std::max(u, v);

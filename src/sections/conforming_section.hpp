@@ -12,4 +12,7 @@ namespace tetloft::sections {
 /// `section`. Returns the new id of every old vertex.
 IdVector<VertexId, VertexId> adopt(const Triangulation2& triangulation, ConformingSection& section);
 
+/// The kinds of all edges, from `internal` and `next`.
+void classify_edges(ConformingSection& section);
+
 }  // namespace tetloft::sections

@@ -15,12 +15,17 @@ set(may_delaunay3 core predicates mesh delaunay2)
 set(may_sections core predicates delaunay2)
 set(may_contact core predicates mesh)
 set(may_model core mesh)
-set(may_reconstruct core predicates mesh delaunay2 delaunay3 sections contact model)
-set(may_geiger core predicates mesh delaunay2 delaunay3 sections model reconstruct)
+set(may_slab core predicates mesh delaunay2 delaunay3 sections model)
+set(may_correspondence core predicates mesh sections model slab)
+set(may_completion core predicates mesh delaunay2 sections model slab)
+set(may_subdivision core predicates mesh sections contact model slab completion)
+set(may_reconstruct core predicates mesh delaunay2 delaunay3 sections contact model slab correspondence completion subdivision)
+set(may_geiger core predicates mesh delaunay2 delaunay3 sections model slab)
 set(may_check core predicates mesh sections contact model)
 set(may_io core sections model)
 set(may_render core mesh sections model io)
-set(modules core predicates mesh delaunay2 delaunay3 sections contact model reconstruct geiger check io render)
+set(modules core predicates mesh delaunay2 delaunay3 sections contact model slab correspondence completion subdivision
+  reconstruct geiger check io render)
 
 # Public headers whose name is not their module's. delaunay.hpp holds the types of both
 # triangulations: it is open to whoever may include one of them, and may include what
@@ -31,6 +36,7 @@ set(owner_point core)
 set(owner_result core)
 set(owner_correspondence core)
 set(owner_tet_mesh mesh)
+set(owner_report slab)
 set(owner_delaunay delaunay2 delaunay3)
 
 # Modules of which another may include only the public header.

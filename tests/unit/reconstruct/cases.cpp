@@ -7,7 +7,7 @@
 
 #include <tetloft/io.hpp>
 
-#include "reconstruct/correspondence.hpp"
+#include "correspondence/correspondence.hpp"
 
 namespace tetloft::testing {
 

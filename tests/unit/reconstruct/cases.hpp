@@ -12,10 +12,10 @@
 #include <tetloft/check.hpp>
 #include <tetloft/reconstruct.hpp>
 
-#include "reconstruct/classes.hpp"
-#include "reconstruct/completion.hpp"
-#include "reconstruct/complex.hpp"
-#include "reconstruct/slab.hpp"
+#include "completion/completion.hpp"
+#include "completion/complex.hpp"
+#include "slab/classes.hpp"
+#include "slab/slab.hpp"
 #include "support/stacks/generate.hpp"
 
 namespace tetloft::testing {

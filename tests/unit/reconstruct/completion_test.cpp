@@ -1,5 +1,5 @@
 // The invariants of completion on generated slabs, against sets.
-#include "reconstruct/completion.hpp"
+#include "completion/completion.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "reconstruct/correspondence.hpp"
+#include "correspondence/correspondence.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Drift: oblique tubes whose neighbouring sections do not overlap.
-#include "reconstruct/drift_links.hpp"
+#include "correspondence/drift_links.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Pits stay open: holes under the exterior of the other section.
-#include "reconstruct/pits.hpp"
+#include "completion/pits.hpp"
 
 #include <gtest/gtest.h>
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "core/union_find.hpp"
-#include "reconstruct/correspondence.hpp"
+#include "correspondence/correspondence.hpp"
 #include "support/voronoi_crossings.hpp"
 #include "unit/reconstruct/cases.hpp"
 

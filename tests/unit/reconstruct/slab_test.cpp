@@ -1,6 +1,6 @@
 // Types of tets, type-1 tets of triangles, rings and stars, against definitions read off
 // the triangles.
-#include "reconstruct/slab.hpp"
+#include "slab/slab.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Room in tets that are about as thin as the spacing of doubles.
-#include "reconstruct/squeeze.hpp"
+#include "subdivision/squeeze.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "reconstruct/subdivision.hpp"
+#include "subdivision/subdivision.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Distances to a region through the tree are those of a search of all edges, bit for bit.
-#include "reconstruct/trimming_distance.hpp"
+#include "subdivision/trimming_distance.hpp"
 
 #include <gtest/gtest.h>
 

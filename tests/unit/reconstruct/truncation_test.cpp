@@ -1,4 +1,4 @@
-#include "reconstruct/truncation.hpp"
+#include "subdivision/truncation.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <set>
 #include <vector>
 
-#include "reconstruct/lifting.hpp"
+#include "subdivision/lifting.hpp"
 #include "unit/reconstruct/cases.hpp"
 
 namespace tetloft::testing {

@@ -1,0 +1,203 @@
+#include "completion/completion.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <functional>
+
+#include "core/check.hpp"
+
+namespace tetloft {
+
+Completion::Completion(const Slab& slab, const SlabClasses& classes,
+                       const IdVector<ClassId, std::uint8_t>& active, Complex complex,
+                       RuleCounts& rules)
+    : slab_(slab),
+      classes_(classes),
+      active_(active),
+      complex_(std::move(complex)),
+      rules_(rules),
+      parts_(classes.regions().size()),
+      changed_(slab.vertex_count(), 0),
+      queued_(slab.vertex_count(), 0),
+      spoke_of_(slab.tet_count(), kHull),
+      link_vertex_(slab.vertex_count()) {}
+
+std::vector<LeftApart> Completion::run() {
+  for (const SlabVertexId v : slab_.vertices()) {
+    if (active_[classes_.of(v)] != 0) enqueue(v);
+  }
+  settle_queue();
+
+  std::vector<LeftApart> left = connect_classes();
+  if (left.empty()) fill_convex();
+  return left;
+}
+
+void Completion::enqueue(SlabVertexId v) {
+  if (queued_[v] != 0) return;
+  queued_[v] = 1;
+  heap_.push_back(v);
+  std::push_heap(heap_.begin(), heap_.end(), std::greater<>());
+}
+
+void Completion::keep(TetId t, ClassId c) {
+  const std::uint8_t mask = own_corners(slab_, classes_, t, c);
+  complex_.kept[t] = static_cast<std::uint8_t>(complex_.kept[t] | mask);
+  for (int i = 0; i < 4; ++i) {
+    if (!has_corner(mask, i)) continue;
+    enqueue(slab_.vertex(t, i));
+    note_change(slab_.vertex(t, i));
+  }
+}
+
+void Completion::settle_queue() {
+  while (!heap_.empty()) {
+    std::pop_heap(heap_.begin(), heap_.end(), std::greater<>());
+    const SlabVertexId v = heap_.back();
+    heap_.pop_back();
+    settle(v);
+    queued_[v] = 0;
+  }
+}
+
+void Completion::settle(SlabVertexId p) {
+  gather_star(p);
+  for (;;) {
+    find_primary_sheet();
+    const LinkShape shape = link_shape();
+    if (shape == LinkShape::disc) break;
+    if (shape == LinkShape::pinched && fill_rings(p)) continue;
+    if (!fill_holes(p)) break;
+  }
+
+  for (std::size_t k = 0; k < spokes_.size(); ++k) {
+    if (primary_[k] != 0) attach(spokes_[k].tet, spokes_[k].corner);
+  }
+}
+
+void Completion::gather_star(SlabVertexId p) {
+  spokes_.clear();
+  for (const HalfFaceId c : slab_.corners(p)) {
+    const TetId t = TetMesh::tet_of(c);
+    spoke_of_[t] = static_cast<std::int32_t>(spokes_.size());
+    spokes_.push_back({t, TetMesh::face_of(c), {}});
+  }
+  work_ += spokes_.size();
+  for (Spoke& spoke : spokes_) {
+    for (int i = 0; i < 4; ++i) {
+      if (i == spoke.corner) continue;
+      const TetId across = slab_.mesh().neighbour(spoke.tet, i);
+      spoke.next[static_cast<std::size_t>(i)] = across.valid() ? spoke_of_[across] : kHull;
+    }
+  }
+}
+
+// Floods from the type-1 tets on the vertex's own internal triangles.
+void Completion::find_primary_sheet() {
+  primary_.assign(spokes_.size(), 0);
+  sheets_ = 0;
+  for (std::size_t k = 0; k < spokes_.size(); ++k) {
+    const Spoke& spoke = spokes_[k];
+    if (slab_.kind(spoke.tet) != TetKind::t1_internal) continue;
+    const std::uint8_t upper = slab_.upper_corners(spoke.tet);
+    const bool triangle_above = std::popcount(upper) == 3;
+    if (has_corner(upper, spoke.corner) != triangle_above) continue;  // p is the apex
+    if (primary_[k] != 0) continue;
+    ++sheets_;
+    flood_primary(k);
+  }
+}
+
+void Completion::flood_primary(std::size_t start) {
+  primary_[start] = 1;
+  stack_.assign(1, static_cast<std::uint32_t>(start));
+  while (!stack_.empty()) {
+    const Spoke& spoke = spokes_[stack_.back()];
+    stack_.pop_back();
+    for (int i = 0; i < 4; ++i) {
+      if (i == spoke.corner) continue;
+      const std::int32_t k = spoke.next[static_cast<std::size_t>(i)];
+      if (k == kHull || primary_[static_cast<std::size_t>(k)] != 0) continue;
+      if (!spoke_kept(static_cast<std::size_t>(k))) continue;
+      primary_[static_cast<std::size_t>(k)] = 1;
+      stack_.push_back(static_cast<std::uint32_t>(k));
+    }
+  }
+}
+
+// In the link the primary sheet is a set of triangles. A link vertex is pinched iff more
+// than two of the set's boundary edges end there: two for one run of tets, also for one gap
+// in a cycle, four and more for several. A connected set without pinch is a disc iff χ = 1.
+Completion::LinkShape Completion::link_shape() {
+  ++epoch_;
+  std::size_t triangles = 0;
+  std::size_t vertices = 0;
+  std::size_t boundary_edges = 0;
+  bool pinched = false;
+  for (std::size_t k = 0; k < spokes_.size(); ++k) {
+    if (primary_[k] == 0) continue;
+    ++triangles;
+    const Spoke& spoke = spokes_[k];
+    const std::array<SlabVertexId, 4> corner = slab_.vertices(spoke.tet);
+    // Whether each of the triangle's edges, opposite corner i, is on the boundary.
+    std::array<bool, 4> edge{};
+    std::size_t edges = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (i == static_cast<std::size_t>(spoke.corner)) continue;
+      const std::int32_t next = spoke.next[i];
+      edge[i] = next == kHull || primary_[static_cast<std::size_t>(next)] == 0;
+      edges += edge[i] ? 1U : 0U;
+    }
+    boundary_edges += edges;
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (i == static_cast<std::size_t>(spoke.corner)) continue;
+      LinkVertex& vertex = link_vertex_[corner[i]];
+      if (vertex.epoch != epoch_) {
+        vertex = {epoch_, 0};
+        ++vertices;
+      }
+      vertex.boundary_edges += static_cast<std::uint32_t>(edges - (edge[i] ? 1U : 0U));
+      pinched = pinched || vertex.boundary_edges > 2;
+    }
+  }
+  if (pinched) return LinkShape::pinched;
+  // V − E + F = 1 with E = (3 F + B) / 2.
+  const bool euler = 2 * vertices == 2 + triangles + boundary_edges;
+  return sheets_ == 1 && euler ? LinkShape::disc : LinkShape::holed;
+}
+
+// Fills the complements of the primary sheet in the star that touch no hull facet.
+bool Completion::fill_holes(SlabVertexId p) {
+  std::vector<std::uint8_t> visited = primary_;
+  to_keep_.clear();
+  for (std::size_t start = 0; start < spokes_.size(); ++start) {
+    if (visited[start] != 0) continue;
+    std::vector<TetId> hole;
+    bool open = false;
+    visited[start] = 1;
+    stack_.assign(1, static_cast<std::uint32_t>(start));
+    while (!stack_.empty()) {
+      const Spoke& spoke = spokes_[stack_.back()];
+      stack_.pop_back();
+      hole.push_back(spoke.tet);
+      for (int i = 0; i < 4; ++i) {
+        if (i == spoke.corner) continue;
+        const std::int32_t k = spoke.next[static_cast<std::size_t>(i)];
+        if (k == kHull) {
+          open = true;
+        } else if (visited[static_cast<std::size_t>(k)] == 0) {
+          visited[static_cast<std::size_t>(k)] = 1;
+          stack_.push_back(static_cast<std::uint32_t>(k));
+        }
+      }
+    }
+    if (open) continue;
+    count(rules_, Rule::hole_in_link);
+    to_keep_.insert(to_keep_.end(), hole.begin(), hole.end());
+  }
+  const ClassId c = classes_.of(p);
+  for (const TetId t : to_keep_) keep(t, c);
+  return !to_keep_.empty();
+}
+
+}  // namespace tetloft

@@ -1,0 +1,21 @@
+// Step 4 of the rule of include/tetloft/correspondence.hpp: links that connect what one label
+// still leaves apart.
+#pragma once
+
+#include <vector>
+
+#include <tetloft/result.hpp>
+#include <tetloft/sections.hpp>
+
+#include "correspondence/labelled_sets.hpp"
+
+namespace tetloft {
+
+/// Adds the links for all labels to `accepted`, in increasing order, and unites their sets. Refused
+/// (unrepresentable) where a label cannot be realised, naming contours.
+[[nodiscard]] Result<void> connect_labels(const SectionStack& stack,
+                                          const IdVector<SectionId, Nesting>& nestings,
+                                          const StackRegions& regions, const RegionLabels& labels,
+                                          LabelledSets& sets, std::vector<Link>& accepted);
+
+}  // namespace tetloft

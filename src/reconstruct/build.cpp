@@ -1,0 +1,126 @@
+#include "reconstruct/build.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <string>
+#include <utility>
+
+#include "reconstruct/stack_errors.hpp"
+
+namespace tetloft {
+
+SlabBuilds::SlabBuilds(PreparedStack& prepared, Decision& decision, Plan& plan,
+                       const ReconstructOptions& options, WatchedWork& work)
+    : prepared_(prepared),
+      decision_(decision),
+      plan_(plan),
+      options_(options),
+      work_(work),
+      outcome_(prepared.slab_count()) {}
+
+std::optional<Error> SlabBuilds::run() {
+  std::vector<SlabId> to_build = all_ids<SlabId>(outcome_.size());
+  for (;;) {
+    if (auto error = build(to_build)) return error;
+    const auto stuck = std::find_if_not(outcome_.begin(), outcome_.end(), [](const auto& outcome) {
+      return std::holds_alternative<SlabSolid>(outcome);
+    });
+    if (stuck == outcome_.end()) return std::nullopt;
+    const SlabId slab(stuck - outcome_.begin());
+    if (const auto* apart = std::get_if<Unconnectable>(&*stuck))
+      return cannot_connect(slab, *apart);
+    Result<std::vector<SlabId>> touched = refine(slab, std::get<RefineHere>(*stuck));
+    if (!touched) return touched.error();
+    to_build = std::move(*touched);
+  }
+}
+
+std::optional<Error> SlabBuilds::build(const std::vector<SlabId>& slabs) {
+  built_ += slabs.size();
+  return first_error(slabs, options_.threads, work_, [&](SlabId slab) -> std::optional<Error> {
+    Result<SlabOutcome> outcome = build_slab(
+        slab, prepared_.sections[lower_section(slab)], prepared_.sections[upper_section(slab)],
+        plan_.correspondence.links[slab], {options_.delaunay, options_.work_limit});
+    if (!outcome) return outcome.error();
+    outcome_[slab] = std::move(*outcome);
+    if (auto* refused = std::get_if<Unrepresentable>(&outcome_[slab])) return refused->error;
+    if (refinements_ == 0) work_.step_done();  // each slab counts once
+    return std::nullopt;
+  });
+}
+
+// Contours refined to Gabriel edges: regions that overlap then have an own–own edge of D between
+// them.
+Result<std::vector<SlabId>> SlabBuilds::refine(SlabId slab, const RefineHere& wanted) {
+  ++refinements_;
+  const SlabRegions regions(prepared_.nestings[lower_section(slab)].outer.size(),
+                            prepared_.nestings[upper_section(slab)].outer.size());
+  std::vector<SlabId> touched;
+  for (const bool upper : {false, true}) {
+    const SectionId s = section_of(slab, upper);
+    const Nesting& nesting = prepared_.nestings[s];
+    IdVector<ContourId, bool> gabriel = plan_.gabriel[s];
+    if (gabriel.empty()) gabriel.assign(nesting.region.size(), false);
+    for (const SlabRegionId r : wanted.regions) {
+      if (regions.is_upper(r) != upper) continue;
+      for (const ContourId c : nesting.region.ids()) {
+        if (nesting.region[c] == regions.in_section(r)) gabriel[c] = true;
+      }
+    }
+    if (std::find(gabriel.begin(), gabriel.end(), true) == gabriel.end()) continue;
+    if (gabriel == plan_.gabriel[s]) continue;
+    if (auto error = prepared_.conform_section(s, gabriel)) return *error;
+    plan_.gabriel[s] = std::move(gabriel);
+    if (s.index() > 0) touched.emplace_back(s.value() - 1);
+    if (s.index() < outcome_.size()) touched.emplace_back(s.value());
+  }
+  if (decision_.depends_on_triangulations()) {
+    Result<Correspondence> anew = decision_.make(touched, work_);
+    if (!anew) return anew.error();
+    for (const SlabId k : outcome_.ids()) {
+      if (anew->links[k] != plan_.correspondence.links[k]) touched.push_back(k);
+    }
+    plan_.correspondence = std::move(*anew);
+  }
+  std::sort(touched.begin(), touched.end());
+  touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+  return touched;
+}
+
+Error SlabBuilds::cannot_connect(SlabId slab, const Unconnectable& apart) const {
+  const SlabRegions regions(prepared_.nestings[lower_section(slab)].outer.size(),
+                            prepared_.nestings[upper_section(slab)].outer.size());
+  std::string names;
+  for (const SlabRegionId r : apart.regions) {
+    const SectionId s = section_of(slab, regions.is_upper(r));
+    const ContourId outer = prepared_.nestings[s].outer[regions.in_section(r)];
+    if (!names.empty()) names += ", ";
+    names += "section " + std::to_string(s.index()) + " contour " + std::to_string(outer.index());
+  }
+  Place place;
+  place.slab = slab.index();
+  return {ErrorCode::unrepresentable,
+          "regions to be united have no Delaunay edge between them: " + names, place};
+}
+
+std::vector<Part> SlabBuilds::take_parts() {
+  const auto& sections = prepared_.sections;
+  const SectionId first(0);
+  const SectionId last(sections.size() - 1);
+  std::vector<Part> parts;
+  parts.reserve(outcome_.size() + 2);
+  if (plan_.ends) {
+    parts.push_back({SlabId(0), SectionId(), first, build_end(sections[first], plan_.ends->below)});
+  }
+  for (const SlabId slab : outcome_.ids()) {
+    parts.push_back({slab, lower_section(slab), upper_section(slab),
+                     std::get<SlabSolid>(std::move(outcome_[slab]))});
+  }
+  if (plan_.ends) {
+    const SlabId last_slab(outcome_.empty() ? 0 : outcome_.size() - 1);
+    parts.push_back({last_slab, last, SectionId(), build_end(sections[last], plan_.ends->above)});
+  }
+  return parts;
+}
+
+}  // namespace tetloft

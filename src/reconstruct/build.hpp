@@ -1,0 +1,52 @@
+// Phase 2, build: the solid of each slab, from its two sections and its links alone. Where a slab
+// asks for finer contours its sections are conformed again, and the slabs that this touches are
+// built again, no others.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "reconstruct/decide.hpp"
+#include "reconstruct/glue.hpp"
+#include "reconstruct/plan.hpp"
+#include "reconstruct/prepare.hpp"
+#include "reconstruct/slab_solid.hpp"
+
+namespace tetloft {
+
+class SlabBuilds {
+ public:
+  /// All must outlive this. Sections are refined as slabs ask for it, and the plan follows.
+  SlabBuilds(PreparedStack& prepared, Decision& decision, Plan& plan,
+             const ReconstructOptions& options, WatchedWork& work);
+
+  /// Builds all slabs, each a step of the work, until all are solid. The error of the lowest slab
+  /// that has none.
+  [[nodiscard]] std::optional<Error> run();
+
+  /// The solids of slabs and, as planned, ends, from below; handed out.
+  [[nodiscard]] std::vector<Part> take_parts();
+
+  /// How often a slab was built, each counted as often as it was.
+  [[nodiscard]] std::size_t built() const { return built_; }
+  /// How often contours were refined.
+  [[nodiscard]] std::uint64_t refinements() const { return refinements_; }
+
+ private:
+  [[nodiscard]] std::optional<Error> build(const std::vector<SlabId>& slabs);
+  // The slabs to build again.
+  [[nodiscard]] Result<std::vector<SlabId>> refine(SlabId slab, const RefineHere& wanted);
+  [[nodiscard]] Error cannot_connect(SlabId slab, const Unconnectable& apart) const;
+
+  PreparedStack& prepared_;
+  Decision& decision_;
+  Plan& plan_;
+  const ReconstructOptions& options_;
+  WatchedWork& work_;
+  IdVector<SlabId, SlabOutcome> outcome_;
+  std::size_t built_ = 0;
+  std::uint64_t refinements_ = 0;
+};
+
+}  // namespace tetloft

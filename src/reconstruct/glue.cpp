@@ -1,0 +1,119 @@
+#include "reconstruct/glue.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace tetloft {
+
+namespace {
+
+class Gluing {
+ public:
+  Gluing(const IdVector<SectionId, ConformingSection>& sections, const RegionComponents& component)
+      : component_(component) {
+    for (const SectionId s : sections.ids()) add_section(s, sections[s]);
+    for (const auto& section : component) {
+      for (const ComponentId c : section) {
+        model_.component_count = std::max(model_.component_count, c.index() + 1);
+      }
+    }
+  }
+
+  Model run(std::vector<Part> parts) {
+    reserve(parts);
+    for (Part& part : parts) {
+      add(part);
+      part.solid = SlabSolid();
+    }
+    return std::move(model_);
+  }
+
+ private:
+  void add_section(SectionId s, const ConformingSection& section) {
+    vertices_.add_section(section.vertex_count());
+    for (const VertexId v : section.contour.ids()) {
+      const bool input = section.input_vertex[v] != ConformingSection::kNotInput;
+      add_point(section.point3(v), static_cast<std::int32_t>(s.value()),
+                static_cast<std::int32_t>(section.contour[v].value()),
+                input ? PointOrigin::input : PointOrigin::contour_split);
+    }
+  }
+
+  void reserve(const std::vector<Part>& parts) {
+    std::size_t tets = 0;
+    std::size_t points = model_.points.size();
+    for (const Part& part : parts) {
+      tets += part.solid.pieces.size();
+      points += part.solid.constructed.size();
+    }
+    model_.tets.reserve(tets);
+    model_.component.reserve(tets);
+    model_.slab.reserve(tets);
+    model_.kind.reserve(tets);
+    model_.points.reserve(points);
+    model_.section.reserve(points);
+    model_.contour.reserve(points);
+    model_.origin.reserve(points);
+  }
+
+  VertexId add_point(const Point3& p, std::int32_t section, std::int32_t contour,
+                     PointOrigin origin) {
+    model_.section.push_back(section);
+    model_.contour.push_back(contour);
+    model_.origin.push_back(origin);
+    return model_.points.push_back(p);
+  }
+
+  [[nodiscard]] ComponentId component_of(const Part& part, SlabRegionId r) const {
+    const SlabRegions& regions = part.solid.regions;
+    return component_[regions.is_upper(r) ? part.upper : part.lower][regions.in_section(r)];
+  }
+
+  void add(const Part& part) {
+    const SlabSolid& solid = part.solid;
+    const Nodes nodes = solid.nodes();
+    const IdVector<ConstructedId, VertexId> constructed = add_constructed(solid);
+    const auto model_vertex = [&](NodeId n) {
+      if (nodes.is_constructed(n)) return constructed[nodes.constructed(n)];
+      const SlabVertexId v = Nodes::slab_vertex(n);
+      return vertices_.of(solid.vertices.is_upper(v) ? part.upper : part.lower,
+                          solid.vertices.in_section(v));
+    };
+    for (const Piece& piece : solid.pieces) {
+      const auto& [a, b, c, d] = piece.node;
+      model_.tets.push_back({model_vertex(a), model_vertex(b), model_vertex(c), model_vertex(d)});
+      model_.component.push_back(component_of(part, piece.region));
+      model_.slab.push_back(part.slab);
+      model_.kind.push_back(piece.kind);
+    }
+  }
+
+  // Those that a piece uses are marked first (with any valid id), then numbered in order.
+  IdVector<ConstructedId, VertexId> add_constructed(const SlabSolid& solid) {
+    const Nodes nodes = solid.nodes();
+    IdVector<ConstructedId, VertexId> vertex(solid.constructed.size());
+    for (const Piece& piece : solid.pieces) {
+      for (const NodeId n : piece.node) {
+        if (nodes.is_constructed(n)) vertex[nodes.constructed(n)] = VertexId(0);
+      }
+    }
+    for (const ConstructedId k : vertex.ids()) {
+      if (!vertex[k].valid()) continue;
+      vertex[k] = add_point(solid.constructed[k], kNoSection, kNoContour, solid.origin[k]);
+    }
+    return vertex;
+  }
+
+  const RegionComponents& component_;
+  StackVertices vertices_;
+  Model model_;
+};
+
+}  // namespace
+
+Model glue(const IdVector<SectionId, ConformingSection>& sections,
+           const RegionComponents& component, std::vector<Part> parts) {
+  return Gluing(sections, component).run(std::move(parts));
+}
+
+}  // namespace tetloft

@@ -1,0 +1,28 @@
+// What is decided over a whole stack before any slab is built. With it, sections can be conformed
+// and slabs built apart from each other, in any order, on any machine; and their solids glued.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "correspondence/correspondence.hpp"
+
+namespace tetloft {
+
+/// Where the prisms beyond the first and last section end.
+struct EndPlanes {
+  double below = 0;
+  double above = 0;
+};
+
+struct Plan {
+  /// The stack times 2^exponent is what slabs are built from, and the model divided by it what
+  /// the caller gets.
+  int exponent = 0;
+  std::optional<EndPlanes> ends;
+  /// The contours to be refined to Gabriel edges, by section; empty: none.
+  IdVector<SectionId, IdVector<ContourId, bool>> gabriel;
+  Correspondence correspondence;
+};
+
+}  // namespace tetloft

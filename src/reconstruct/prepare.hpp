@@ -1,0 +1,34 @@
+// A stack in the unit of length that its model is made in, with its conforming sections.
+#pragma once
+
+#include <optional>
+
+#include <tetloft/reconstruct.hpp>
+
+#include "core/watched_work.hpp"
+
+namespace tetloft {
+
+/// In which unit of length a model is made: README.md, "Scale".
+enum class Unit : std::uint8_t { of_the_stack, as_given };
+
+struct PreparedStack {
+  SectionStack stack;  ///< times 2^exponent
+  int exponent = 0;
+  IdVector<SectionId, Nesting> nestings;
+  IdVector<SectionId, ConformingSection> sections;
+  double work_limit = kDefaultWorkLimit;
+
+  [[nodiscard]] std::size_t section_count() const { return stack.sections.size(); }
+  [[nodiscard]] std::size_t slab_count() const { return section_count() - 1; }
+
+  /// Conforms a section; the edges of the given contours become Gabriel (empty: none).
+  [[nodiscard]] std::optional<Error> conform_section(SectionId s,
+                                                     const IdVector<ContourId, bool>& gabriel = {});
+};
+
+/// Validates and conforms all sections, each a step of the work. Errors are in the unit given.
+[[nodiscard]] Result<PreparedStack> prepare(const SectionStack& given, Unit unit,
+                                            const ReconstructOptions& options, WatchedWork& work);
+
+}  // namespace tetloft
