@@ -9,7 +9,7 @@
 
 #include <tetloft/io.hpp>
 
-#include "unit/reconstruct/cases.hpp"
+#include "support/slabs/cases.hpp"
 
 namespace tetloft::testing {
 namespace {

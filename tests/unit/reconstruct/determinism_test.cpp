@@ -9,7 +9,7 @@
 
 #include "core/prng.hpp"
 #include "property/same_model.hpp"
-#include "unit/reconstruct/cases.hpp"
+#include "support/slabs/cases.hpp"
 
 namespace tetloft::testing {
 namespace {

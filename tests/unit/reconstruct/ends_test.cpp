@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "unit/reconstruct/cases.hpp"
+#include "support/slabs/cases.hpp"
 
 namespace tetloft::testing {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "unit/reconstruct/cases.hpp"
+#include "support/slabs/cases.hpp"
 
 namespace tetloft::testing {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "support/stacks/shapes.hpp"
-#include "unit/reconstruct/cases.hpp"
+#include "support/slabs/cases.hpp"
 
 namespace tetloft::testing {
 namespace {

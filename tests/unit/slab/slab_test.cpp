@@ -12,7 +12,7 @@
 #include <tetloft/predicates.hpp>
 
 #include "contact/contact.hpp"
-#include "unit/reconstruct/cases.hpp"
+#include "support/slabs/cases.hpp"
 
 namespace tetloft::testing {
 namespace {

@@ -14,7 +14,7 @@
 #include "core/union_find.hpp"
 #include "correspondence/correspondence.hpp"
 #include "support/voronoi_crossings.hpp"
-#include "unit/reconstruct/cases.hpp"
+#include "support/slabs/cases.hpp"
 
 namespace tetloft::testing {
 namespace {

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <vector>
 
-#include "unit/reconstruct/cases.hpp"
+#include "support/slabs/cases.hpp"
 
 namespace tetloft::testing {
 namespace {

@@ -11,7 +11,7 @@
 #include <tetloft/predicates.hpp>
 
 #include "core/prng.hpp"
-#include "unit/reconstruct/cases.hpp"
+#include "support/slabs/cases.hpp"
 
 namespace tetloft::testing {
 namespace {

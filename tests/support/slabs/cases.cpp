@@ -1,4 +1,4 @@
-#include "unit/reconstruct/cases.hpp"
+#include "support/slabs/cases.hpp"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 
 #include <tetloft/predicates.hpp>
 
-#include "unit/reconstruct/cases.hpp"
+#include "support/slabs/cases.hpp"
 
 namespace tetloft::testing {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "property/same_model.hpp"
 #include "reconstruct/assembly.hpp"
-#include "unit/reconstruct/cases.hpp"
+#include "support/slabs/cases.hpp"
 
 namespace tetloft::testing {
 namespace {

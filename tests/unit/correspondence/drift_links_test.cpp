@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "support/guarantee_oracle.hpp"
-#include "unit/reconstruct/cases.hpp"
+#include "support/slabs/cases.hpp"
 
 namespace tetloft::testing {
 namespace {

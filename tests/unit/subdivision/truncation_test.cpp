@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "subdivision/lifting.hpp"
-#include "unit/reconstruct/cases.hpp"
+#include "support/slabs/cases.hpp"
 
 namespace tetloft::testing {
 namespace {

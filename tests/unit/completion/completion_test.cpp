@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/union_find.hpp"
-#include "unit/reconstruct/cases.hpp"
+#include "support/slabs/cases.hpp"
 
 namespace tetloft::testing {
 namespace {
