@@ -138,7 +138,6 @@ Completion::LinkShape Completion::link_shape() {
     if (primary_[k] == 0) continue;
     ++triangles;
     const Spoke& spoke = spokes_[k];
-    const std::array<SlabVertexId, 4> corner = slab_.vertices(spoke.tet);
     // Whether each of the triangle's edges, opposite corner i, is on the boundary.
     std::array<bool, 4> edge{};
     std::size_t edges = 0;
@@ -151,7 +150,7 @@ Completion::LinkShape Completion::link_shape() {
     boundary_edges += edges;
     for (std::size_t i = 0; i < 4; ++i) {
       if (i == static_cast<std::size_t>(spoke.corner)) continue;
-      LinkVertex& vertex = link_vertex_[corner[i]];
+      LinkVertex& vertex = link_vertex_[slab_.vertex(spoke.tet, static_cast<int>(i))];
       if (vertex.epoch != epoch_) {
         vertex = {epoch_, 0};
         ++vertices;

@@ -30,6 +30,12 @@ class Buckets {
     begin_[0] = 0;
   }
 
+  /// Puts value(i) in the place of each item i; groups and their order stay.
+  template <class Value>
+  void replace(Value&& value) {
+    for (std::uint32_t& item : items_) item = value(item);
+  }
+
   [[nodiscard]] std::size_t size() const { return begin_.size() - 1; }
   [[nodiscard]] std::span<const std::uint32_t> operator[](std::size_t key) const {
     return {items_.data() + begin_[key], begin_[key + 1] - begin_[key]};

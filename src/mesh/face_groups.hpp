@@ -22,7 +22,7 @@ struct SortedFace {
 };
 
 template <class V>
-[[nodiscard]] SortedFace sorted_face(const std::array<V, 4>& tet, std::size_t face) {
+[[nodiscard]] inline SortedFace sorted_face(const std::array<V, 4>& tet, std::size_t face) {
   SortedFace f;
   for (std::size_t k = 0; k < 3; ++k) {
     f.vertex[k] = tet[static_cast<std::size_t>(kFaceVertex[face][k])].value();
@@ -45,18 +45,16 @@ struct FaceMember {
   bool even = true;
 };
 
-/// Calls visit(lowest vertex, members) for each face of the tets 0 … tet_count − 1 with all
-/// vertices in range; members by half-face id, faces by their sorted vertices. corners(t) are the
-/// four vertices of tet t, ids of any one kind. Linear for bounded stars; a vertex of k tets costs
-/// k log k.
-template <class Corners, class Visit>
+/// Calls visit(lowest vertex, members) for each face of the tets 0 … tet_count − 1; members by
+/// half-face id, faces by their sorted vertices. corners(t) are the four vertices of tet t, ids of
+/// any one kind; sound(t) tells whether they are below vertex_count: other tets are left out.
+/// Linear for bounded stars; a vertex of k tets costs k log k.
+template <class Corners, class Sound, class Visit>
 void for_each_face_group(std::size_t vertex_count, std::size_t tet_count, const Corners& corners,
-                         Visit&& visit) {
+                         const Sound& sound, Visit&& visit) {
   const auto lowest_vertex = [&](std::size_t h) -> std::size_t {
+    if (!sound(h / 4)) return vertex_count;
     const auto& tet = corners(h / 4);
-    for (const auto v : tet) {
-      if (v.index() >= vertex_count) return vertex_count;
-    }
     const std::array<int, 3>& f = kFaceVertex[h % 4];
     return std::min({tet[static_cast<std::size_t>(f[0])], tet[static_cast<std::size_t>(f[1])],
                      tet[static_cast<std::size_t>(f[2])]})
@@ -83,11 +81,14 @@ void for_each_face_group(std::size_t vertex_count, std::size_t tet_count, const 
   }
 }
 
-/// Calls visit(half-face) for each face that one tet alone has; faces as above.
-template <class Corners, class Visit>
+/// Of tets that are all sound.
+inline constexpr auto kAllSound = [](std::size_t) { return true; };
+
+/// Calls visit(half-face) for each face that one tet alone has; the rest as above.
+template <class Corners, class Sound, class Visit>
 void for_each_boundary_face(std::size_t vertex_count, std::size_t tet_count, const Corners& corners,
-                            Visit&& visit) {
-  for_each_face_group(vertex_count, tet_count, corners,
+                            const Sound& sound, Visit&& visit) {
+  for_each_face_group(vertex_count, tet_count, corners, sound,
                       [&](std::size_t, std::span<const FaceMember> members) {
                         if (members.size() == 1) visit(members[0].half_face);
                       });

@@ -46,7 +46,7 @@ Result<TetMesh> TetMesh::from_tets(std::size_t vertex_count, std::span<const Tet
     std::vector<HalfFaceId> opposite(4 * tets.size());
     std::optional<Error> refused;
     const auto corners = [&](std::size_t t) -> const TetVertices& { return tets[t]; };
-    for_each_face_group(vertex_count, tets.size(), corners,
+    for_each_face_group(vertex_count, tets.size(), corners, kAllSound,
                         [&](std::size_t lowest, std::span<const FaceMember> members) {
                           if (members.size() == 1 || refused) return;
                           refused = refuse_face(lowest, members);

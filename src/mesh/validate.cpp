@@ -2,6 +2,7 @@
 // when they hold nonsense.
 #include <tetloft/tet_mesh.hpp>
 
+#include <algorithm>
 #include <string>
 
 #include "mesh/face_groups.hpp"
@@ -86,8 +87,12 @@ std::vector<MeshViolation> TetMesh::validate() const {
 
   Offences not_glued;
   const auto corners = [&](std::size_t t) -> const TetVertices& { return tets_[t]; };
+  const auto sound = [&](std::size_t t) {
+    return std::all_of(tets_[t].begin(), tets_[t].end(),
+                       [&](VertexId v) { return v.index() < vertex_count(); });
+  };
   for_each_face_group(
-      vertex_count(), slots, corners, [&](std::size_t, std::span<const FaceMember> members) {
+      vertex_count(), slots, corners, sound, [&](std::size_t, std::span<const FaceMember> members) {
         if (members.size() > 2) {
           not_glued.add(half_face_text(members[0].half_face) + ": its face belongs to " +
                         std::to_string(members.size()) + " tets");

@@ -54,7 +54,8 @@ Result<TetMesh> half_faces(const Model& model) {
 Surface boundary_surface(const Model& model) {
   const auto corners = [&](std::size_t t) -> const TetVertices& { return model.tets[TetId(t)]; };
   std::vector<HalfFaceId> boundary;
-  mesh_detail::for_each_boundary_face(model.points.size(), model.tets.size(), corners,
+  const auto sound = [&](std::size_t t) { return is_sound(model, model.tets[TetId(t)]); };
+  mesh_detail::for_each_boundary_face(model.points.size(), model.tets.size(), corners, sound,
                                       [&](HalfFaceId h) { boundary.push_back(h); });
   std::sort(boundary.begin(), boundary.end());
   Surface surface;

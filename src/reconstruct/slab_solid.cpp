@@ -160,12 +160,16 @@ class SlabBuilder {
     solid.vertices = slab.numbering();
     solid.regions = classes.regions();
     const Nodes nodes = solid.nodes();
+    // Solids of all slabs wait for the last: none takes more than it needs.
+    const std::size_t constructed = embedding.points().size() - nodes.slab_vertices();
+    solid.constructed.reserve(constructed);
+    solid.origin.reserve(constructed);
     for (const NodeId n : embedding.points().ids()) {
       if (nodes.is_slab_vertex(n)) continue;
       solid.constructed.push_back(embedding.points()[n]);
       solid.origin.push_back(embedding.origin(n));
     }
-    solid.pieces = embedding.take_pieces();
+    solid.pieces = embedding.pieces();
     solid.smallest_lift = embedding.smallest_lift();
     solid.rules = rules;
     return solid;

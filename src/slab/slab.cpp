@@ -1,6 +1,5 @@
 #include "slab/slab.hpp"
 
-#include <bit>
 #include <utility>
 
 #include "core/check.hpp"
@@ -27,12 +26,18 @@ void Slab::classify_tets() {
   kind_.resize(tet_count());
   upper_corners_.resize(tet_count());
   for (const TetId t : tets()) {
+    std::array<Corners, 2> plane;  // below, above
     unsigned mask = 0;
-    for (int i = 0; i < 4; ++i) mask |= is_upper(vertex(t, i)) ? 1U << i : 0U;
+    for (int i = 0; i < 4; ++i) {
+      const SlabVertexId v = vertex(t, i);
+      const unsigned upper = is_upper(v) ? 1 : 0;
+      mask |= upper << i;
+      plane[upper].add(in_section(v));
+    }
     upper_corners_[t] = static_cast<std::uint8_t>(mask);
-    const int highs = std::popcount(mask);
-    TETLOFT_CHECK(highs >= 1 && highs <= 3);
-    kind_[t] = highs == 2 ? classify_type2(t) : classify_type1(t, highs == 3);
+    const bool above = plane[1].count > 2;
+    kind_[t] = plane[0].count == 2 ? classify_type2(plane[0], plane[1])
+                                   : classify_type1(t, plane[above ? 1 : 0], above);
   }
   // The 2D triangulations are the hull facets of D in their planes, triangle by triangle.
   for (const auto& tet_on : tet_on_) {
@@ -40,32 +45,23 @@ void Slab::classify_tets() {
   }
 }
 
-TetKind Slab::classify_type1(TetId t, bool triangle_above) {
-  std::array<VertexId, 3> corner;
-  std::size_t corners = 0;
-  for (int i = 0; i < 4; ++i) {
-    if (has_corner(upper_corners_[t], i) == triangle_above) {
-      corner[corners++] = in_section(vertex(t, i));
-    }
-  }
-  const ConformingSection& plane = section(triangle_above);
-  const TriangleId triangle = plane.find_triangle(corner[0], corner[1], corner[2]);
+TetKind Slab::classify_type1(TetId t, const Corners& corners, bool above) {
+  TETLOFT_CHECK(corners.count == 3);
+  const ConformingSection& plane = section(above);
+  const TriangleId triangle = plane.find_triangle(corners.id[0], corners.id[1], corners.id[2]);
   TETLOFT_CHECK(triangle.valid());
-  TetId& slot = tet_on_[triangle_above ? 1 : 0][triangle];
+  TetId& slot = tet_on_[above ? 1 : 0][triangle];
   TETLOFT_CHECK(!slot.valid());
   slot = t;
   return plane.internal[triangle] != 0 ? TetKind::t1_internal : TetKind::t1_external;
 }
 
-TetKind Slab::classify_type2(TetId t) const {
-  std::array<std::array<SlabVertexId, 2>, 2> ends;  // below, above
-  std::array<std::size_t, 2> found{};
-  for (int i = 0; i < 4; ++i) {
-    const std::size_t plane = has_corner(upper_corners_[t], i) ? 1 : 0;
-    ends[plane][found[plane]++] = vertex(t, i);
-  }
-  const EdgeKind below = edge_kind(ends[0][0], ends[0][1]);
-  const EdgeKind above = edge_kind(ends[1][0], ends[1][1]);
+TetKind Slab::classify_type2(const Corners& lower, const Corners& upper) const {
+  const EdgeId e = lower_->find_edge(lower.id[0], lower.id[1]);
+  const EdgeId f = upper_->find_edge(upper.id[0], upper.id[1]);
+  TETLOFT_CHECK(e.valid() && f.valid());
+  const EdgeKind below = lower_->edges[e].kind;
+  const EdgeKind above = upper_->edges[f].kind;
   const auto has = [&](EdgeKind k) { return below == k || above == k; };
   if (has(EdgeKind::internal)) {
     if (below == above) return TetKind::ii;

@@ -85,8 +85,14 @@ class Slab {
  private:
   [[nodiscard]] static VertexId mesh_vertex(SlabVertexId v) { return VertexId(v.value()); }
   void classify_tets();
-  [[nodiscard]] TetKind classify_type1(TetId t, bool triangle_above);
-  [[nodiscard]] TetKind classify_type2(TetId t) const;
+  // The corners of a tet in one plane.
+  struct Corners {
+    std::array<VertexId, 4> id;
+    std::size_t count = 0;
+    void add(VertexId v) { id[count++] = v; }
+  };
+  [[nodiscard]] TetKind classify_type1(TetId t, const Corners& corners, bool above);
+  [[nodiscard]] TetKind classify_type2(const Corners& lower, const Corners& upper) const;
 
   const ConformingSection* lower_;
   const ConformingSection* upper_;

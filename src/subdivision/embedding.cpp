@@ -66,7 +66,8 @@ void Embedding::add_prisms() {
 void Embedding::collect_boundary() {
   const auto node = [&](std::size_t p) -> const std::array<NodeId, 4>& { return pieces_[p].node; };
   mesh_detail::for_each_boundary_face(
-      nodes_.size_without_caps() + caps_.size(), pieces_.size(), node, [&](HalfFaceId h) {
+      nodes_.size_without_caps() + caps_.size(), pieces_.size(), node, mesh_detail::kAllSound,
+      [&](HalfFaceId h) {
         const auto [a, b, c] = face_of(node(TetMesh::tet_of(h).index()), TetMesh::face_of(h));
         boundary_.push_back({VertexId(a.value()), VertexId(b.value()), VertexId(c.value())});
       });

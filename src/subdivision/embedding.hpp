@@ -24,7 +24,6 @@
 #pragma once
 
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include <tetloft/result.hpp>
@@ -65,7 +64,7 @@ class Embedding {
 
   /// The result, once embedded: positions of all nodes, and all pieces.
   [[nodiscard]] const IdVector<NodeId, Point3>& points() const { return points_; }
-  [[nodiscard]] std::vector<Piece> take_pieces() { return std::move(pieces_); }
+  [[nodiscard]] const std::vector<Piece>& pieces() const { return pieces_; }
   /// Of a constructed node.
   [[nodiscard]] PointOrigin origin(NodeId node) const;
   /// Seconds spent in contact tests.

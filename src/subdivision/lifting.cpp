@@ -33,6 +33,24 @@ void sort_unique(std::vector<std::uint32_t>& items) {
   items.erase(std::unique(items.begin(), items.end()), items.end());
 }
 
+Buckets children_at_lifted(const Subdivision& subdivision) {
+  struct Corner {
+    LiftedId vertex;
+    std::uint32_t child;
+  };
+  std::vector<Corner> corners;
+  for (std::size_t c = 0; c < subdivision.children.size(); ++c) {
+    for (const NodeId n : subdivision.children[c].node) {
+      if (!subdivision.nodes.is_constructed(n)) continue;
+      corners.push_back({subdivision.nodes.lifted(n), static_cast<std::uint32_t>(c)});
+    }
+  }
+  Buckets children(subdivision.lifted.size(), corners.size(),
+                   [&](std::size_t i) { return corners[i].vertex.index(); });
+  children.replace([&](std::uint32_t i) { return corners[i].child; });
+  return children;
+}
+
 }  // namespace
 
 Lifting::Lifting(const Slab& slab, const Subdivision& subdivision)
@@ -42,11 +60,7 @@ Lifting::Lifting(const Slab& slab, const Subdivision& subdivision)
       fraction_(subdivision.lifted.size(), 0.5),
       ceiling_(subdivision.lifted.size(), 0.5),
       aim_(subdivision.lifted.size(), Aim::ring),
-      corners_(subdivision.lifted.size(), 4 * subdivision.children.size(), [&](std::size_t c) {
-        const NodeId n = subdivision.children[c / 4].node[c % 4];
-        // Behind all keys for slab vertices.
-        return nodes_.is_lifted(n) ? nodes_.lifted(n).index() : subdivision.lifted.size();
-      }) {
+      children_(children_at_lifted(subdivision)) {
   points_.reserve(nodes_.size_without_caps());
   for (const SlabVertexId v : slab.vertices()) points_.push_back(slab.point(v));
   for (const LiftedVertex& vertex : subdivision.lifted) {
@@ -69,7 +83,7 @@ Lifting::Lifting(const Slab& slab, const Subdivision& subdivision)
 }
 
 void Lifting::look_again(LiftedId k) {
-  for (const std::uint32_t corner : corners_[k.index()]) todo_.push_back(corner / 4);
+  todo_.insert(todo_.end(), children_at(k).begin(), children_at(k).end());
 }
 
 void Lifting::place(LiftedId k) {
@@ -80,9 +94,7 @@ void Lifting::place(LiftedId k) {
                            base.z + f * (target.z - base.z)};
   if (aim_[k] != Aim::squeezed) return;
   std::vector<std::array<NodeId, 4>> tets;
-  for (const std::uint32_t corner : corners_[k.index()]) {
-    tets.push_back(subdivision_.children[corner / 4].node);
-  }
+  for (const std::uint32_t c : children_at(k)) tets.push_back(subdivision_.children[c].node);
   const DoubleRange heights{std::nextafter(std::min(base.z, target.z), HUGE_VAL),
                             std::nextafter(std::max(base.z, target.z), -HUGE_VAL)};
   const Point3 a = slab_.point(subdivision_.lifted[k].of[0]);
@@ -210,10 +222,10 @@ void Lifting::raise() {
       const double before = fraction_[k];
       fraction_[k] = std::min(ceiling_[k], 2 * before);
       place(k);
-      const auto corners = corners_[k.index()];
-      const bool fits = std::all_of(corners.begin(), corners.end(),
-                                    [&](std::uint32_t corner) { return good(corner / 4); });
-      if (fits) continue;
+      if (std::all_of(children_at(k).begin(), children_at(k).end(),
+                      [&](std::uint32_t c) { return good(c); })) {
+        continue;
+      }
       fraction_[k] = before;
       place(k);
       break;

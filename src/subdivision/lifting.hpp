@@ -18,6 +18,7 @@
 //             for tets thinner than the spacing of doubles
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include <tetloft/point.hpp>
@@ -57,7 +58,9 @@ class Lifting {
  private:
   enum class Aim : std::uint8_t { ring, own, vertical, ring_again, squeezed };
 
-  // What has changed at vertex k is to be looked at again.
+  [[nodiscard]] std::span<const std::uint32_t> children_at(LiftedId k) const {
+    return children_[k.index()];
+  }
   void look_again(LiftedId k);
   void place(LiftedId k);
   [[nodiscard]] bool lower(LiftedId k, std::uint32_t bad_child);
@@ -76,8 +79,8 @@ class Lifting {
   IdVector<LiftedId, Aim> aim_;  // what the target is
   IdVector<NodeId, Point3> points_;
   std::vector<double> unlifted_volume_;  // by child
-  // The corners, 4 child + i, at each lifted vertex.
-  Buckets corners_;
+  // The children at each lifted vertex, by id.
+  const Buckets children_;
   // Children that may not be good: all at first, later those at vertices lowered since.
   std::vector<std::uint32_t> todo_;
   Point3 at_;
