@@ -12,6 +12,7 @@
 #include <set>
 #include <utility>
 
+#include <tetloft/conforming_section.hpp>
 #include <tetloft/predicates.hpp>
 
 #include "check/box_tree.hpp"

@@ -1,5 +1,6 @@
 // tetloft check: the four guarantees, exactly.
 #include "cli/commands.hpp"
+#include "cli/engine_option.hpp"
 #include "cli/progress.hpp"
 #include "cli/stack_input.hpp"
 
@@ -14,7 +15,7 @@ Usage usage() {
               stack_options(),
               "Give the options of correspondence, and --snap, as they were given to "
               "reconstruct. Exits with 1 if a guarantee fails."};
-  for (const Option& option : {kJsonOption, kQuietOption, kHelpOption}) {
+  for (const Option& option : {kThreadsOption, kJsonOption, kQuietOption, kHelpOption}) {
     usage.options.push_back(option);
   }
   return usage;
@@ -120,6 +121,9 @@ Result<int> run(const Arguments& arguments, Console& console) {
   const auto prepared = preparation(arguments);
   if (!prepared) return prepared.error();
 
+  const auto threads = threads_option(arguments);
+  if (!threads) return threads.error();
+  options.execution.threads = *threads;
   const Result<Model> model = read_vtu(arguments.operand(0));
   if (!model) return model.error();
   const auto input = read_stack_input(arguments.operand(1), *prepared, console);
@@ -130,7 +134,7 @@ Result<int> run(const Arguments& arguments, Console& console) {
 
   const Result<CheckReport> report = [&] {
     Progress progress(!console.quiet());
-    options.progress = progress.callback();
+    options.execution.progress = progress.callback();
     return check(*model, input->stack, options);
   }();
   if (!report) return report.error();

@@ -65,7 +65,7 @@ std::vector<TetVertices> tets_of(const TetMesh& mesh) {
 }
 
 Result<int> run(const Arguments& arguments, Console& console) {
-  const auto threads = arguments.integer("--threads", 0, 1024);
+  const auto threads = threads_option(arguments);
   if (!threads) return threads.error();
   const auto limit = work_limit_option(arguments, kTetsPerPoint);
   if (!limit) return limit.error();
@@ -81,8 +81,8 @@ Result<int> run(const Arguments& arguments, Console& console) {
   const Stopwatch triangulating;
   const Result<Delaunay3> delaunay =
       delaunay3(*points, {.engine = *engine,
-                          .threads = static_cast<unsigned>(threads->value_or(0)),
-                          .most_tets = most_tets(*limit, points->size())});
+                          .most_tets = most_tets(*limit, points->size()),
+                          .execution = {.threads = *threads}});
   const double seconds = triangulating.seconds();
   if (!delaunay) {
     Error error = delaunay.error();

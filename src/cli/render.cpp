@@ -79,7 +79,7 @@ Result<RenderOptions> render_options(const Arguments& arguments) {
   if (const auto size = arguments.text("--size")) {
     const auto sides = two_numbers(*size, 'x');
     const auto whole = [](double side) {
-      return side >= 1 && side <= 8192 && side == static_cast<int>(side);
+      return side >= 1 && side <= kLargestPictureSide && side == static_cast<int>(side);
     };
     if (!sides || !whole((*sides)[0]) || !whole((*sides)[1])) {
       return wrong_value("--size", *size, "WxH, each from 1 to 8192");
@@ -128,7 +128,7 @@ Result<int> run(const Arguments& arguments, Console& console) {
                                             : render_html;
   const Result<std::string> picture = [&] {
     Progress progress(!console.quiet());
-    options->progress = progress.callback();
+    options->execution.progress = progress.callback();
     return render(*model, stack ? &*stack : nullptr, *options);
   }();
   if (!picture) {

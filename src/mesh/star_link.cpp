@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/entry.hpp"
 #include "mesh/local_index.hpp"
 
 namespace tetloft {
@@ -24,7 +25,16 @@ VertexId TetMesh::smallest_star(std::span<const VertexId> candidates) const {
   }
 }
 
+void TetMesh::require_vertex(VertexId v) const {
+  require_named(v.index() < vertex_count(), "no vertex of the mesh");
+}
+
+void TetMesh::require_live(TetId t) const {
+  require_named(t.index() < tet_slots() && is_live(t), "no tet of the mesh");
+}
+
 std::vector<TetId> TetMesh::star(VertexId v) const {
+  require_vertex(v);
   std::vector<TetId> result;
   const HalfFaceId first = first_corner(v);
   if (!first.valid()) return result;
@@ -38,6 +48,9 @@ std::vector<TetId> TetMesh::star(VertexId v) const {
 }
 
 std::vector<TetId> TetMesh::star(VertexId a, VertexId b) const {
+  require_vertex(a);
+  require_vertex(b);
+  require_fit(a != b, "an edge has two ends");
   const std::array<VertexId, 2> ends{a, b};
   const VertexId from = smallest_star(ends);
   const VertexId to = from == a ? b : a;
@@ -47,12 +60,16 @@ std::vector<TetId> TetMesh::star(VertexId a, VertexId b) const {
 }
 
 std::vector<TetId> TetMesh::star(HalfFaceId h) const {
+  require_live(tet_of(h));
   const HalfFaceId o = opposite(h);
   if (!o.valid()) return {tet_of(h)};
   return {tet_of(h), tet_of(o)};
 }
 
 std::vector<TetId> TetMesh::ring(VertexId a, VertexId b, TetId start) const {
+  require_live(start);
+  const bool has_edge = a != b && index_in(start, a) >= 0 && index_in(start, b) >= 0;
+  require_fit(has_edge, "the tet to start from has not this edge");
   const auto next = [&](TetId t) { return neighbour(t, turn(index_in(t, a), index_in(t, b))); };
   const auto previous = [&](TetId t) { return neighbour(t, turn(index_in(t, b), index_in(t, a))); };
   // On a path, the tets before `start` come first.
@@ -87,6 +104,7 @@ std::vector<std::array<VertexId, 2>> TetMesh::link(VertexId a, VertexId b) const
 }
 
 std::vector<VertexId> TetMesh::link(HalfFaceId h) const {
+  require_live(tet_of(h));
   const HalfFaceId o = opposite(h);
   if (!o.valid()) return {corner_vertex(h)};
   return {corner_vertex(h), corner_vertex(o)};

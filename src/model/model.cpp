@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "core/entry.hpp"
 #include "core/unit_of_length.hpp"
 
 namespace tetloft {
@@ -70,6 +71,7 @@ Surface boundary_surface(const Model& model) {
     std::uint32_t half_face;
   };
   const std::vector<TetId> sound = sound_tets(model);
+  require_fit(sound.size() < std::size_t{1} << 30, "2^30 tets or more");
   const std::size_t face_count = 4 * sound.size();
   std::vector<std::uint32_t> first(model.points.size() + 1, 0);
   const auto sorted_face = [&](std::size_t h) {

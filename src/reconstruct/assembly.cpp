@@ -39,8 +39,7 @@ void Assembly::add_section_vertices() {
     for (std::size_t k = 0; k < section.vertex_count(); ++k) {
       const VertexId v(k);
       const bool input = section.input_vertex[v] != ConformingSection::kNotInput;
-      add_point(section.point3(v), static_cast<std::int32_t>(s),
-                static_cast<std::int32_t>(section.contour[v].value()),
+      add_point(section.point3(v), SectionId(s), section.contour[v],
                 input ? PointOrigin::input : PointOrigin::contour_split);
     }
   }
@@ -51,7 +50,7 @@ void Assembly::add_section_vertices() {
   }
 }
 
-VertexId Assembly::add_point(const Point3& p, std::int32_t section, std::int32_t contour,
+VertexId Assembly::add_point(const Point3& p, SectionId section, ContourId contour,
                              PointOrigin origin) {
   model_.section.push_back(section);
   model_.contour.push_back(contour);
@@ -85,7 +84,7 @@ void Assembly::glue(const Part& part) {
   }
   for (std::size_t k = 0; k < constructed.size(); ++k) {
     if (!constructed[k].valid()) continue;
-    constructed[k] = add_point(solid.constructed[k], kNoSection, kNoContour, solid.origin[k]);
+    constructed[k] = add_point(solid.constructed[k], {}, {}, solid.origin[k]);
   }
   const auto model_id = [&](VertexId v) {
     if (v.index() >= solid.section_vertices) {

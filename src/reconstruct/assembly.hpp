@@ -53,8 +53,7 @@ class Assembly {
 
  private:
   void add_section_vertices();
-  VertexId add_point(const Point3& p, std::int32_t section, std::int32_t contour,
-                     PointOrigin origin);
+  VertexId add_point(const Point3& p, SectionId section, ContourId contour, PointOrigin origin);
   [[nodiscard]] ComponentId component_of(const Part& part, SlabRegionId region) const;
   void glue(const Part& part);
 

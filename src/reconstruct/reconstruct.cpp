@@ -9,9 +9,9 @@
 #include <tetloft/predicates.hpp>
 
 #include "core/check.hpp"
-#include "core/correspondence_options.hpp"
 #include "core/cpu_clock.hpp"
 #include "core/enums.hpp"
+#include "core/option_rules.hpp"
 #include "core/parallel.hpp"
 #include "core/watched_work.hpp"
 #include "model/scaling.hpp"
@@ -43,7 +43,7 @@ class Reconstructor {
       : given_(stack),
         options_(options),
         unit_(unit),
-        work_(options.stop, options.progress, step_count(stack)) {}
+        work_(options.execution, step_count(stack)) {}
 
   /// Nothing where the model, made in the stack's unit, is none in the one given.
   Result<std::optional<Reconstruction>> run() {
@@ -102,7 +102,7 @@ class Reconstructor {
   template <class Body>
   std::optional<Error> parallel_errors(std::size_t n, const Body& body) const {
     std::vector<std::optional<Error>> errors(n);
-    parallel_for(n, options_.threads, [&](std::size_t i) {
+    parallel_for(n, options_.execution.threads, [&](std::size_t i) {
       work_.go_on();
       errors[i] = body(i);
     });
@@ -121,18 +121,16 @@ class Reconstructor {
     if (!is_enumerator(options_.delaunay, DelaunayEngine::slab)) {
       return Error{ErrorCode::usage, "there is no such Delaunay engine", {}};
     }
-    if (!(options_.work_limit > 0)) {
-      return Error{ErrorCode::usage, "the work limit must be positive", {}};
-    }
-    if (options_.thickness && !(*options_.thickness > 0 && std::isfinite(*options_.thickness))) {
-      return Error{ErrorCode::usage, "the thickness must be positive and finite", {}};
-    }
+    Result<void> good = check_work_limit(options_.work_limit);
+    if (good && options_.thickness) good = check_length(*options_.thickness, "the thickness");
+    if (!good) return good.error();
     return std::nullopt;
   }
 
   std::optional<Error> prepare_sections() {
     const WorkStopwatch watch;
-    if (Result<void> valid = validate(given_, options_.threads); !valid) return valid.error();
+    const Result<void> valid = validate(given_, untold(options_.execution));
+    if (!valid) return valid.error();
     choose_unit();
     nestings_.resize(section_count());
     sections_.resize(section_count());
@@ -159,8 +157,9 @@ class Reconstructor {
   std::optional<Error> conform_section(SectionId s) {
     std::size_t vertices = 0;
     for (const Contour& contour : stack_.sections[s].contours) vertices += contour.vertices.size();
-    Result<ConformingSection> section = conform(stack_.sections[s], s, gabriel_[s], {},
-                                                most_inserted(options_.work_limit, vertices));
+    Result<ConformingSection> section = conform(
+        stack_.sections[s], s,
+        {.gabriel = gabriel_[s], .most_inserted = most_inserted(options_.work_limit, vertices)});
     if (!section) return section.error();
     sections_[s] = std::move(section.value());
     return std::nullopt;
@@ -396,7 +395,7 @@ Result<Reconstruction> reconstruct(const SectionStack& stack,
                          if (!made) return made.error();
                          if (*made) return std::move(**made);
                          ReconstructOptions again = options;
-                         again.progress = nullptr;  // all steps have been told
+                         again.execution.progress = nullptr;  // all steps have been told
                          made = Reconstructor(stack, again, Unit::as_given).run();
                          if (!made) return made.error();
                          return std::move(**made);

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include <tetloft/sections.hpp>
+#include <tetloft/conforming_section.hpp>
 
 namespace tetloft::sections {
 
@@ -11,5 +11,8 @@ namespace tetloft::sections {
 /// canonically, and fills triangulation, edges (kinds left external) and first_edge of
 /// `section`. Returns the new id of every old vertex.
 IdVector<VertexId, VertexId> adopt(const Triangulation2& triangulation, ConformingSection& section);
+
+/// Throws std::invalid_argument unless all ids and sizes are those of one section.
+void require_consistent(const ConformingSection& section);
 
 }  // namespace tetloft::sections

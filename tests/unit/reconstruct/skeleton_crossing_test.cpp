@@ -268,7 +268,7 @@ TEST(WellPositionedContours, ArePartitionedAsByReverseTets) {
 TEST(WellPositionedContours, GiveManifolds) {
   ReconstructOptions options;
   options.correspondence.criterion = Criterion::reverse;
-  options.threads = 1;
+  options.execution.threads = 1;
   Tally tally;
   std::size_t tets = 0;
   for (const StackKind kind : all_kinds()) {
