@@ -8,7 +8,7 @@ namespace tetloft::cli {
 
 namespace {
 
-Usage usage() {
+Usage check_usage() {
   Usage usage{"check",
               "The guarantees of a model, checked exactly against its input.",
               {"MODEL.vtu", "IN.cnt"},
@@ -113,7 +113,7 @@ std::string failed_guarantees(const CheckReport& report) {
   return text;
 }
 
-Result<int> run(const Arguments& arguments, Console& console) {
+Result<int> run_check(const Arguments& arguments, Console& console) {
   CheckOptions options;
   auto correspondence = correspondence_options(arguments, console);
   if (!correspondence) return correspondence.error();
@@ -152,6 +152,6 @@ Result<int> run(const Arguments& arguments, Console& console) {
 
 }  // namespace
 
-Command check_command() { return {usage(), run}; }
+Command check_command() { return {check_usage(), run_check}; }
 
 }  // namespace tetloft::cli

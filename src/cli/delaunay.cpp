@@ -14,7 +14,7 @@ namespace tetloft::cli {
 
 namespace {
 
-Usage usage() {
+Usage delaunay_usage() {
   return {
       "delaunay",
       "The Delaunay triangulation of points in space.",
@@ -64,7 +64,7 @@ std::vector<TetVertices> tets_of(const TetMesh& mesh) {
   return tets;
 }
 
-Result<int> run(const Arguments& arguments, Console& console) {
+Result<int> run_delaunay(const Arguments& arguments, Console& console) {
   const auto threads = threads_option(arguments);
   if (!threads) return threads.error();
   const auto limit = work_limit_option(arguments, kTetsPerPoint);
@@ -123,6 +123,6 @@ Result<int> run(const Arguments& arguments, Console& console) {
 
 }  // namespace
 
-Command delaunay_command() { return {usage(), run}; }
+Command delaunay_command() { return {delaunay_usage(), run_delaunay}; }
 
 }  // namespace tetloft::cli

@@ -16,7 +16,7 @@ namespace tetloft::cli {
 
 namespace {
 
-Usage usage() {
+Usage reconstruct_usage() {
   Usage usage{"reconstruct",
               "From a stack of contours to a tetrahedral solid.",
               {"IN.cnt"},
@@ -190,7 +190,7 @@ std::string to_text(const Reconstruction& result, const StackInput& input, const
   return text + describe(request.outputs);
 }
 
-Result<int> run(const Arguments& arguments, Console& console) {
+Result<int> run_reconstruct(const Arguments& arguments, Console& console) {
   const auto method = arguments.choice("--method", {"nonato", "geiger"});
   if (!method) return method.error();
   if (method->value_or(0) == 1) return reconstruct_by_geiger(arguments, console);
@@ -247,6 +247,6 @@ Result<int> run(const Arguments& arguments, Console& console) {
 
 }  // namespace
 
-Command reconstruct_command() { return {usage(), run}; }
+Command reconstruct_command() { return {reconstruct_usage(), run_reconstruct}; }
 
 }  // namespace tetloft::cli

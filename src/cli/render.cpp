@@ -19,7 +19,7 @@ namespace tetloft::cli {
 
 namespace {
 
-Usage usage() {
+Usage render_usage() {
   return {"render",
           "A picture of a model, or a page to turn, cut and take it apart.",
           {"MODEL.vtu"},
@@ -101,7 +101,7 @@ Result<RenderOptions> render_options(const Arguments& arguments) {
   return options;
 }
 
-Result<int> run(const Arguments& arguments, Console& console) {
+Result<int> run_render(const Arguments& arguments, Console& console) {
   const auto output = arguments.text("--output");
   if (!output) return usage_error("missing option --output (-o) OUT");
   auto options = render_options(arguments);
@@ -159,6 +159,6 @@ Result<int> run(const Arguments& arguments, Console& console) {
 
 }  // namespace
 
-Command render_command() { return {usage(), run}; }
+Command render_command() { return {render_usage(), run_render}; }
 
 }  // namespace tetloft::cli

@@ -27,7 +27,7 @@ using io::VtuPiece;
 using io::VtuRole;
 using io::XmlScanner;
 
-constexpr std::int64_t kVtkTetra = 10;
+constexpr std::int64_t kTetraType = 10;
 
 // Half-faces 4 t + i must fit into 32 bits (tet_mesh.hpp).
 constexpr std::size_t kTetLimit = std::size_t{1} << 30;
@@ -131,7 +131,7 @@ class GridDecoder {
     const auto types = cell_array(p, VtuRole::types, "types", cells);
     if (!types) return types.error();
     for (std::size_t i = 0; i < cells; ++i) {
-      if ((*types)[i] == kVtkTetra) continue;
+      if ((*types)[i] == kTetraType) continue;
       return complain(piece.position, "cell " + std::to_string(i) + " is of VTK type " +
                                           std::to_string((*types)[i]) +
                                           "; only tetrahedra (10) can be read");

@@ -17,7 +17,7 @@ using Tet = std::array<VertexId, 4>;
 // A cut moves at most this share of its distance from the kept corner.
 constexpr double kReach = 0x1p-4;
 
-void sort_unique(std::vector<std::size_t>& items) {
+void sort_distinct(std::vector<std::size_t>& items) {
   std::sort(items.begin(), items.end());
   items.erase(std::unique(items.begin(), items.end()), items.end());
 }
@@ -135,8 +135,8 @@ void squeeze_cuts(std::span<Point3> points, std::size_t first_cut, const SlabCla
     for (std::size_t piece = 0; piece < truncation.pieces.size(); ++piece) {
       if (class_of(piece) == c) append_cuts(piece, of_class);
     }
-    sort_unique(of_bad);
-    sort_unique(of_class);
+    sort_distinct(of_bad);
+    sort_distinct(of_class);
     squeezing.run(std::move(of_bad), of_class);
   }
 }
