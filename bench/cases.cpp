@@ -110,7 +110,7 @@ Run reconstruct_file(const std::string& path, unsigned threads) {
   Run run;
   run.steps.emplace_back("read", clock.seconds());
   ReconstructOptions options;
-  options.threads = threads;
+  options.execution.threads = threads;
   const Reconstruction solid = value_of(reconstruct(input.stack, options));
   add_steps(solid.report, run);
   const Clock writing;
@@ -126,7 +126,7 @@ Run reconstruct_file(const std::string& path, unsigned threads) {
 Run reconstruct_stack(const SectionStack& stack, unsigned threads) {
   const Clock clock;
   ReconstructOptions options;
-  options.threads = threads;
+  options.execution.threads = threads;
   const Reconstruction solid = value_of(reconstruct(stack, options));
   Run run{clock.seconds(), solid.model.tets.size()};
   add_steps(solid.report, run);

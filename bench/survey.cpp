@@ -134,7 +134,7 @@ std::string survey(const std::filesystem::path& path, const Options& options) {
   }
   if (options.compare) {
     ReconstructOptions other = options.reconstruct;
-    other.threads = *options.compare;
+    other.execution.threads = *options.compare;
     const Result<Reconstruction> again = reconstruct(stack, other);
     row << (again.ok() && same_model(made->model, again->model) ? "same" : "DIFFERENT") << " | ";
   }
@@ -158,7 +158,7 @@ std::string take_option(const std::string& name, const std::string& value, Optio
     options.reconstruct.correspondence.criterion =
         reverse ? Criterion::reverse : Criterion::overlap;
   } else if (name == "--threads") {
-    good = parse_number(value, options.reconstruct.threads);
+    good = parse_number(value, options.reconstruct.execution.threads);
   } else if (name == "--compare") {
     good = parse_number(value, threads);
     options.compare = threads;
@@ -175,7 +175,7 @@ std::string take_option(const std::string& name, const std::string& value, Optio
 }
 
 std::string parse(int argc, char** argv, Options& options) {
-  options.reconstruct.threads = 1;
+  options.reconstruct.execution.threads = 1;
   for (int i = 1; i < argc; ++i) {
     const std::string arg = argv[i];
     if (arg == "--no-check") {

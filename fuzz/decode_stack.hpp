@@ -20,7 +20,7 @@ struct DecodedStack {
 inline DecodedStack decode_stack(Bytes& bytes) {
   DecodedStack decoded;
   const std::uint8_t flags = bytes.byte();
-  decoded.options.threads = 1;
+  decoded.options.execution.threads = 1;
   if ((flags & 1) != 0) decoded.options.correspondence.criterion = Criterion::reverse;
   if ((flags & 2) != 0) decoded.options.ends = Ends::half;
   if ((flags & 4) != 0) decoded.options.correspondence.tau = 0.25;

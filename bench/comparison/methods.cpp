@@ -58,7 +58,7 @@ Method tetloft_by(std::string name, const CorrespondenceOptions& correspondence)
   const auto run = [correspondence](const SectionStack& stack) {
     ReconstructOptions options;
     options.correspondence = correspondence;
-    options.threads = 1;
+    options.execution.threads = 1;
     return timed([&] { return reconstruct(stack, options); },
                  [&](Reconstruction&& made, Outcome& outcome) {
                    outcome.model = std::move(made.model);
@@ -70,7 +70,7 @@ Method tetloft_by(std::string name, const CorrespondenceOptions& correspondence)
 
 Method geiger() {
   const auto run = [](const SectionStack& stack) {
-    return timed([&] { return reconstruct_geiger(stack, {.threads = 1}); },
+    return timed([&] { return reconstruct_geiger(stack, {.execution = {.threads = 1}}); },
                  [&](GeigerModel&& made, Outcome& outcome) {
                    outcome.model = std::move(made.model);
                    outcome.tolerance = kTetTolerance * mean_edge_length(stack);

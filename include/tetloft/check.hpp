@@ -3,15 +3,15 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
-#include <stop_token>
 #include <string>
 #include <vector>
 
 #include <tetloft/correspondence.hpp>
+#include <tetloft/execution.hpp>
+#include <tetloft/export.hpp>
 #include <tetloft/model.hpp>
 #include <tetloft/result.hpp>
-#include <tetloft/sections.hpp>
+#include <tetloft/section_stack.hpp>
 
 namespace tetloft {
 
@@ -36,19 +36,11 @@ struct CheckOptions {
   /// An inserted vertex may lie this many ulps (of the largest coordinate magnitude of its
   /// contour edge) off the edge.
   double split_ulps = 4;
-  std::size_t places = 5;  ///< how many places to report for each failure
-  /// Threads for the guarantees, which are checked apart from each other; 0: as many as the
-  /// machine offers. The result is the same.
-  unsigned threads = 0;
-  /// Once a stop is requested (from any thread), check ends with ErrorCode::cancelled as soon as
-  /// the guarantees in work are done.
-  std::stop_token stop = {};
-  /// Called from any thread, one call at a time, with steps done and steps in all. What it
-  /// throws ends the check with ErrorCode::cancelled.
-  std::function<void(std::size_t done, std::size_t all)> progress = {};
+  std::size_t places = 5;    ///< how many places to report for each failure
+  Execution execution = {};  ///< threads share the guarantees
 };
 
-struct CheckReport {
+struct TETLOFT_API CheckReport {
   std::vector<GuaranteeVerdict> guarantees;  ///< the four, in order
   [[nodiscard]] bool pass() const;
   // Figures beside the guarantees.
@@ -79,7 +71,7 @@ struct CheckReport {
 /// fails a guarantee. Refused (invalid_input) for an invalid stack, invalid labels or 2^30
 /// tets, (usage) for options out of range, (cancelled) if it was stopped. Both ends may be flat or
 /// extend beyond the stack.
-[[nodiscard]] Result<CheckReport> check(const Model& model, const SectionStack& stack,
-                                        const CheckOptions& options = {});
+[[nodiscard]] TETLOFT_API Result<CheckReport> check(const Model& model, const SectionStack& stack,
+                                                    const CheckOptions& options = {});
 
 }  // namespace tetloft

@@ -4,30 +4,23 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
-#include <stop_token>
 
+#include <tetloft/execution.hpp>
+#include <tetloft/export.hpp>
 #include <tetloft/model.hpp>
 #include <tetloft/reconstruct.hpp>
 #include <tetloft/result.hpp>
-#include <tetloft/sections.hpp>
+#include <tetloft/section_stack.hpp>
 
 namespace tetloft {
 
 struct GeigerOptions {
-  /// Threads for the slabs; 0: as many as the machine offers. The result is the same.
-  unsigned threads = 0;
   /// Adds feet of obtuse corners to contours (step 1) and projected skeleton vertices to regions
   /// (step 2).
   bool refine = true;
-  /// Once a stop is requested (from any thread), the reconstruction ends with ErrorCode::cancelled
-  /// as soon as the sections and slabs in work are done.
-  std::stop_token stop = {};
-  /// Called from any thread, one call at a time, with steps done and steps in all. What it
-  /// throws ends the reconstruction with ErrorCode::cancelled.
-  std::function<void(std::size_t done, std::size_t all)> progress = {};
   /// The most tets of a slab's Delaunay triangulation, as ReconstructOptions has it.
   double work_limit = kDefaultWorkLimit;
+  Execution execution = {};  ///< threads share the sections and slabs
 };
 
 struct GeigerReport {
@@ -50,8 +43,8 @@ struct GeigerModel {
 /// Delaunay triangulations. Nothing else is promised: vertices may be singular, contours lost,
 /// sections not met; check() says how. Refused: invalid_input for an invalid stack or fewer than
 /// two sections, unrepresentable where a section cannot be made conforming, work_limit where that
-/// is exceeded, cancelled if it was stopped.
-[[nodiscard]] Result<GeigerModel> reconstruct_geiger(const SectionStack& stack,
-                                                     const GeigerOptions& options = {});
+/// is exceeded, usage for one that is not positive, cancelled if it was stopped.
+[[nodiscard]] TETLOFT_API Result<GeigerModel> reconstruct_geiger(const SectionStack& stack,
+                                                                 const GeigerOptions& options = {});
 
 }  // namespace tetloft

@@ -1,17 +1,26 @@
 // Strong 32-bit ids and the vectors they index.
 //
 // An id names an element of one flat array; ids of different arrays do not mix:
-// `VertexId == TetId` does not compile. A default-constructed id is invalid.
+// `VertexId == TetId` does not compile. A default-constructed id is invalid. Arrays of 2^32 − 1
+// elements or more cannot be indexed: making an id of a number too large for one throws
+// std::out_of_range, which functions that return a Result turn into ErrorCode::internal.
 #pragma once
 
+#include <array>
 #include <compare>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
+#include <tetloft/export.hpp>
+
 namespace tetloft {
+
+/// Throws std::out_of_range: a number that 32 bits do not hold is no id.
+[[noreturn]] TETLOFT_API void throw_no_id();
 
 template <class Tag>
 class Id {
@@ -21,7 +30,12 @@ class Id {
 
   constexpr Id() = default;
   template <std::integral I>
-  constexpr explicit Id(I value) : value_(static_cast<Value>(value)) {}
+  constexpr explicit Id(I value) : value_(static_cast<Value>(value)) {
+    // What fits in a Value by its type costs nothing; negative numbers are large ones here.
+    if constexpr (std::is_signed_v<I> || sizeof(I) > sizeof(Value)) {
+      if (static_cast<std::uint64_t>(value) >= kInvalid) throw_no_id();
+    }
+  }
 
   [[nodiscard]] constexpr bool valid() const { return value_ != kInvalid; }
   [[nodiscard]] constexpr Value value() const { return value_; }
@@ -54,6 +68,8 @@ using SlabId = Id<struct SlabTag>;
 /// A connected component of the object.
 using ComponentId = Id<struct ComponentTag>;
 
+using TetVertices = std::array<VertexId, 4>;
+using TriangleVertices = std::array<VertexId, 3>;
 /// The ids 0 … n − 1, for range-based loops.
 template <class IdType>
 class IdRange {

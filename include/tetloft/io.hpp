@@ -12,9 +12,10 @@
 #include <vector>
 
 #include <tetloft/correspondence.hpp>
+#include <tetloft/export.hpp>
 #include <tetloft/model.hpp>
 #include <tetloft/result.hpp>
-#include <tetloft/sections.hpp>
+#include <tetloft/section_stack.hpp>
 
 namespace tetloft {
 
@@ -44,24 +45,26 @@ enum class Validity { required, unchecked };
 /// harmless slips (mend() in sections.hpp, wrong counts, the height as third number of every
 /// vertex) and validates; warns of suspicious_gaps(), and of contours that seem to be open lines
 /// cut off at a frame. At most about a thousand warnings. Errors name file and line.
-[[nodiscard]] Result<ReadStack> read_cnt(const std::string& path,
-                                         Validity validity = Validity::required);
+[[nodiscard]] TETLOFT_API Result<ReadStack> read_cnt(const std::string& path,
+                                                     Validity validity = Validity::required);
 /// The same from text; `name` stands for the file in messages.
-[[nodiscard]] Result<ReadStack> parse_cnt(std::string_view text, const std::string& name,
-                                          Validity validity = Validity::required);
-[[nodiscard]] Result<void> write_cnt(const std::string& path, const SectionStack& stack);
+[[nodiscard]] TETLOFT_API Result<ReadStack> parse_cnt(std::string_view text,
+                                                      const std::string& name,
+                                                      Validity validity = Validity::required);
+[[nodiscard]] TETLOFT_API Result<void> write_cnt(const std::string& path,
+                                                 const SectionStack& stack);
 
 /// Lines "section contour label", zero-based; # starts a comment.
-[[nodiscard]] Result<std::vector<Label>> read_labels(const std::string& path);
-[[nodiscard]] Result<std::vector<Label>> parse_labels(std::string_view text,
-                                                      const std::string& name);
+[[nodiscard]] TETLOFT_API Result<std::vector<Label>> read_labels(const std::string& path);
+[[nodiscard]] TETLOFT_API Result<std::vector<Label>> parse_labels(std::string_view text,
+                                                                  const std::string& name);
 
 /// Text lines "x y z" (# comments), or little-endian float64 triples if the name ends in
 /// ".bin".
-[[nodiscard]] Result<std::vector<Point3>> read_points(const std::string& path);
+[[nodiscard]] TETLOFT_API Result<std::vector<Point3>> read_points(const std::string& path);
 /// The same from bytes; `name` stands for the file in messages, and its extension decides.
-[[nodiscard]] Result<std::vector<Point3>> parse_points(std::string_view bytes,
-                                                       const std::string& name);
+[[nodiscard]] TETLOFT_API Result<std::vector<Point3>> parse_points(std::string_view bytes,
+                                                                   const std::string& name);
 
 enum class Encoding { binary, ascii };
 
@@ -69,27 +72,27 @@ enum class Encoding { binary, ascii };
 /// section, contour, origin, each left out where the model's is empty; an invalid id is −1.
 /// ASCII digits read back exactly. Refused (invalid_input) where an array has a wrong length, a
 /// tet names a vertex that there is not, or a kind or origin is none.
-[[nodiscard]] Result<void> write_vtu(const std::string& path, const Model& model,
-                                     Encoding encoding = Encoding::binary);
+[[nodiscard]] TETLOFT_API Result<void> write_vtu(const std::string& path, const Model& model,
+                                                 Encoding encoding = Encoding::binary);
 /// Writes any tetrahedral mesh, without provenance. Refused as above.
-[[nodiscard]] Result<void> write_vtu(const std::string& path, const std::vector<Point3>& points,
-                                     const std::vector<TetVertices>& tets,
-                                     Encoding encoding = Encoding::binary);
+[[nodiscard]] TETLOFT_API Result<void> write_vtu(const std::string& path,
+                                                 const std::vector<Point3>& points,
+                                                 const std::vector<TetVertices>& tets,
+                                                 Encoding encoding = Encoding::binary);
 /// Reads points, tets and, where present, the data arrays that write_vtu makes. Accepts
 /// ascii, inline base64 and appended (raw or base64) data, uncompressed.
 /// Arrays that a file lacks, or has with values of another meaning, are left empty.
-[[nodiscard]] Result<Model> read_vtu(const std::string& path);
+[[nodiscard]] TETLOFT_API Result<Model> read_vtu(const std::string& path);
 /// The same from bytes; `name` stands for the file in messages.
-[[nodiscard]] Result<Model> parse_vtu(std::string_view bytes, const std::string& name);
+[[nodiscard]] TETLOFT_API Result<Model> parse_vtu(std::string_view bytes, const std::string& name);
 
 /// Writes the boundary surface as .obj, .ply (binary double), .vtp or .stl (binary,
 /// float32), by extension. Vertices are those of the surface, renumbered by id. The
 /// warnings say where rounding to float32 merges vertices or flattens triangles. Refused:
 /// other extensions (usage), coordinates beyond float32 in .stl, and models as in write_vtu()
 /// (invalid_input).
-[[nodiscard]] Result<std::vector<Warning>> write_surface(const std::string& path,
-                                                         const Model& model,
-                                                         Encoding encoding = Encoding::binary);
+[[nodiscard]] TETLOFT_API Result<std::vector<Warning>> write_surface(
+    const std::string& path, const Model& model, Encoding encoding = Encoding::binary);
 
 /// Line segments in space, each with integers of the same names.
 struct LineSet {
@@ -103,10 +106,10 @@ struct LineSet {
 
 /// VTK XML poly data (.vtp) of lines, with `data` as cell data. Refused (invalid_input) where an
 /// array has a wrong length.
-[[nodiscard]] Result<void> write_lines(const std::string& path, const LineSet& lines,
-                                       Encoding encoding = Encoding::binary);
+[[nodiscard]] TETLOFT_API Result<void> write_lines(const std::string& path, const LineSet& lines,
+                                                   Encoding encoding = Encoding::binary);
 
 /// Writes `bytes`, which appear at `path` all or not at all; directly where a pipe or a device is.
-[[nodiscard]] Result<void> write_file(const std::string& path, std::string_view bytes);
+[[nodiscard]] TETLOFT_API Result<void> write_file(const std::string& path, std::string_view bytes);
 
 }  // namespace tetloft

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <tetloft/export.hpp>
 #include <tetloft/ids.hpp>
 #include <tetloft/point.hpp>
 #include <tetloft/result.hpp>
@@ -26,7 +27,7 @@ enum class TetKind : std::uint8_t {
   prism = 8,  ///< end of a component: extruded region
 };
 inline constexpr int kTetKinds = 9;
-[[nodiscard]] const char* name_of(TetKind kind);
+[[nodiscard]] TETLOFT_API const char* name_of(TetKind kind);
 
 /// How a vertex came to be. The values are stored in files.
 enum class PointOrigin : std::uint8_t {
@@ -38,10 +39,7 @@ enum class PointOrigin : std::uint8_t {
   projected = 5,      ///< inside a region: of a neighbour's external skeleton (geiger.hpp)
 };
 inline constexpr int kPointOrigins = 6;
-[[nodiscard]] const char* name_of(PointOrigin origin);
-
-inline constexpr std::int32_t kNoSection = -1;
-inline constexpr std::int32_t kNoContour = -1;
+[[nodiscard]] TETLOFT_API const char* name_of(PointOrigin origin);
 
 struct Model {
   IdVector<VertexId, Point3> points;
@@ -55,8 +53,8 @@ struct Model {
   IdVector<TetId, TetKind> kind;
 
   // Per point.
-  IdVector<VertexId, std::int32_t> section;  ///< kNoSection between sections
-  IdVector<VertexId, std::int32_t> contour;  ///< kNoContour off the contours
+  IdVector<VertexId, SectionId> section;  ///< invalid between sections
+  IdVector<VertexId, ContourId> contour;  ///< invalid off the contours
   IdVector<VertexId, PointOrigin> origin;
 
   std::size_t component_count = 0;
@@ -64,7 +62,7 @@ struct Model {
 
 /// Adjacency, stars and links of a model's tets; vertex and tet ids are the model's. Made anew by
 /// each call, in near-linear time: keep it. Refused as TetMesh::from_tets().
-[[nodiscard]] Result<TetMesh> half_faces(const Model& model);
+[[nodiscard]] TETLOFT_API Result<TetMesh> half_faces(const Model& model);
 
 /// The boundary surface: outward oriented triangles over the model's vertices, by half-face.
 struct Surface {
@@ -73,11 +71,11 @@ struct Surface {
 };
 
 /// The faces that belong to one tet only. Tets with a vertex that the model lacks count for
-/// nothing, here and in volume(). Requires fewer than 2^30 tets, and that no face belongs to more
-/// than two.
-[[nodiscard]] Surface boundary_surface(const Model& model);
+/// nothing, here and in volume(). Requires that no face belongs to more than two; throws
+/// std::invalid_argument for 2^30 tets or more.
+[[nodiscard]] TETLOFT_API Surface boundary_surface(const Model& model);
 
 /// Sum of the tets' volumes, in a fixed order.
-[[nodiscard]] double volume(const Model& model);
+[[nodiscard]] TETLOFT_API double volume(const Model& model);
 
 }  // namespace tetloft

@@ -18,6 +18,7 @@
 
 #include <cstdint>
 
+#include <tetloft/export.hpp>
 #include <tetloft/point.hpp>
 #include <tetloft/result.hpp>
 
@@ -29,35 +30,37 @@ enum class Sign : std::int8_t { negative = -1, zero = 0, positive = 1 };
 
 /// Positive iff a, b, c turn counter-clockwise: the sign of (b − a) × (c − a).
 /// (1) Swapping two arguments negates the result. (2) Zero iff collinear.
-[[nodiscard]] Sign orient2d(const Point2& a, const Point2& b, const Point2& c);
+[[nodiscard]] TETLOFT_API Sign orient2d(const Point2& a, const Point2& b, const Point2& c);
 
 /// Positive iff (b − a) × (c − a) · (d − a) > 0: seen from d, the triangle a b c turns
 /// counter-clockwise. The tet (a, b, c, d) is then positive.
 /// (1) Swapping two arguments negates the result. (2) Zero iff coplanar.
-[[nodiscard]] Sign orient3d(const Point3& a, const Point3& b, const Point3& c, const Point3& d);
+[[nodiscard]] TETLOFT_API Sign orient3d(const Point3& a, const Point3& b, const Point3& c,
+                                        const Point3& d);
 
 /// For a, b, c counter-clockwise: positive iff d lies strictly inside their circle.
 /// (1) Swapping two of a, b, c negates the result. (2) Zero iff cocircular or all collinear.
-[[nodiscard]] Sign incircle(const Point2& a, const Point2& b, const Point2& c, const Point2& d);
+[[nodiscard]] TETLOFT_API Sign incircle(const Point2& a, const Point2& b, const Point2& c,
+                                        const Point2& d);
 
 /// For orient3d(a, b, c, d) positive: positive iff e lies strictly inside their sphere.
 /// (1) Swapping two of a, b, c, d negates the result. (2) Zero iff cospherical.
-[[nodiscard]] Sign insphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
-                            const Point3& e);
+[[nodiscard]] TETLOFT_API Sign insphere(const Point3& a, const Point3& b, const Point3& c,
+                                        const Point3& d, const Point3& e);
 
 /// incircle, symbolically perturbed. Never zero for four distinct points of which a, b, c
 /// are not collinear; zero where two points coincide or all are collinear.
 /// (1) Swapping any two of the four points negates the result.
-[[nodiscard]] Sign incircle_perturbed(const Point2& a, const Point2& b, const Point2& c,
-                                      const Point2& d);
+[[nodiscard]] TETLOFT_API Sign incircle_perturbed(const Point2& a, const Point2& b, const Point2& c,
+                                                  const Point2& d);
 
 /// insphere, symbolically perturbed. Never zero for five distinct points of which a, b,
 /// c, d are not coplanar; zero where two points coincide or all are coplanar.
 /// (1) Swapping any two of the five points negates the result. (2) Restricted to a plane of
 /// constant z it agrees with incircle_perturbed: for a, b, c, e in the plane it is that of
 /// their (x, y) if d lies above the plane, and its negative if d lies below.
-[[nodiscard]] Sign insphere_perturbed(const Point3& a, const Point3& b, const Point3& c,
-                                      const Point3& d, const Point3& e);
+[[nodiscard]] TETLOFT_API Sign insphere_perturbed(const Point3& a, const Point3& b, const Point3& c,
+                                                  const Point3& d, const Point3& e);
 
 /// How many calls each stage answered, for tests and benchmarks.
 struct PredicateCounters {
@@ -89,6 +92,6 @@ class PredicateCounting {
 /// without contraction, reassociation, excess precision or flush to zero, rounding to
 /// nearest. Every entry of the library that decides geometry calls it once, and refuses with this
 /// error, unfit_arithmetic, otherwise.
-[[nodiscard]] Result<void> fp_self_check();
+[[nodiscard]] TETLOFT_API Result<void> fp_self_check();
 
 }  // namespace tetloft

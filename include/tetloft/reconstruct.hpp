@@ -3,18 +3,18 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
-#include <stop_token>
 #include <string>
 #include <vector>
 
 #include <tetloft/correspondence.hpp>
-#include <tetloft/delaunay.hpp>
+#include <tetloft/delaunay3.hpp>
+#include <tetloft/execution.hpp>
+#include <tetloft/export.hpp>
 #include <tetloft/model.hpp>
 #include <tetloft/report.hpp>
 #include <tetloft/result.hpp>
-#include <tetloft/sections.hpp>
+#include <tetloft/section_stack.hpp>
 
 namespace tetloft {
 
@@ -42,14 +42,7 @@ struct ReconstructOptions {
   /// vertices. Beyond the limit reconstruct ends while it works, with ErrorCode::work_limit, naming
   /// the place. Above 0; infinity: no limit.
   double work_limit = kDefaultWorkLimit;
-  /// Threads for the slabs; 0: as many as the machine offers. The result is the same.
-  unsigned threads = 0;
-  /// Once a stop is requested (from any thread), reconstruct ends with ErrorCode::cancelled
-  /// as soon as the sections and slabs in work are done.
-  std::stop_token stop = {};
-  /// Called from any thread, one call at a time, with steps done and steps in all. What it
-  /// throws ends the reconstruction with ErrorCode::cancelled.
-  std::function<void(std::size_t done, std::size_t all)> progress = {};
+  Execution execution = {};  ///< threads share the sections and slabs
 };
 
 struct Reconstruction {
@@ -67,7 +60,7 @@ struct Reconstruction {
 /// May be called from many threads at once. All coordinates (and the thickness) times 2^k give the
 /// same model times 2^k, bit for bit, as long as all coordinates of both stacks and both models are
 /// doubles without loss.
-[[nodiscard]] Result<Reconstruction> reconstruct(const SectionStack& stack,
-                                                 const ReconstructOptions& options = {});
+[[nodiscard]] TETLOFT_API Result<Reconstruction> reconstruct(
+    const SectionStack& stack, const ReconstructOptions& options = {});
 
 }  // namespace tetloft

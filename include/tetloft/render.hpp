@@ -4,14 +4,14 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
-#include <stop_token>
 #include <string>
 
+#include <tetloft/execution.hpp>
+#include <tetloft/export.hpp>
 #include <tetloft/model.hpp>
 #include <tetloft/result.hpp>
-#include <tetloft/sections.hpp>
+#include <tetloft/section_stack.hpp>
 
 namespace tetloft {
 
@@ -23,7 +23,7 @@ enum class ColourBy : std::uint8_t {
   dihedral,  ///< its smallest dihedral angle
 };
 inline constexpr int kColourings = 4;
-[[nodiscard]] const char* name_of(ColourBy colour);
+[[nodiscard]] TETLOFT_API const char* name_of(ColourBy colour);
 
 /// A plane x, y or z = position. Of the model the part away from the eye stays, and is shown cut
 /// open; for z the lower part.
@@ -32,12 +32,15 @@ struct PictureCut {
   double position = 0;
 };
 
+/// Pixels: samples of a picture of this side take half a gigabyte.
+inline constexpr int kLargestPictureSide = 8192;
+
 struct RenderOptions {
   ColourBy colour = ColourBy::component;
   /// Where the eye stands, in degrees: from +x towards +y, and above the sections' planes.
   double azimuth = -60;
   double elevation = 25;
-  /// Pixels; of a page the viewer takes the window instead. 1 to 8192.
+  /// Pixels; of a page the viewer takes the window instead. 1 to kLargestPictureSide.
   int width = 1200;
   int height = 900;
   std::optional<PictureCut> cut = {};  ///< the viewer takes z only
@@ -49,12 +52,7 @@ struct RenderOptions {
   bool white = false;    ///< white background instead of none
   /// Of the page, UTF-8; what is not, and control characters, as U+FFFD.
   std::string title = {};
-  /// Once a stop is requested (from any thread), drawing ends with ErrorCode::cancelled after the
-  /// step, or the row of pixels, in work.
-  std::stop_token stop = {};
-  /// Called with steps done and steps in all. What it throws ends the drawing with
-  /// ErrorCode::cancelled.
-  std::function<void(std::size_t done, std::size_t all)> progress = {};
+  Execution execution = {};  ///< pictures are drawn on one thread
 };
 
 /// The picture of a model, as the bytes of a file. `contours`: the sections whose contours are
@@ -64,14 +62,17 @@ struct RenderOptions {
 /// invalid_input for a model without tets, with a face of more than two, ids out of range, arrays
 /// of a wrong length, and coordinates, of contours too, that are not finite. A model and its
 /// multiple by a power of two have the same picture.
-[[nodiscard]] Result<std::string> render_png(const Model& model, const SectionStack* contours,
-                                             const RenderOptions& options = {});
+[[nodiscard]] TETLOFT_API Result<std::string> render_png(const Model& model,
+                                                         const SectionStack* contours,
+                                                         const RenderOptions& options = {});
 /// Only triangles that are seen are written.
-[[nodiscard]] Result<std::string> render_svg(const Model& model, const SectionStack* contours,
-                                             const RenderOptions& options = {});
+[[nodiscard]] TETLOFT_API Result<std::string> render_svg(const Model& model,
+                                                         const SectionStack* contours,
+                                                         const RenderOptions& options = {});
 /// One HTML file without references to others, that shows the model by WebGL 2: it can be turned,
 /// cut from section to section, taken apart and coloured anew. src/render/README.md.
-[[nodiscard]] Result<std::string> render_html(const Model& model, const SectionStack* contours,
-                                              const RenderOptions& options = {});
+[[nodiscard]] TETLOFT_API Result<std::string> render_html(const Model& model,
+                                                          const SectionStack* contours,
+                                                          const RenderOptions& options = {});
 
 }  // namespace tetloft

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <tetloft/export.hpp>
+
 namespace tetloft {
 
 /// How often each rule of the method fired; see src/README.md, "Rules and their counters", for
@@ -28,7 +30,7 @@ enum class Rule : std::uint8_t {
   opened_pit,
 };
 inline constexpr int kRules = 16;
-[[nodiscard]] const char* name_of(Rule rule);
+[[nodiscard]] TETLOFT_API const char* name_of(Rule rule);
 
 /// The steps that time is told for.
 enum class Step : std::uint8_t {
@@ -41,7 +43,7 @@ enum class Step : std::uint8_t {
   assembly,        ///< gluing and numbering
 };
 inline constexpr int kSteps = 7;
-[[nodiscard]] const char* name_of(Step step);
+[[nodiscard]] TETLOFT_API const char* name_of(Step step);
 
 struct ReconstructReport {
   std::size_t slices = 0;

@@ -5,8 +5,13 @@
 // what the caller gave it stays as it was. Where memory ends it is ErrorCode::out_of_memory, and
 // nothing is lost: no file, no block, no thread.
 //
-// Functions that return anything else (star(), nest(), outlines(), to_string(), …) can fail for
-// want of memory only: then they throw std::bad_alloc, and leave all objects valid.
+// Arguments are checked at entry. A function that returns a Result refuses what does not fit, as
+// invalid_input or usage. Functions that return anything else (star(), nest(), outlines(),
+// to_string(), …) throw: std::out_of_range for an id that names nothing, std::invalid_argument for
+// arguments that are no values of their kind or do not belong together, std::bad_alloc where memory
+// ends; all objects stay valid. Only small accessors in headers (vertex(), opposite(),
+// IdVector's [], …) do not check: what they require is said there, and the standard library's
+// assertions (-D_GLIBCXX_ASSERTIONS) watch over it.
 #pragma once
 
 #include <optional>
@@ -15,6 +20,7 @@
 #include <variant>
 #include <vector>
 
+#include <tetloft/export.hpp>
 #include <tetloft/ids.hpp>
 #include <tetloft/point.hpp>
 
@@ -34,7 +40,7 @@ enum class ErrorCode : int {
 };
 
 /// Lower-case name of a code, as printed in JSON ("invalid_input").
-[[nodiscard]] const char* name_of(ErrorCode code);
+[[nodiscard]] TETLOFT_API const char* name_of(ErrorCode code);
 
 /// Where something is wrong; every part is optional.
 struct Place {
@@ -51,7 +57,7 @@ struct Place {
 /// the texts below are one line that can be shown anywhere: control characters, marks of the
 /// direction of writing and bytes that are no UTF-8 (all as file names may hold them) are escaped,
 /// "\x1b".
-[[nodiscard]] std::string to_string(const Place& place);
+[[nodiscard]] TETLOFT_API std::string to_string(const Place& place);
 
 struct Error {
   ErrorCode code = ErrorCode::internal;
@@ -60,7 +66,7 @@ struct Error {
 };
 
 /// Place and message in one line, as the command line prints it.
-[[nodiscard]] std::string to_string(const Error& error);
+[[nodiscard]] TETLOFT_API std::string to_string(const Error& error);
 
 /// Something that was mended or that the user should know; never a failure.
 struct Warning {
@@ -68,7 +74,7 @@ struct Warning {
   Place where;
 };
 
-[[nodiscard]] std::string to_string(const Warning& warning);
+[[nodiscard]] TETLOFT_API std::string to_string(const Warning& warning);
 
 /// A value, or the Error that prevented it.
 template <class T>
@@ -105,7 +111,7 @@ class [[nodiscard]] Result<void> {
   Result(Error error) : error_(std::move(error)) {}
   [[nodiscard]] bool ok() const { return !error_.has_value(); }
   explicit operator bool() const { return ok(); }
-  [[nodiscard]] const Error& error() const { return *error_; }
+  [[nodiscard]] const Error& error() const { return error_.value(); }
 
  private:
   std::optional<Error> error_;

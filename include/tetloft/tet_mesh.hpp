@@ -15,8 +15,9 @@
 // vertex form a list, which reaches every sheet of a singular vertex.
 //
 // Const functions are safe to call from several threads at once. Where memory ends, edits leave
-// the mesh as it was. Ids handed to a mesh must be those of its own vertices, tets and half-faces;
-// only from_tets() and add_tet() verify them.
+// the mesh as it was. Ids handed to a mesh must be those of its own vertices, live tets and their
+// half-faces: inline functions, face_vertices() and index_in() rely on it, all others verify it
+// (result.hpp).
 #pragma once
 
 #include <array>
@@ -27,6 +28,7 @@
 #include <utility>
 #include <vector>
 
+#include <tetloft/export.hpp>
 #include <tetloft/ids.hpp>
 #include <tetloft/result.hpp>
 
@@ -40,9 +42,6 @@ inline constexpr std::array<std::array<int, 3>, 4> kFaceVertex{
 /// kEdgeVertex[e] are the local vertices of edge e; edges e and 5 − e are disjoint.
 inline constexpr std::array<std::array<int, 2>, 6> kEdgeVertex{
     {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
-
-using TetVertices = std::array<VertexId, 4>;
-using TriangleVertices = std::array<VertexId, 3>;
 
 /// The vertices of face `face` of a tet, normal pointing out of a positive one.
 template <class V>
@@ -113,7 +112,7 @@ class CornerRange {
   HalfFaceId first_;
 };
 
-class TetMesh {
+class TETLOFT_API TetMesh {
  public:
   TetMesh() = default;
 
@@ -124,7 +123,8 @@ class TetMesh {
   static Result<TetMesh> from_tets(std::size_t vertex_count, std::span<const TetVertices> tets);
 
   /// As from_tets, with the adjacency given: opposite[4 t + i] is a half-face or invalid.
-  /// The caller vouches for it; validate() checks it.
+  /// The caller vouches for the ids; validate() checks them. Throws std::invalid_argument unless
+  /// there are 4 half-faces for each tet, fewer than 2^30 tets and fewer than 2^32 − 1 vertices.
   static TetMesh from_adjacency(std::size_t vertex_count, std::vector<TetVertices> tets,
                                 std::vector<HalfFaceId> opposite);
 
@@ -178,7 +178,7 @@ class TetMesh {
   [[nodiscard]] std::vector<TetId> star(HalfFaceId h) const;
   /// The tets around edge (a, b), counter-clockwise about a → b in a positive mesh: in
   /// cyclic order starting at `start`, or along the path from boundary to boundary that
-  /// contains it. Requires: start contains a and b.
+  /// contains it. Throws std::invalid_argument unless `start` contains a and b.
   [[nodiscard]] std::vector<TetId> ring(VertexId a, VertexId b, TetId start) const;
   /// The same into `ring`, which is overwritten; true iff it is a cycle.
   bool ring(VertexId a, VertexId b, TetId start, std::vector<TetId>& ring) const;
@@ -206,8 +206,8 @@ class TetMesh {
   /// Adds a tet and glues it to existing half-faces with the same vertices that are free
   /// and oriented the other way. Linear in the star of its vertices. Refused as from_tets.
   Result<TetId> add_tet(const TetVertices& tet);
-  /// Removes a tet; its neighbours get boundary faces. Its slot may be reused. Requires:
-  /// t is live. Constant time, amortised.
+  /// Removes a tet; its neighbours get boundary faces. Its slot may be reused. Constant
+  /// time, amortised.
   void remove_tet(TetId t);
   /// Removes dead slots, keeping order. Returns new ids by old slot (invalid for dead).
   IdVector<TetId, TetId> compact();
@@ -225,6 +225,8 @@ class TetMesh {
  private:
   friend struct TetMeshTestAccess;  // lets tests break single conditions
 
+  void require_vertex(VertexId v) const;
+  void require_live(TetId t) const;
   [[nodiscard]] VertexId corner_vertex(HalfFaceId c) const { return vertex(tet_of(c), face_of(c)); }
   // `last`: one invalid id for each vertex.
   void build_corner_lists(std::vector<HalfFaceId>& last);
@@ -271,7 +273,8 @@ struct SurfaceComponents {
   std::vector<std::uint32_t> component;
   std::vector<SurfaceTopology> topology;
 };
-/// Linear in the triangles and the largest vertex id.
-[[nodiscard]] SurfaceComponents surface_components(std::span<const TriangleVertices> triangles);
+/// Linear in the triangles and the largest vertex id. Takes fewer than 2^32 / 3 triangles.
+[[nodiscard]] TETLOFT_API SurfaceComponents
+surface_components(std::span<const TriangleVertices> triangles);
 
 }  // namespace tetloft

@@ -5,6 +5,8 @@
 #include <tetloft/check.hpp>
 #include <tetloft/correspondence.hpp>
 #include <tetloft/delaunay.hpp>
+#include <tetloft/execution.hpp>
+#include <tetloft/export.hpp>
 #include <tetloft/geiger.hpp>
 #include <tetloft/ids.hpp>
 #include <tetloft/io.hpp>

@@ -15,7 +15,7 @@
 #include "check/resampling.hpp"
 #include "check/view.hpp"
 #include "core/check.hpp"
-#include "core/correspondence_options.hpp"
+#include "core/option_rules.hpp"
 #include "core/parallel.hpp"
 #include "core/watched_work.hpp"
 
@@ -37,24 +37,21 @@ Result<void> check_arguments(const Model& model, const SectionStack& stack,
   if (model.tets.size() >= kMostTets) {
     return Error{ErrorCode::invalid_input, "2^30 tets or more", {}};
   }
-  return validate(stack, options.threads);
+  return validate(stack, untold(options.execution));
 }
 
 // The checks, each on its own of the same view: run one after the other or at the same time.
 class Checks {
  public:
   Checks(const Model& model, const SectionStack& stack, const CheckOptions& options)
-      : model_(model),
-        stack_(stack),
-        options_(options),
-        work_(options.stop, options.progress, kSteps) {}
+      : model_(model), stack_(stack), options_(options), work_(options.execution, kSteps) {}
 
   Result<CheckReport> run() {
     work_.step_done_go_on();
     view_ = checking::look_at(model_, stack_);
     surface_ = surface_components(view_.boundary);
     work_.step_done_go_on();
-    parallel_for(kParts, options_.threads, [&](std::size_t part) {
+    parallel_for(kParts, options_.execution.threads, [&](std::size_t part) {
       work_.go_on();
       if (part == 0) embedded_ = checking::check_embedded(view_, surface_, options_).verdict();
       if (part == 1) check_sections();

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include <tetloft/nesting.hpp>
+
 #include "check/edge_distance.hpp"
 
 namespace tetloft::checking {

@@ -5,6 +5,8 @@
 #include <set>
 #include <utility>
 
+#include <tetloft/overlap.hpp>
+
 #include "check/box_tree.hpp"
 #include "check/partition.hpp"
 #include "core/check.hpp"

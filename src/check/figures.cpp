@@ -15,7 +15,7 @@ namespace tetloft::checking {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kFarthest = std::numeric_limits<double>::infinity();
 
 double distance_to_segment(const Point2& p, const Point2& a, const Point2& b) {
   const double dx = b.x - a.x;
@@ -49,7 +49,7 @@ class RegionDistance {
   /// The distance of p, 0 inside; any value up to `enough` stands for all of them.
   [[nodiscard]] double operator()(const Point2& p, double enough) const {
     if (contains(p)) return 0;
-    return tree_.nearest(p, enough, kInfinity, [&](std::uint32_t e) {
+    return tree_.nearest(p, enough, kFarthest, [&](std::uint32_t e) {
       return distance_to_segment(p, edges_[e][0], edges_[e][1]);
     });
   }
@@ -58,7 +58,7 @@ class RegionDistance {
   // Even-odd rule along the ray to +x.
   [[nodiscard]] bool contains(const Point2& p) const {
     bool inside = false;
-    tree_.meeting({p, {kInfinity, p.y}}, [&](std::uint32_t e) {
+    tree_.meeting({p, {kFarthest, p.y}}, [&](std::uint32_t e) {
       const auto& [a, b] = edges_[e];
       if ((a.y > p.y) != (b.y > p.y)) {
         const double x = a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x);
@@ -94,7 +94,7 @@ double smallest_dihedral(const std::array<Point3, 4>& corner) {
     normal[i] = cross(difference(a, static_cast<std::size_t>(f[1])),
                       difference(a, static_cast<std::size_t>(f[2])));
   }
-  double smallest = kInfinity;
+  double smallest = kFarthest;
   for (std::size_t e = 0; e < 6; ++e) {
     // Edge e lies in the faces opposite the two vertices of edge 5 − e. Their normals n, m
     // have n × m = ± 6 V · (the edge), which stays accurate for small angles.
@@ -136,12 +136,12 @@ double overshoot(const ModelView& view, const SectionStack& stack) {
     const Point3 p = scaled(view.points[v], exponent);
     if (n == 1) gap = 2 * std::fabs(p.z - z(0));
 
-    double distance = kInfinity;
+    double distance = kFarthest;
     for (const std::size_t s : {low, high}) {
       if (region[s].empty() || distance <= largest * gap) continue;
       distance = std::min(distance, region[s]({p.x, p.y}, largest * gap));
     }
-    if (distance < kInfinity) largest = std::max(largest, distance / gap);
+    if (distance < kFarthest) largest = std::max(largest, distance / gap);
   }
   return largest;
 }
@@ -153,7 +153,7 @@ double smallest_dihedral_degrees(const ModelView& view) {
     for (const VertexId v : tet) unit.include(view.points[v.index()]);
   }
   const int exponent = unit.largest_to_one();
-  double smallest = kInfinity;
+  double smallest = kFarthest;
   for (const TetVertices& tet : view.tets) {
     std::array<Point3, 4> corner;
     for (std::size_t i = 0; i < 4; ++i) corner[i] = scaled(view.points[tet[i].index()], exponent);

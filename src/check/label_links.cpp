@@ -5,6 +5,8 @@
 #include <map>
 #include <utility>
 
+#include <tetloft/overlap.hpp>
+
 #include "check/box_tree.hpp"
 #include "check/partition.hpp"
 #include "core/union_find.hpp"

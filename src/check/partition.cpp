@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <tetloft/overlap.hpp>
+
 #include "check/box_tree.hpp"
 
 namespace tetloft::checking {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include <tetloft/correspondence.hpp>
+#include <tetloft/nesting.hpp>
 #include <tetloft/result.hpp>
-#include <tetloft/sections.hpp>
 
 namespace tetloft::checking {
 

@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include <tetloft/nesting.hpp>
+
 #include "check/contour_chains.hpp"
 #include "check/in_plane.hpp"
 #include "core/check.hpp"

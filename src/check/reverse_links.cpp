@@ -12,6 +12,7 @@
 #include <set>
 #include <utility>
 
+#include <tetloft/conforming_section.hpp>
 #include <tetloft/predicates.hpp>
 
 #include "check/box_tree.hpp"
@@ -23,7 +24,7 @@ namespace tetloft::checking {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kEndOfRay = std::numeric_limits<double>::infinity();
 
 // A section with the boxes of its Voronoi vertices and edges.
 struct Diagram {
@@ -47,10 +48,10 @@ Box2 circumcentre_box(const Point2& a, const Point2& b, const Point2& c) {
 
 // Extends a box without end along a direction, of which only the signs count.
 void extend(Box2& box, int sign_x, int sign_y) {
-  if (sign_x > 0) box.high.x = kInfinity;
-  if (sign_x < 0) box.low.x = -kInfinity;
-  if (sign_y > 0) box.high.y = kInfinity;
-  if (sign_y < 0) box.low.y = -kInfinity;
+  if (sign_x > 0) box.high.x = kEndOfRay;
+  if (sign_x < 0) box.low.x = -kEndOfRay;
+  if (sign_y > 0) box.high.y = kEndOfRay;
+  if (sign_y < 0) box.low.y = -kEndOfRay;
 }
 
 int compare(double a, double b) { return a < b ? -1 : (a > b ? 1 : 0); }

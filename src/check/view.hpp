@@ -9,7 +9,7 @@
 #include <vector>
 
 #include <tetloft/model.hpp>
-#include <tetloft/sections.hpp>
+#include <tetloft/section_stack.hpp>
 #include <tetloft/tet_mesh.hpp>
 
 namespace tetloft::checking {

@@ -1,5 +1,6 @@
 // tetloft check: the four guarantees, exactly.
 #include "cli/commands.hpp"
+#include "cli/engine_option.hpp"
 #include "cli/progress.hpp"
 #include "cli/stack_input.hpp"
 
@@ -7,14 +8,14 @@ namespace tetloft::cli {
 
 namespace {
 
-Usage usage() {
+Usage check_usage() {
   Usage usage{"check",
               "The guarantees of a model, checked exactly against its input.",
               {"MODEL.vtu", "IN.cnt"},
               stack_options(),
               "Give the options of correspondence, and --snap, as they were given to "
               "reconstruct. Exits with 1 if a guarantee fails."};
-  for (const Option& option : {kJsonOption, kQuietOption, kHelpOption}) {
+  for (const Option& option : {kThreadsOption, kJsonOption, kQuietOption, kHelpOption}) {
     usage.options.push_back(option);
   }
   return usage;
@@ -112,7 +113,7 @@ std::string failed_guarantees(const CheckReport& report) {
   return text;
 }
 
-Result<int> run(const Arguments& arguments, Console& console) {
+Result<int> run_check(const Arguments& arguments, Console& console) {
   CheckOptions options;
   auto correspondence = correspondence_options(arguments, console);
   if (!correspondence) return correspondence.error();
@@ -120,6 +121,9 @@ Result<int> run(const Arguments& arguments, Console& console) {
   const auto prepared = preparation(arguments);
   if (!prepared) return prepared.error();
 
+  const auto threads = threads_option(arguments);
+  if (!threads) return threads.error();
+  options.execution.threads = *threads;
   const Result<Model> model = read_vtu(arguments.operand(0));
   if (!model) return model.error();
   const auto input = read_stack_input(arguments.operand(1), *prepared, console);
@@ -130,7 +134,7 @@ Result<int> run(const Arguments& arguments, Console& console) {
 
   const Result<CheckReport> report = [&] {
     Progress progress(!console.quiet());
-    options.progress = progress.callback();
+    options.execution.progress = progress.callback();
     return check(*model, input->stack, options);
   }();
   if (!report) return report.error();
@@ -148,6 +152,6 @@ Result<int> run(const Arguments& arguments, Console& console) {
 
 }  // namespace
 
-Command check_command() { return {usage(), run}; }
+Command check_command() { return {check_usage(), run_check}; }
 
 }  // namespace tetloft::cli

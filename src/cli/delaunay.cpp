@@ -14,7 +14,7 @@ namespace tetloft::cli {
 
 namespace {
 
-Usage usage() {
+Usage delaunay_usage() {
   return {
       "delaunay",
       "The Delaunay triangulation of points in space.",
@@ -64,8 +64,8 @@ std::vector<TetVertices> tets_of(const TetMesh& mesh) {
   return tets;
 }
 
-Result<int> run(const Arguments& arguments, Console& console) {
-  const auto threads = arguments.integer("--threads", 0, 1024);
+Result<int> run_delaunay(const Arguments& arguments, Console& console) {
+  const auto threads = threads_option(arguments);
   if (!threads) return threads.error();
   const auto limit = work_limit_option(arguments, kTetsPerPoint);
   if (!limit) return limit.error();
@@ -81,8 +81,8 @@ Result<int> run(const Arguments& arguments, Console& console) {
   const Stopwatch triangulating;
   const Result<Delaunay3> delaunay =
       delaunay3(*points, {.engine = *engine,
-                          .threads = static_cast<unsigned>(threads->value_or(0)),
-                          .most_tets = most_tets(*limit, points->size())});
+                          .most_tets = most_tets(*limit, points->size()),
+                          .execution = {.threads = *threads}});
   const double seconds = triangulating.seconds();
   if (!delaunay) {
     Error error = delaunay.error();
@@ -123,6 +123,6 @@ Result<int> run(const Arguments& arguments, Console& console) {
 
 }  // namespace
 
-Command delaunay_command() { return {usage(), run}; }
+Command delaunay_command() { return {delaunay_usage(), run_delaunay}; }
 
 }  // namespace tetloft::cli

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "core/option_rules.hpp"
 #include "io/numbers.hpp"
 
 namespace tetloft::cli {
@@ -18,10 +19,16 @@ Result<DelaunayEngine> engine_option(const Arguments& arguments, std::string_vie
   return kEngines[chosen->value_or(0)];
 }
 
+Result<unsigned> threads_option(const Arguments& arguments) {
+  const auto threads = arguments.integer("--threads", 0, kMostThreads);
+  if (!threads) return threads.error();
+  return static_cast<unsigned>(threads->value_or(0));
+}
+
 Result<double> work_limit_option(const Arguments& arguments, double standard) {
   const auto limit = arguments.number("--work-limit");
   if (!limit) return limit.error();
-  if (limit->has_value() && !(**limit > 0)) {
+  if (limit->has_value() && !is_work_limit(**limit)) {
     return usage_error("option --work-limit: " + io::in_quotes(*arguments.text("--work-limit")) +
                        " is not above 0");
   }

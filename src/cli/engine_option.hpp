@@ -1,9 +1,10 @@
-// The options that name a Delaunay engine and limit its work.
+// The options that name a Delaunay engine, limit its work and share it among threads.
 #pragma once
 
 #include <string_view>
 
-#include <tetloft/delaunay.hpp>
+#include <tetloft/delaunay3.hpp>
+#include <tetloft/execution.hpp>
 #include <tetloft/result.hpp>
 
 #include "cli/arguments.hpp"
@@ -13,6 +14,12 @@ namespace tetloft::cli {
 /// The engine that `option` names: auto, incremental or slab; automatic if it was not given.
 [[nodiscard]] Result<DelaunayEngine> engine_option(const Arguments& arguments,
                                                    std::string_view option);
+
+inline constexpr Option kThreadsOption{
+    "--threads", "N", "0 (default: all processors) to 1024; the result is the same"};
+static_assert(kMostThreads == 1024);
+/// What --threads says, 0 if it was not given.
+[[nodiscard]] Result<unsigned> threads_option(const Arguments& arguments);
 
 /// What --work-limit says, above 0; `standard` if it was not given.
 [[nodiscard]] Result<double> work_limit_option(const Arguments& arguments, double standard);

@@ -92,7 +92,7 @@ Result<int> reconstruct_by_geiger(const Arguments& arguments, Console& console) 
   if (Result<void> fine = refuse_other_options(arguments); !fine) return fine.error();
   const auto prepared = preparation(arguments);
   if (!prepared) return prepared.error();
-  const auto threads = arguments.integer("--threads", 0, 1024);
+  const auto threads = threads_option(arguments);
   if (!threads) return threads.error();
   const auto limit = work_limit_option(arguments, kDefaultWorkLimit);
   if (!limit) return limit.error();
@@ -102,8 +102,8 @@ Result<int> reconstruct_by_geiger(const Arguments& arguments, Console& console) 
   const Result<GeigerModel> made = [&] {
     Progress progress(!console.quiet());
     GeigerOptions options;
-    options.threads = static_cast<unsigned>(threads->value_or(0));
-    options.progress = progress.callback();
+    options.execution.threads = *threads;
+    options.execution.progress = progress.callback();
     options.work_limit = *limit;
     return reconstruct_geiger(input->stack, options);
   }();

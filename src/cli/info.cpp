@@ -12,7 +12,7 @@ namespace tetloft::cli {
 
 namespace {
 
-Usage usage() {
+Usage info_usage() {
   return {"info",
           "Sections, contours, nesting, regions, areas and extents of a stack.",
           {"IN.cnt"},
@@ -43,7 +43,7 @@ struct Extents {
   }
 };
 
-SectionInfo describe(const Section& section) {
+SectionInfo section_info(const Section& section) {
   SectionInfo info;
   info.nesting = nest(section);
   for (std::size_t r = 0; r < info.nesting.outer.size(); ++r) {
@@ -62,10 +62,10 @@ struct StackInfo {
   std::uint32_t depth = 0;
 };
 
-StackInfo describe(const SectionStack& stack) {
+StackInfo stack_info(const SectionStack& stack) {
   StackInfo info;
   for (const Section& section : stack.sections) {
-    info.sections.push_back(describe(section));
+    info.sections.push_back(section_info(section));
     info.regions += info.sections.back().nesting.outer.size();
     info.depth = std::max(info.depth, info.sections.back().depth);
     for (const Contour& contour : section.contours) {
@@ -168,11 +168,11 @@ std::string to_text(const SectionStack& stack, const StackInfo& info) {
   return text;
 }
 
-Result<int> run(const Arguments& arguments, Console& console) {
+Result<int> run_info(const Arguments& arguments, Console& console) {
   const Result<ReadStack> read = read_cnt(arguments.operand(0));
   if (!read) return read.error();
   for (const Warning& warning : read->warnings) console.warn(warning);
-  const StackInfo info = describe(read->stack);
+  const StackInfo info = stack_info(read->stack);
   Result<void> told;
   if (console.json()) {
     told = console.deliver(to_json(read->stack, info, console));
@@ -185,6 +185,6 @@ Result<int> run(const Arguments& arguments, Console& console) {
 
 }  // namespace
 
-Command info_command() { return {usage(), run}; }
+Command info_command() { return {info_usage(), run_info}; }
 
 }  // namespace tetloft::cli

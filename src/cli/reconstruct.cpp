@@ -9,13 +9,14 @@
 #include "cli/progress.hpp"
 #include "cli/stack_input.hpp"
 #include "cli/verdicts.hpp"
+#include "core/option_rules.hpp"
 #include "io/numbers.hpp"
 
 namespace tetloft::cli {
 
 namespace {
 
-Usage usage() {
+Usage reconstruct_usage() {
   Usage usage{"reconstruct",
               "From a stack of contours to a tetrahedral solid.",
               {"IN.cnt"},
@@ -41,7 +42,7 @@ Usage usage() {
                "tets per vertex that a slab may take, and a 16th as many vertices inserted into a "
                "section, before it is refused with exit code 7 (default 128, which no sane stack "
                "reaches; under 2^15 vertices as for 2^15)"},
-        Option{"--threads", "N", "0 (default: all processors) to 1024; the result is the same"},
+        kThreadsOption,
         Option{"--verify", "", "check the result; write nothing and exit with 70 if it fails"},
         Option{"--ascii", "", "write numbers as text that reads back exactly"}, kJsonOption,
         kQuietOption, kHelpOption}) {
@@ -76,7 +77,7 @@ Result<Request> request_of(const Arguments& arguments, Console& console) {
   request.options.ends = ends->value_or(0) == 0 ? Ends::flat : Ends::half;
   const auto thickness = arguments.number("--thickness");
   if (!thickness) return thickness.error();
-  if (thickness->has_value() && !(**thickness > 0)) {
+  if (thickness->has_value() && !is_length(**thickness)) {
     return usage_error("option --thickness: " + io::in_quotes(*arguments.text("--thickness")) +
                        " is not above 0");
   }
@@ -87,9 +88,9 @@ Result<Request> request_of(const Arguments& arguments, Console& console) {
   const auto work = work_limit_option(arguments, kDefaultWorkLimit);
   if (!work) return work.error();
   request.options.work_limit = *work;
-  const auto threads = arguments.integer("--threads", 0, 1024);
+  const auto threads = threads_option(arguments);
   if (!threads) return threads.error();
-  request.options.threads = static_cast<unsigned>(threads->value_or(0));
+  request.options.execution.threads = *threads;
   request.verify = arguments.has("--verify");
   return request;
 }
@@ -98,6 +99,7 @@ Result<Request> request_of(const Arguments& arguments, Console& console) {
 Result<void> verify(const Model& model, const StackInput& input, const Request& request) {
   CheckOptions options;
   options.correspondence = request.options.correspondence;
+  options.execution.threads = request.options.execution.threads;
   const Result<CheckReport> report = check(model, input.stack, options);
   if (!report) return report.error();
   for (const GuaranteeVerdict& verdict : report->guarantees) {
@@ -188,7 +190,7 @@ std::string to_text(const Reconstruction& result, const StackInput& input, const
   return text + describe(request.outputs);
 }
 
-Result<int> run(const Arguments& arguments, Console& console) {
+Result<int> run_reconstruct(const Arguments& arguments, Console& console) {
   const auto method = arguments.choice("--method", {"nonato", "geiger"});
   if (!method) return method.error();
   if (method->value_or(0) == 1) return reconstruct_by_geiger(arguments, console);
@@ -209,7 +211,7 @@ Result<int> run(const Arguments& arguments, Console& console) {
 
   Result<Reconstruction> result = [&] {
     Progress progress(!console.quiet());
-    request->options.progress = progress.callback();
+    request->options.execution.progress = progress.callback();
     return reconstruct(input->stack, request->options);
   }();
   if (!result) {
@@ -245,6 +247,6 @@ Result<int> run(const Arguments& arguments, Console& console) {
 
 }  // namespace
 
-Command reconstruct_command() { return {usage(), run}; }
+Command reconstruct_command() { return {reconstruct_usage(), run_reconstruct}; }
 
 }  // namespace tetloft::cli

@@ -19,7 +19,7 @@ namespace tetloft::cli {
 
 namespace {
 
-Usage usage() {
+Usage render_usage() {
   return {"render",
           "A picture of a model, or a page to turn, cut and take it apart.",
           {"MODEL.vtu"},
@@ -79,7 +79,7 @@ Result<RenderOptions> render_options(const Arguments& arguments) {
   if (const auto size = arguments.text("--size")) {
     const auto sides = two_numbers(*size, 'x');
     const auto whole = [](double side) {
-      return side >= 1 && side <= 8192 && side == static_cast<int>(side);
+      return side >= 1 && side <= kLargestPictureSide && side == static_cast<int>(side);
     };
     if (!sides || !whole((*sides)[0]) || !whole((*sides)[1])) {
       return wrong_value("--size", *size, "WxH, each from 1 to 8192");
@@ -101,7 +101,7 @@ Result<RenderOptions> render_options(const Arguments& arguments) {
   return options;
 }
 
-Result<int> run(const Arguments& arguments, Console& console) {
+Result<int> run_render(const Arguments& arguments, Console& console) {
   const auto output = arguments.text("--output");
   if (!output) return usage_error("missing option --output (-o) OUT");
   auto options = render_options(arguments);
@@ -128,7 +128,7 @@ Result<int> run(const Arguments& arguments, Console& console) {
                                             : render_html;
   const Result<std::string> picture = [&] {
     Progress progress(!console.quiet());
-    options->progress = progress.callback();
+    options->execution.progress = progress.callback();
     return render(*model, stack ? &*stack : nullptr, *options);
   }();
   if (!picture) {
@@ -159,6 +159,6 @@ Result<int> run(const Arguments& arguments, Console& console) {
 
 }  // namespace
 
-Command render_command() { return {usage(), run}; }
+Command render_command() { return {render_usage(), run_render}; }
 
 }  // namespace tetloft::cli

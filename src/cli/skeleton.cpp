@@ -22,7 +22,7 @@ namespace tetloft::cli {
 
 namespace {
 
-Usage usage() {
+Usage skeleton_usage() {
   Usage usage{
       "skeleton",
       "Internal and external Voronoi skeletons of all sections, and which contours they relate.",
@@ -168,7 +168,7 @@ std::string describe_well_positioned(const std::vector<std::vector<WellPositione
          " whose skeletons only touch)\n";
 }
 
-Result<int> run(const Arguments& arguments, Console& console) {
+Result<int> run_skeleton(const Arguments& arguments, Console& console) {
   const auto output = arguments.text("--output");
   if (!output) return usage_error("missing option --output (-o) OUT.vtp");
   const auto kind = arguments.choice("--kind", {"both", "internal", "external"});
@@ -226,6 +226,6 @@ Result<int> run(const Arguments& arguments, Console& console) {
 
 }  // namespace
 
-Command skeleton_command() { return {usage(), run}; }
+Command skeleton_command() { return {skeleton_usage(), run_skeleton}; }
 
 }  // namespace tetloft::cli

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/correspondence_options.hpp"
+#include "core/option_rules.hpp"
 #include "io/numbers.hpp"
 
 namespace tetloft::cli {
@@ -72,12 +72,12 @@ Result<CorrespondenceOptions> correspondence_options(const Arguments& arguments,
 
 Result<Preparation> preparation(const Arguments& arguments) {
   Preparation result;
-  const auto bits = arguments.integer("--snap", 1, 50);
+  const auto bits = arguments.integer("--snap", kFewestSnapBits, kMostSnapBits);
   if (!bits) return bits.error();
   if (bits->has_value()) result.snap = static_cast<int>(**bits);
   const auto length = arguments.number("--refine");
   if (!length) return length.error();
-  if (length->has_value() && !(**length > 0)) {
+  if (length->has_value() && !is_length(**length)) {
     return usage_error("option --refine: " + io::in_quotes(*arguments.text("--refine")) +
                        " is not above 0");
   }
@@ -87,7 +87,7 @@ Result<Preparation> preparation(const Arguments& arguments) {
   if (arguments.has("--repair")) result.repair = RepairOptions{};
   if (distance->has_value()) {
     if (!result.repair) return usage_error("option --repair-distance needs --repair");
-    if (!(**distance > 0)) {
+    if (!is_length(**distance)) {
       return usage_error("option --repair-distance: " +
                          io::in_quotes(*arguments.text("--repair-distance")) + " is not above 0");
     }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-#include <tetloft/delaunay.hpp>
+#include <tetloft/delaunay2.hpp>
 #include <tetloft/predicates.hpp>
 
 #include "core/check.hpp"

@@ -26,7 +26,7 @@
 #include <optional>
 #include <vector>
 
-#include <tetloft/sections.hpp>
+#include <tetloft/conforming_section.hpp>
 
 #include "completion/complex.hpp"
 

@@ -84,7 +84,7 @@ class Helpers {
 }  // namespace
 
 unsigned thread_count(unsigned requested) {
-  if (requested != 0) return requested;
+  if (requested != 0) return std::min(requested, kMostThreads);
   return std::max(1U, std::thread::hardware_concurrency());
 }
 

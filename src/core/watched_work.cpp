@@ -8,14 +8,14 @@
 namespace tetloft {
 
 void WatchedWork::go_on() const {
-  if (stop_.stop_requested()) throw Cancelled("stopped");
+  if (execution_.stop.stop_requested()) throw Cancelled("stopped");
 }
 
 void WatchedWork::step_done() {
-  if (!progress_) return;
+  if (!execution_.progress) return;
   const std::scoped_lock lock(mutex_);
   try {
-    progress_(++done_, all_);
+    execution_.progress(++done_, all_);
   } catch (const std::exception& e) {
     throw Cancelled(std::string("the progress callback threw: ") + e.what());
   } catch (...) {

@@ -2,22 +2,21 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <mutex>
-#include <stop_token>
+
+#include <tetloft/execution.hpp>
 
 namespace tetloft {
 
-/// The two ways in which options let a caller watch: a stop token, and a callback that is told
-/// the steps done and the steps in all. May be used from several threads at once; both members
-/// of the options must outlive it.
+/// The two ways in which an Execution lets a caller watch: its stop token, and its callback, which
+/// is told the steps done and the steps in all. May be used from several threads at once; the
+/// Execution must outlive it.
 class WatchedWork {
  public:
-  using Progress = std::function<void(std::size_t done, std::size_t all)>;
+  WatchedWork(const Execution& execution, std::size_t all_steps)
+      : execution_(execution), all_(all_steps) {}
 
-  WatchedWork(const std::stop_token& stop, const Progress& progress, std::size_t all_steps)
-      : stop_(stop), progress_(progress), all_(all_steps) {}
-
+  [[nodiscard]] const Execution& execution() const { return execution_; }
   /// Throws Cancelled once a stop was requested.
   void go_on() const;
   /// Tells the callback, one call at a time; throws Cancelled where that throws.
@@ -29,11 +28,15 @@ class WatchedWork {
   }
 
  private:
-  const std::stop_token& stop_;
-  const Progress& progress_;
+  const Execution& execution_;
   std::size_t all_;
   std::mutex mutex_;  // of done_, and of calls
   std::size_t done_ = 0;
 };
+
+/// For a part of the work: threads and stop token of the whole, which alone tells its steps.
+[[nodiscard]] inline Execution untold(const Execution& whole) {
+  return {.threads = whole.threads, .stop = whole.stop};
+}
 
 }  // namespace tetloft

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include <tetloft/sections.hpp>
+#include <tetloft/section_stack.hpp>
 
 namespace tetloft {
 

@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include <tetloft/overlap.hpp>
+
 #include "correspondence/label_connector.hpp"
 #include "correspondence/labelled_sets.hpp"
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include <tetloft/correspondence.hpp>
+#include <tetloft/nesting.hpp>
 #include <tetloft/result.hpp>
-#include <tetloft/sections.hpp>
 
 #include "slab/link.hpp"
 

@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include <tetloft/overlap.hpp>
+
 #include "core/check.hpp"
 #include "correspondence/contour_box.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include <tetloft/sections.hpp>
+#include <tetloft/nesting.hpp>
 
 #include "slab/link.hpp"
 

@@ -8,6 +8,8 @@
 #include <set>
 #include <string>
 
+#include <tetloft/overlap.hpp>
+
 namespace tetloft {
 
 namespace {

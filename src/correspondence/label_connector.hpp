@@ -4,8 +4,8 @@
 
 #include <vector>
 
+#include <tetloft/nesting.hpp>
 #include <tetloft/result.hpp>
-#include <tetloft/sections.hpp>
 
 #include "correspondence/labelled_sets.hpp"
 

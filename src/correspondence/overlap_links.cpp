@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include <tetloft/overlap.hpp>
+
 #include "correspondence/contour_box.hpp"
 
 namespace tetloft {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include <tetloft/correspondence.hpp>
-#include <tetloft/sections.hpp>
+#include <tetloft/nesting.hpp>
 
 #include "slab/link.hpp"
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include <tetloft/sections.hpp>
+#include <tetloft/nesting.hpp>
 
 #include "slab/link.hpp"
 #include "slab/numbering.hpp"

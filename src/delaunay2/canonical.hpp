@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include <tetloft/delaunay.hpp>
+#include <tetloft/delaunay2.hpp>
 #include <tetloft/ids.hpp>
 #include <tetloft/point.hpp>
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include <tetloft/delaunay.hpp>
+#include <tetloft/delaunay2.hpp>
 
 #include "predicates/expansion.hpp"
 

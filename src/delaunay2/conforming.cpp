@@ -64,12 +64,14 @@ constexpr std::size_t kMostPieces = 160;
 class Conformer {
  public:
   Conformer(Start start, std::span<const Point2> points, std::span<const Segment> segments,
-            const std::vector<bool>& gabriel, std::size_t most_inserted, Scheme scheme)
+            const std::vector<bool>& gabriel, std::size_t most_inserted, Scheme scheme,
+            const WatchedWork& work)
       : input_(points),
         segments_(segments),
         gabriel_(gabriel),
         most_inserted_(most_inserted),
         scheme_(scheme),
+        work_(work),
         pieces_(segments.size(), 1),
         start_(std::move(start)),
         plane_(start_.plane.value()) {
@@ -79,6 +81,7 @@ class Conformer {
   Result<Conforming2> run() {
     add_segments();
     while (!queue_.empty()) {
+      work_.go_on();
       std::vector<Split> round = splits_of_round();
       if (Result<void> possible = verify(round); !possible) return possible.error();
       for (const Split& split : round) {
@@ -349,6 +352,7 @@ class Conformer {
   const std::vector<bool>& gabriel_;
   std::size_t most_inserted_;
   Scheme scheme_;
+  const WatchedWork& work_;
   std::size_t crossings_ = 0;        // with feet: looked at
   std::vector<std::size_t> pieces_;  // by segment
   std::vector<Segment> neighbours_;  // with feet: the segments, lower end first, sorted
@@ -366,11 +370,15 @@ class Conformer {
 
 Result<Conforming2> conform(Start start, std::span<const Point2> points,
                             std::span<const Segment> segments, const std::vector<bool>& gabriel,
-                            std::size_t most_inserted) {
+                            std::size_t most_inserted, WatchedWork& work) {
   Result<Conforming2> result =
-      Conformer(std::move(start), points, segments, gabriel, most_inserted, Scheme::shells).run();
+      Conformer(std::move(start), points, segments, gabriel, most_inserted, Scheme::shells, work)
+          .run();
   if (result) return result;
-  return Conformer(triangulate(points), points, segments, gabriel, most_inserted, Scheme::feet)
+  const Execution alone = untold(work.execution());
+  WatchedWork again(alone, 0);
+  return Conformer(triangulate(points, again), points, segments, gabriel, most_inserted,
+                   Scheme::feet, again)
       .run();
 }
 

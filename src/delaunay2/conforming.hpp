@@ -17,20 +17,22 @@
 #include <span>
 #include <vector>
 
-#include <tetloft/delaunay.hpp>
+#include <tetloft/delaunay2.hpp>
 #include <tetloft/point.hpp>
 #include <tetloft/result.hpp>
 
+#include "core/watched_work.hpp"
 #include "delaunay2/start.hpp"
 
 namespace tetloft::delaunay2_detail {
 
 /// conforming_delaunay2() for arguments that have been checked: `start` has a plane, points
 /// are finite and distinct, segments distinct, with valid and different ends, flags none or
-/// one for each. `most_inserted` bounds the number of inserted points.
+/// one for each. `most_inserted` bounds the number of inserted points. Tells no
+/// step.
 [[nodiscard]] Result<Conforming2> conform(Start start, std::span<const Point2> points,
                                           std::span<const Segment> segments,
                                           const std::vector<bool>& gabriel,
-                                          std::size_t most_inserted);
+                                          std::size_t most_inserted, WatchedWork& work);
 
 }  // namespace tetloft::delaunay2_detail

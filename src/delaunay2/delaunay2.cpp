@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include <tetloft/delaunay.hpp>
+#include <tetloft/delaunay2.hpp>
 #include <tetloft/predicates.hpp>
 
 #include "core/check.hpp"
@@ -120,15 +120,20 @@ Result<Conforming2> conform_collinear(std::span<const Point2> points,
 
 }  // namespace
 
-Result<Triangulation2> delaunay2(std::span<const Point2> points) {
+Result<Triangulation2> delaunay2(std::span<const Point2> points, const Execution& execution) {
   return guard_internal([&]() -> Result<Triangulation2> {
     if (Result<void> valid = verify_points(points); !valid) return valid.error();
-    const delaunay2_detail::Start start = delaunay2_detail::triangulate(points);
+    WatchedWork work(execution, delaunay2_detail::steps_of(points) + 1);
+    work.go_on();
+    const delaunay2_detail::Start start = delaunay2_detail::triangulate(points, work);
     std::vector<Point2> copy(points.begin(), points.end());
     if (!start.plane) {
       return Triangulation2{IdVector<VertexId, Point2>(std::move(copy)), {}, {}};
     }
-    return delaunay2_detail::canonical_triangulation(*start.plane, start.input_of, std::move(copy));
+    Triangulation2 result =
+        delaunay2_detail::canonical_triangulation(*start.plane, start.input_of, std::move(copy));
+    work.step_done();
+    return result;
   });
 }
 
@@ -141,7 +146,9 @@ Result<Conforming2> conforming_delaunay2(std::span<const Point2> points,
       return Error{ErrorCode::usage, "as many gabriel flags as segments, or none", {}};
     }
     if (Result<void> valid = verify_segments(points, segments); !valid) return valid.error();
-    delaunay2_detail::Start start = delaunay2_detail::triangulate(points);
+    WatchedWork work(options.execution, delaunay2_detail::steps_of(points) + 1);
+    work.go_on();
+    delaunay2_detail::Start start = delaunay2_detail::triangulate(points, work);
     if (!start.plane) return conform_collinear(points, segments);
     std::vector<VertexId> representative(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -152,9 +159,11 @@ Result<Conforming2> conforming_delaunay2(std::span<const Point2> points,
     const std::size_t bound = options.most_inserted != 0
                                   ? options.most_inserted
                                   : (std::size_t{1} << 16) + 64 * (points.size() + segments.size());
-    return delaunay2_detail::conform(
+    Result<Conforming2> result = delaunay2_detail::conform(
         std::move(start), points, segments, options.gabriel,
-        std::min(bound, Incremental2::kMostVertices - 1 - points.size()));
+        std::min(bound, Incremental2::kMostVertices - 1 - points.size()), work);
+    if (result) work.step_done();
+    return result;
   });
 }
 

@@ -35,7 +35,7 @@ bool bring_triangle_to_front(std::span<const Point2> points, std::vector<std::ui
 
 }  // namespace
 
-Start triangulate(std::span<const Point2> points) {
+Start triangulate(std::span<const Point2> points, WatchedWork& work) {
   Start start;
   std::vector<std::uint32_t> order = insertion_order(points);
   if (!bring_triangle_to_front(points, order)) return start;
@@ -51,6 +51,7 @@ Start triangulate(std::span<const Point2> points) {
     const VertexId v = i < 3 ? VertexId(i + 1) : start.plane->insert_nearby(ordered[i]);
     if (v.index() == start.input_of.size()) start.input_of.emplace_back(order[i]);
     start.vertex_of[order[i]] = v;
+    if ((i + 1) % kPointsOfStep == 0) work.step_done_go_on();
   }
   return start;
 }

@@ -9,6 +9,7 @@
 #include <tetloft/ids.hpp>
 #include <tetloft/point.hpp>
 
+#include "core/watched_work.hpp"
 #include "delaunay2/incremental.hpp"
 
 namespace tetloft::delaunay2_detail {
@@ -25,7 +26,14 @@ struct Start {
   std::vector<VertexId> vertex_of;
 };
 
-/// Requires finite points, fewer than Incremental2::kMostVertices.
-[[nodiscard]] Start triangulate(std::span<const Point2> points);
+/// A step of the work: so many points.
+inline constexpr std::size_t kPointsOfStep = 4096;
+[[nodiscard]] constexpr std::size_t steps_of(std::span<const Point2> points) {
+  return points.size() / kPointsOfStep;
+}
+
+/// Requires finite points, fewer than Incremental2::kMostVertices. Tells steps_of(points), unless
+/// there is no plane.
+[[nodiscard]] Start triangulate(std::span<const Point2> points, WatchedWork& work);
 
 }  // namespace tetloft::delaunay2_detail

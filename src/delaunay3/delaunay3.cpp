@@ -8,12 +8,14 @@
 #include <utility>
 #include <vector>
 
-#include <tetloft/delaunay.hpp>
+#include <tetloft/delaunay2.hpp>
+#include <tetloft/delaunay3.hpp>
 #include <tetloft/predicates.hpp>
 
 #include "core/check.hpp"
 #include "core/enums.hpp"
 #include "core/parallel.hpp"
+#include "core/watched_work.hpp"
 #include "delaunay3/affine_basis.hpp"
 #include "delaunay3/canonical_mesh.hpp"
 #include "delaunay3/canonical_order.hpp"
@@ -93,11 +95,12 @@ std::size_t count_below(std::span<const Point3> points) {
   return above->z == points.back().z ? static_cast<std::size_t>(above - points.begin()) : 0;
 }
 
-Result<Triangulation2> triangulate_plane(std::span<const Point3> points) {
+Result<Triangulation2> triangulate_plane(std::span<const Point3> points,
+                                         const Execution& execution) {
   std::vector<Point2> flat;
   flat.reserve(points.size());
   for (const Point3& p : points) flat.push_back({p.x, p.y});
-  return delaunay2(flat);
+  return delaunay2(flat, execution);
 }
 
 // Names of vertices that are in canonical order already.
@@ -132,26 +135,31 @@ Result<bool> overlay_planes(const RankedPoints& ranked, const Delaunay3Options& 
   if (below < 3 || points.size() - below < 3) return false;
   Result<Triangulation2> lower = Triangulation2{};
   Result<Triangulation2> upper = Triangulation2{};
-  parallel_for(2, options.threads, [&](std::size_t plane) {
-    if (plane == 0) lower = triangulate_plane(points.first(below));
-    if (plane == 1) upper = triangulate_plane(points.subspan(below));
+  WatchedWork work(options.execution, 4);
+  const Execution planes = untold(options.execution);
+  parallel_for(2, planes.threads, [&](std::size_t plane) {
+    if (plane == 0) lower = triangulate_plane(points.first(below), planes);
+    if (plane == 1) upper = triangulate_plane(points.subspan(below), planes);
+    work.step_done();
   });
   if (!lower) return lower.error();
   if (!upper) return upper.error();
   if (lower->triangles.empty() || upper->triangles.empty()) return false;
   const std::vector<delaunay3_detail::TetSlot> slab =
-      delaunay3_detail::slab_overlay(*lower, *upper, bound_on_tets(options.most_tets));
+      delaunay3_detail::slab_overlay(*lower, *upper, work, bound_on_tets(options.most_tets));
   if (slab.empty()) return too_many_tets(options.most_tets);
+  work.step_done_go_on();
   const std::vector<std::uint32_t> rank_of = identity(points.size());
   out.mesh = delaunay3_detail::canonical_mesh(
       slab,
       {.rank_of = rank_of, .input_of = ranked.input_of, .input_count = out.representative.size()});
   out.dimension = 3;
   out.engine = DelaunayEngine::slab;
+  work.step_done();
   return true;
 }
 
-Result<bool> insert_points(RankedPoints& ranked, std::size_t most_tets, Delaunay3& out) {
+Result<bool> insert_points(RankedPoints& ranked, const Delaunay3Options& options, Delaunay3& out) {
   out.engine = DelaunayEngine::incremental;
   // order[v]: rank of the vertex inserted as v-th.
   std::vector<std::uint32_t> order = delaunay3_detail::insertion_order(ranked.point);
@@ -166,11 +174,17 @@ Result<bool> insert_points(RankedPoints& ranked, std::size_t most_tets, Delaunay
   inserted = picked(ranked.point, order);
   ranked.point = {};
 
-  delaunay3_detail::Delaunay3Builder builder{IdVector<VertexId, Point3>(std::move(inserted))};
-  if (!builder.insert_all(bound_on_tets(most_tets))) return too_many_tets(most_tets);
+  using delaunay3_detail::Delaunay3Builder;
+  WatchedWork work(options.execution, inserted.size() / Delaunay3Builder::kPointsOfStep + 1);
+  work.go_on();
+  Delaunay3Builder builder{IdVector<VertexId, Point3>(std::move(inserted))};
+  if (!builder.insert_all(work, bound_on_tets(options.most_tets))) {
+    return too_many_tets(options.most_tets);
+  }
   out.mesh = delaunay3_detail::canonical_mesh(
       builder.slots(),
       {.rank_of = order, .input_of = ranked.input_of, .input_count = out.representative.size()});
+  work.step_done();
   return true;
 }
 
@@ -192,7 +206,7 @@ Result<Delaunay3> triangulate(std::span<const Point3> points, const Delaunay3Opt
                    "each and not in a row",
                    {}};
     }
-    done = insert_points(ranked, options.most_tets, out);
+    done = insert_points(ranked, options, out);
   }
   if (!done) return done.error();
   return out;
@@ -263,16 +277,18 @@ Result<void> check_planes(const Triangulation2& lower, const Triangulation2& upp
 }
 
 Result<TetMesh> triangulate_slab(const Triangulation2& lower, const Triangulation2& upper,
-                                 std::size_t most_tets) {
+                                 std::size_t most_tets, const Execution& execution) {
   if (Result<void> checked = fp_self_check(); !checked) return checked.error();
   if (Result<void> checked = check_planes(lower, upper); !checked) return checked.error();
+  WatchedWork work(execution, 1);
   const std::vector<delaunay3_detail::TetSlot> slab =
-      delaunay3_detail::slab_overlay(lower, upper, bound_on_tets(most_tets));
+      delaunay3_detail::slab_overlay(lower, upper, work, bound_on_tets(most_tets));
   if (slab.empty()) return too_many_tets(most_tets);
   const std::size_t n = lower.points.size() + upper.points.size();
   const std::vector<std::uint32_t> rank_of = identity(n);
   std::vector<VertexId> input_of(n);
   for (std::size_t i = 0; i < n; ++i) input_of[i] = VertexId(i);
+  work.step_done_go_on();
   return delaunay3_detail::canonical_mesh(
       slab, {.rank_of = rank_of, .input_of = input_of, .input_count = n});
 }
@@ -288,13 +304,14 @@ const char* name_of(DelaunayEngine engine) {
   return "unknown";
 }
 
-Result<Delaunay3> delaunay3(std::span<const Point3> points, const Delaunay3Options& options) {
-  return guard_internal([&] { return triangulate(points, options); });
+Result<Delaunay3> delaunay3(std::span<const Point3> points, const Delaunay3Options& given_options) {
+  return guard_threads(
+      given_options, [&](const Delaunay3Options& options) { return triangulate(points, options); });
 }
 
 Result<TetMesh> slab_delaunay3(const Triangulation2& lower, const Triangulation2& upper,
-                               std::size_t most_tets) {
-  return guard_internal([&] { return triangulate_slab(lower, upper, most_tets); });
+                               std::size_t most_tets, const Execution& execution) {
+  return guard_internal([&] { return triangulate_slab(lower, upper, most_tets, execution); });
 }
 
 }  // namespace tetloft

@@ -50,11 +50,12 @@ Delaunay3Builder::Delaunay3Builder(IdVector<VertexId, Point3> points)
   make_first_tets();
 }
 
-bool Delaunay3Builder::insert_all(std::size_t most_tets) {
+bool Delaunay3Builder::insert_all(WatchedWork& work, std::size_t most_tets) {
   most_tets_ = most_tets;
   bool complete = true;
   for (VertexId v{4U}; complete && v.index() < vertices_.size(); v = VertexId(v.value() + 1)) {
     complete = insert(v);
+    if ((v.index() + 1) % kPointsOfStep == 0) work.step_done_go_on();
   }
   for (const TetId t : free_) slots_[t.index()].vertices[0] = VertexId();
   vertices_ = {};

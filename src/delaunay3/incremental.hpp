@@ -23,6 +23,7 @@
 #include <tetloft/point.hpp>
 #include <tetloft/tet_mesh.hpp>
 
+#include "core/watched_work.hpp"
 #include "delaunay3/tet_slot.hpp"
 #include "predicates/set_filter.hpp"
 
@@ -33,14 +34,18 @@ inline constexpr VertexId kGhost{0xFFFFFFFEU};
 
 class Delaunay3Builder {
  public:
+  static constexpr std::size_t kPointsOfStep = 1024;
+
   /// Vertex i is points[i]. Requires: distinct finite points; the first four are affinely
   /// independent; fewer than 2^30 points.
   explicit Delaunay3Builder(IdVector<VertexId, Point3> points);
 
   /// Inserts all vertices in order, once. Returns false, leaving the triangulation without the
   /// vertices from there on, where it would take more than `most_tets` slots, ghost tets
-  /// included; these are fewer than 2^30, since half-faces are 4 t + i in 32 bits.
-  [[nodiscard]] bool insert_all(std::size_t most_tets = (std::size_t{1} << 30) - 1);
+  /// included; these are fewer than 2^30, since half-faces are 4 t + i in 32 bits. Tells a step
+  /// for every kPointsOfStep vertices.
+  [[nodiscard]] bool insert_all(WatchedWork& work,
+                                std::size_t most_tets = (std::size_t{1} << 30) - 1);
 
   /// All slots: of ghost tets vertex 0 is kGhost, of dead ones it is invalid. Valid after
   /// insert_all().

@@ -14,7 +14,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <tetloft/delaunay.hpp>
+#include <tetloft/delaunay2.hpp>
 #include <tetloft/ids.hpp>
 #include <tetloft/point.hpp>
 

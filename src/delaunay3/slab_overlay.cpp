@@ -28,10 +28,15 @@ constexpr std::uint32_t kBehind = 1;  // opposite the vertex ahead
 constexpr std::uint32_t kRight = 2;   // opposite the vertex to the left
 constexpr std::uint32_t kLeft = 3;
 
+// So many upper triangles are traced between two looks at the stop token.
+constexpr std::size_t kTrianglesOfLook = 1024;
+
 class SlabOverlay {
  public:
-  SlabOverlay(const Triangulation2& lower, const Triangulation2& upper, std::size_t most_tets)
-      : most_tets_(most_tets),
+  SlabOverlay(const Triangulation2& lower, const Triangulation2& upper, const WatchedWork& work,
+              std::size_t most_tets)
+      : work_(work),
+        most_tets_(most_tets),
         lower_(lower),
         upper_(upper),
         lower_centres_{&lower_, &upper_, true},
@@ -101,6 +106,7 @@ class SlabOverlay {
   void settle_lower_triangles();
   void settle(HalfEdgeId side, HalfFaceId face, VertexId nearest_above);
 
+  const WatchedWork& work_;
   std::size_t most_tets_;
   PlaneDiagram lower_;
   PlaneDiagram upper_;
@@ -159,6 +165,7 @@ void SlabOverlay::start_type1() {
 bool SlabOverlay::trace_upper_edges() {
   HalfEdgeId near = PlaneDiagram::half_edge(TriangleId(0), 0);
   for (std::size_t k = 0; k < upper_.finite_count(); ++k) {
+    if (k % kTrianglesOfLook == 0) work_.go_on();
     const TriangleId t(k);
     if (!cell_of_[t].valid()) enter(t, cell_from(near, t));
     near = cell_of_[t];
@@ -345,8 +352,8 @@ void SlabOverlay::settle_lower_triangles() {
 }  // namespace
 
 std::vector<TetSlot> slab_overlay(const Triangulation2& lower, const Triangulation2& upper,
-                                  std::size_t most_tets) {
-  return SlabOverlay(lower, upper, most_tets).run();
+                                  const WatchedWork& work, std::size_t most_tets) {
+  return SlabOverlay(lower, upper, work, most_tets).run();
 }
 
 }  // namespace tetloft::delaunay3_detail

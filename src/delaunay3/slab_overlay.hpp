@@ -16,9 +16,10 @@
 
 #include <vector>
 
-#include <tetloft/delaunay.hpp>
+#include <tetloft/delaunay2.hpp>
 #include <tetloft/ids.hpp>
 
+#include "core/watched_work.hpp"
 #include "delaunay3/tet_slot.hpp"
 
 namespace tetloft::delaunay3_detail {
@@ -28,9 +29,10 @@ namespace tetloft::delaunay3_detail {
 /// above; opposite half-faces are invalid on the hull. Linear in vertices and tets but for turning
 /// around vertices of high degree. Requires two triangulations with triangles, vertices in
 /// canonical order, together fewer than 2^29 vertices. Empty where it would take more than
-/// `most_tets`, of which no more are made; these are fewer than 2^30.
+/// `most_tets`, of which no more are made; these are fewer than 2^30. Tells no step.
 [[nodiscard]] std::vector<TetSlot> slab_overlay(const Triangulation2& lower,
                                                 const Triangulation2& upper,
+                                                const WatchedWork& work,
                                                 std::size_t most_tets = (std::size_t{1} << 30) - 1);
 
 }  // namespace tetloft::delaunay3_detail

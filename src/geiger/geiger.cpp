@@ -11,6 +11,7 @@
 #include <tetloft/predicates.hpp>
 
 #include "core/check.hpp"
+#include "core/option_rules.hpp"
 #include "core/parallel.hpp"
 #include "core/watched_work.hpp"
 #include "geiger/elimination.hpp"
@@ -32,7 +33,7 @@ class Geiger {
       : stack_(sections::scaled(stack, exponent)),
         exponent_(exponent),
         options_(options),
-        work_(options.stop, options.progress, 3 * stack.sections.size() - 1) {}
+        work_(options.execution, 3 * stack.sections.size() - 1) {}
 
   Result<std::optional<GeigerModel>> run() {
     if (Result<void> made = make_sections(); !made) return as_given(made.error());
@@ -61,7 +62,7 @@ class Geiger {
   // Calls body(i) in parallel, each a step of the work.
   template <class Body>
   void for_each(std::size_t n, const Body& body) {
-    parallel_for(n, options_.threads, [&](std::size_t i) {
+    parallel_for(n, options_.execution.threads, [&](std::size_t i) {
       work_.go_on();
       body(i);
       work_.step_done();
@@ -101,7 +102,8 @@ class Geiger {
         candidates.insert(candidates.end(), found.begin(), found.end());
       }
       const std::vector<Point2> inside = geiger::projected_into(before[s], candidates);
-      Result<ConformingSection> conforming = conform(contours[s], SectionId(s), {}, inside);
+      Result<ConformingSection> conforming =
+          conform(contours[s], SectionId(s), {.interior = inside});
       if (conforming) {
         sections_[s] = *std::move(conforming);
         projected[s] = inside.size();
@@ -194,9 +196,8 @@ class Geiger {
         if (!at.valid()) continue;
         if (contour.valid()) seen[contour.index()] = true;
         at = model_.points.push_back(p);
-        model_.section.push_back(static_cast<std::int32_t>(s));
-        model_.contour.push_back(contour.valid() ? static_cast<std::int32_t>(contour.value())
-                                                 : kNoContour);
+        model_.section.push_back(SectionId(s));
+        model_.contour.push_back(contour);
         model_.origin.push_back(!contour.valid() ? PointOrigin::projected
                                 : is_input       ? PointOrigin::input
                                                  : PointOrigin::contour_split);
@@ -244,7 +245,9 @@ Result<GeigerModel> reconstruct_geiger(const SectionStack& stack,
                                        const GeigerOptions& given_options) {
   return guard_threads(given_options, [&](const GeigerOptions& options) -> Result<GeigerModel> {
     if (Result<void> sound = fp_self_check(); !sound) return sound.error();
-    if (Result<void> valid = validate(stack, options.threads); !valid) return valid.error();
+    if (Result<void> good = check_work_limit(options.work_limit); !good) return good.error();
+    const Result<void> valid = validate(stack, untold(options.execution));
+    if (!valid) return valid.error();
     if (stack.sections.size() < 2) {
       return Error{ErrorCode::invalid_input, "Geiger's algorithm needs two sections or more", {}};
     }

@@ -1,8 +1,8 @@
 // Step 1 of Geiger's algorithm: feet of obtuse corners on contour edges.
 #pragma once
 
+#include <tetloft/conforming_section.hpp>
 #include <tetloft/result.hpp>
-#include <tetloft/sections.hpp>
 
 namespace tetloft::geiger {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include <tetloft/sections.hpp>
+#include <tetloft/conforming_section.hpp>
 
 namespace tetloft::geiger {
 

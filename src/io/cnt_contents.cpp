@@ -7,6 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include <tetloft/repair.hpp>
+
 #include "io/numbers.hpp"
 
 namespace tetloft::io {
@@ -84,7 +86,7 @@ Reading look_at(const CntContents& contents) {
 bool valid_pairs(const CntContents& contents) {
   SectionStack copy = contents.stack;
   static_cast<void>(mend(copy));
-  return validate(copy).ok();
+  return validate(copy, {.threads = 1}).ok();
 }
 
 void take_threes(CntContents& contents) {

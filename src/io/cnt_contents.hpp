@@ -9,7 +9,7 @@
 
 #include <tetloft/io.hpp>
 #include <tetloft/result.hpp>
-#include <tetloft/sections.hpp>
+#include <tetloft/section_stack.hpp>
 
 namespace tetloft::io {
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <tetloft/io.hpp>
+#include <tetloft/repair.hpp>
 
 #include "core/check.hpp"
 #include "io/arguments.hpp"
@@ -48,7 +49,8 @@ class CntReader {
     }
     sum_up();
     if (validity == Validity::required) {
-      if (Result<void> valid = validate(contents_.stack); !valid) return refusal(valid.error());
+      if (Result<void> valid = validate(contents_.stack, {.threads = 1}); !valid)
+        return refusal(valid.error());
     }
     return ReadStack{std::move(contents_.stack), std::move(warnings_), std::move(contents_.lines)};
   }

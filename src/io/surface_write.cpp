@@ -120,12 +120,14 @@ void append_vtp(PendingFile& file, const SurfaceMesh& mesh, const Model& model, 
   const std::size_t triangles = mesh.triangles.size();
   VtkGroup point_data{"PointData", {}};
   if (!model.section.empty()) {
-    point_data.arrays.push_back(vtk_array<std::int32_t>(
-        "section", 1, points, [&](std::size_t i) { return model.section[mesh.vertex[i]]; }));
+    point_data.arrays.push_back(vtk_array<std::int32_t>("section", 1, points, [&](std::size_t i) {
+      return static_cast<std::int32_t>(model.section[mesh.vertex[i]].value());
+    }));
   }
   if (!model.contour.empty()) {
-    point_data.arrays.push_back(vtk_array<std::int32_t>(
-        "contour", 1, points, [&](std::size_t i) { return model.contour[mesh.vertex[i]]; }));
+    point_data.arrays.push_back(vtk_array<std::int32_t>("contour", 1, points, [&](std::size_t i) {
+      return static_cast<std::int32_t>(model.contour[mesh.vertex[i]].value());
+    }));
   }
   VtkGroup cell_data{"CellData", {}};
   if (!model.component.empty()) {

@@ -27,7 +27,7 @@ using io::VtuPiece;
 using io::VtuRole;
 using io::XmlScanner;
 
-constexpr std::int64_t kVtkTetra = 10;
+constexpr std::int64_t kTetraType = 10;
 
 // Half-faces 4 t + i must fit into 32 bits (tet_mesh.hpp).
 constexpr std::size_t kTetLimit = std::size_t{1} << 30;
@@ -131,7 +131,7 @@ class GridDecoder {
     const auto types = cell_array(p, VtuRole::types, "types", cells);
     if (!types) return types.error();
     for (std::size_t i = 0; i < cells; ++i) {
-      if ((*types)[i] == kVtkTetra) continue;
+      if ((*types)[i] == kTetraType) continue;
       return complain(piece.position, "cell " + std::to_string(i) + " is of VTK type " +
                                           std::to_string((*types)[i]) +
                                           "; only tetrahedra (10) can be read");
@@ -215,16 +215,23 @@ class GridDecoder {
     const auto to_slab = [](std::int64_t value) { return value < 0 ? SlabId() : SlabId(value); };
     const auto to_kind = [](std::int64_t value) { return static_cast<TetKind>(value); };
     const auto to_origin = [](std::int64_t value) { return static_cast<PointOrigin>(value); };
-    const auto to_int = [](std::int64_t value) { return static_cast<std::int32_t>(value); };
+    const auto to_section = [](std::int64_t value) {
+      return value < 0 ? SectionId() : SectionId(value);
+    };
+    const auto to_contour = [](std::int64_t value) {
+      return value < 0 ? ContourId() : ContourId(value);
+    };
     Result<void> done = read_label(model_.component, VtuRole::component, false, "component", -1,
                                    kLargest, to_component);
     if (done) done = read_label(model_.slab, VtuRole::slab, false, "slab", -1, kLargest, to_slab);
     if (done)
       done = read_label(model_.kind, VtuRole::kind, false, "kind", 0, kTetKinds - 1, to_kind);
     if (done)
-      done = read_label(model_.section, VtuRole::section, true, "section", -1, kLargest, to_int);
+      done =
+          read_label(model_.section, VtuRole::section, true, "section", -1, kLargest, to_section);
     if (done)
-      done = read_label(model_.contour, VtuRole::contour, true, "contour", -1, kLargest, to_int);
+      done =
+          read_label(model_.contour, VtuRole::contour, true, "contour", -1, kLargest, to_contour);
     if (done)
       done = read_label(model_.origin, VtuRole::origin, true, "origin", 0, kPointOrigins - 1,
                         to_origin);

@@ -62,12 +62,6 @@ VtkArray enum_array(const char* name, const Enums& values) {
   });
 }
 
-template <class Ints>
-VtkArray int_array(const char* name, const Ints& values) {
-  return vtk_array<std::int32_t>(name, 1, values.size(),
-                                 [&values](std::size_t i) { return values.raw()[i]; });
-}
-
 // Arrays without values are left out: a model need not have provenance.
 void add_unless_empty(VtkGroup& group, VtkArray array) {
   if (array.bytes != 0) group.arrays.push_back(std::move(array));
@@ -92,8 +86,8 @@ Result<io::PendingFile> io::stage_vtu(const std::string& path, const Model& mode
     if (Result<void> known = check_encoding(encoding); !known) return known.error();
     if (Result<void> formed = check_well_formed(model); !formed) return at_file(path, formed);
     VtkGroup point_data{"PointData", {}};
-    add_unless_empty(point_data, int_array("section", model.section));
-    add_unless_empty(point_data, int_array("contour", model.contour));
+    add_unless_empty(point_data, id_array("section", model.section));
+    add_unless_empty(point_data, id_array("contour", model.contour));
     add_unless_empty(point_data, enum_array("origin", model.origin));
     VtkGroup cell_data{"CellData", {}};
     add_unless_empty(cell_data, id_array("component", model.component));

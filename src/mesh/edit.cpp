@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/check.hpp"
+#include "core/entry.hpp"
 #include "mesh/face_groups.hpp"
 #include "mesh/tet_soup.hpp"
 
@@ -30,6 +31,7 @@ int apex_over(const TriangleVertices& face, const TetVertices& tet) {
 }  // namespace
 
 VertexId TetMesh::add_vertices(std::size_t n) {
+  require_fit(n <= kMostVertices - vertex_count(), "a mesh holds fewer than 2^32 - 1 vertices");
   const VertexId first(first_corner_.size());
   first_corner_.resize(first_corner_.size() + n);
   return first;
@@ -104,6 +106,7 @@ Result<TetId> TetMesh::add_tet(const TetVertices& tet) {
 }
 
 void TetMesh::remove_tet(TetId t) {
+  require_live(t);
   free_.push_back(t);  // all that takes memory: the mesh is as it was where that ends
   for (int i = 0; i < 4; ++i) {
     const HalfFaceId h = half_face(t, i);

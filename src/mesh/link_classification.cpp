@@ -135,7 +135,10 @@ class VertexLinks {
 
 }  // namespace
 
-LinkKind TetMesh::classify_link(VertexId v) const { return VertexLinks(*this).classify(v); }
+LinkKind TetMesh::classify_link(VertexId v) const {
+  require_vertex(v);
+  return VertexLinks(*this).classify(v);
+}
 
 LinkKind TetMesh::classify_link(VertexId a, VertexId b) const {
   const std::vector<TetId> tets = star(a, b);

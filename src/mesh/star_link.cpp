@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/entry.hpp"
 #include "mesh/local_index.hpp"
 
 namespace tetloft {
@@ -24,7 +25,16 @@ VertexId TetMesh::smallest_star(std::span<const VertexId> candidates) const {
   }
 }
 
+void TetMesh::require_vertex(VertexId v) const {
+  require_named(v.index() < vertex_count(), "no vertex of the mesh");
+}
+
+void TetMesh::require_live(TetId t) const {
+  require_named(t.index() < tet_slots() && is_live(t), "no tet of the mesh");
+}
+
 std::vector<TetId> TetMesh::star(VertexId v) const {
+  require_vertex(v);
   std::vector<TetId> result;
   for (const HalfFaceId c : corners(v)) result.push_back(tet_of(c));
   std::sort(result.begin(), result.end());
@@ -32,6 +42,9 @@ std::vector<TetId> TetMesh::star(VertexId v) const {
 }
 
 std::vector<TetId> TetMesh::star(VertexId a, VertexId b) const {
+  require_vertex(a);
+  require_vertex(b);
+  require_fit(a != b, "an edge has two ends");
   const std::array<VertexId, 2> ends{a, b};
   const VertexId from = smallest_star(ends);
   const VertexId to = from == a ? b : a;
@@ -41,6 +54,7 @@ std::vector<TetId> TetMesh::star(VertexId a, VertexId b) const {
 }
 
 std::vector<TetId> TetMesh::star(HalfFaceId h) const {
+  require_live(tet_of(h));
   const HalfFaceId o = opposite(h);
   if (!o.valid()) return {tet_of(h)};
   return {tet_of(h), tet_of(o)};
@@ -53,6 +67,7 @@ std::vector<TetId> TetMesh::ring(VertexId a, VertexId b, TetId start) const {
 }
 
 bool TetMesh::ring(VertexId a, VertexId b, TetId start, std::vector<TetId>& ring) const {
+  require_live(start);
   // Leaves `start` across face `out`; of the face's vertices off the edge, the `hinge`, stays
   // behind in the next one. Appends all tets up to the boundary, or up to `start`: then true.
   const auto walk = [&](int out, VertexId hinge) {
@@ -69,6 +84,7 @@ bool TetMesh::ring(VertexId a, VertexId b, TetId start, std::vector<TetId>& ring
   };
   const int i = index_in(start, a);
   const int j = index_in(start, b);
+  require_fit(i >= 0 && j >= 0 && i != j, "the tet to start from has not this edge");
   const int forward = turn(i, j);
   const int backward = turn(j, i);
   ring.assign(1, start);
@@ -98,6 +114,7 @@ std::vector<std::array<VertexId, 2>> TetMesh::link(VertexId a, VertexId b) const
 }
 
 std::vector<VertexId> TetMesh::link(HalfFaceId h) const {
+  require_live(tet_of(h));
   const HalfFaceId o = opposite(h);
   if (!o.valid()) return {corner_vertex(h)};
   return {corner_vertex(h), corner_vertex(o)};

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/buckets.hpp"
+#include "core/entry.hpp"
 #include "core/union_find.hpp"
 
 namespace tetloft {
@@ -20,8 +21,11 @@ struct Side {
 
 SurfaceComponents surface_components(std::span<const TriangleVertices> triangles) {
   const std::size_t n = triangles.size();
+  require_fit(n < (std::size_t{1} << 32) / 3, "2^32 / 3 triangles or more");
   std::size_t vertex_end = 0;
   for (const TriangleVertices& t : triangles) {
+    require_named(t[0].valid() && t[1].valid() && t[2].valid(),
+                  "a triangle without three vertices");
     for (const VertexId v : t) vertex_end = std::max(vertex_end, v.index() + 1);
   }
   // The lower and the higher end of side `s`.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "core/entry.hpp"
 #include "core/unit_of_length.hpp"
 #include "mesh/face_groups.hpp"
 
@@ -52,6 +53,7 @@ Result<TetMesh> half_faces(const Model& model) {
 }
 
 Surface boundary_surface(const Model& model) {
+  require_fit(model.tets.size() < std::size_t{1} << 30, "2^30 tets or more");
   const auto corners = [&](std::size_t t) -> const TetVertices& { return model.tets[TetId(t)]; };
   std::vector<HalfFaceId> boundary;
   const auto sound = [&](std::size_t t) { return is_sound(model, model.tets[TetId(t)]); };

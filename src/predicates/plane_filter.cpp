@@ -13,7 +13,7 @@ namespace {
 
 // Differences of at most this many units: all intermediate values of the in-circle determinant
 // are integers, and none exceeds the sum of its monomials' magnitudes, 12 · 5200⁴ < 2⁵³.
-constexpr double kMostUnits = 5200;
+constexpr double kMostUnitsOfPlane = 5200;
 // Products of four units must neither under- nor overflow.
 constexpr int kLeastUnit = -200;
 constexpr int kGreatestUnit = 150;
@@ -35,7 +35,7 @@ PlaneFilter::PlaneFilter(std::span<const Point2> points) {
     }
     // Most sets that are no lattice show it within a few points.
     const double extent = std::max(high.x - low.x, high.y - low.y);
-    if (unit < kLeastUnit || !(extent <= std::ldexp(kMostUnits, unit))) return;
+    if (unit < kLeastUnit || !(extent <= std::ldexp(kMostUnitsOfPlane, unit))) return;
   }
   if (unit > kGreatestUnit) return;
   exact_ = true;

@@ -13,7 +13,7 @@ namespace {
 
 // Differences of at most this many units: all intermediate values of the in-sphere determinant
 // are integers, and none exceeds the sum of its monomials' magnitudes, 72 · 600⁵ < 2⁵³.
-constexpr double kMostUnits = 600;
+constexpr double kMostUnitsOfSet = 600;
 
 // The power of two 2^unit that divides all coordinates: its exponent.
 int common_exponent(std::span<const Point3> points) {
@@ -47,7 +47,7 @@ SetFilter::SetFilter(std::span<const Point3> points)
   // Products of five units must neither under- nor overflow.
   const int unit = common_exponent(points);
   if (unit < -200 || unit > 150) return;
-  exact_ = largest(mx, my, mz) <= std::ldexp(kMostUnits, unit);
+  exact_ = largest(mx, my, mz) <= std::ldexp(kMostUnitsOfSet, unit);
   if (exact_) orient3d_bound_ = insphere_bound_ = 0;
 }
 

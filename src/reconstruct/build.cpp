@@ -37,16 +37,17 @@ std::optional<Error> SlabBuilds::run() {
 
 std::optional<Error> SlabBuilds::build(const std::vector<SlabId>& slabs) {
   built_ += slabs.size();
-  return first_error(slabs, options_.threads, work_, [&](SlabId slab) -> std::optional<Error> {
-    Result<SlabOutcome> outcome = build_slab(
-        slab, prepared_.sections[lower_section(slab)], prepared_.sections[upper_section(slab)],
-        plan_.correspondence.links[slab], {options_.delaunay, options_.work_limit});
-    if (!outcome) return outcome.error();
-    outcome_[slab] = std::move(*outcome);
-    if (auto* refused = std::get_if<Unrepresentable>(&outcome_[slab])) return refused->error;
-    if (refinements_ == 0) work_.step_done();  // each slab counts once
-    return std::nullopt;
-  });
+  return first_error(
+      slabs, options_.execution.threads, work_, [&](SlabId slab) -> std::optional<Error> {
+        Result<SlabOutcome> outcome = build_slab(
+            slab, prepared_.sections[lower_section(slab)], prepared_.sections[upper_section(slab)],
+            plan_.correspondence.links[slab], {options_.delaunay, options_.work_limit});
+        if (!outcome) return outcome.error();
+        outcome_[slab] = std::move(*outcome);
+        if (auto* refused = std::get_if<Unrepresentable>(&outcome_[slab])) return refused->error;
+        if (refinements_ == 0) work_.step_done();  // each slab counts once
+        return std::nullopt;
+      });
 }
 
 // Contours refined to Gabriel edges: regions that overlap then have an own–own edge of D between

@@ -11,7 +11,7 @@
 namespace tetloft {
 
 Result<Correspondence> Decision::make(const std::vector<SlabId>& slabs, const WatchedWork& work) {
-  auto error = first_error(slabs, options_.threads, work,
+  auto error = first_error(slabs, options_.execution.threads, work,
                            [&](SlabId slab) { return find_candidates(slab); });
   if (!error && options_.correspondence.drift) error = add_drift_links(work);
   if (error) return *error;
@@ -40,7 +40,7 @@ std::optional<Error> Decision::find_candidates(SlabId slab) {
 
 std::optional<Error> Decision::add_drift_links(const WatchedWork& work) {
   IdVector<SlabId, std::vector<Link>> further(candidates_.size());
-  auto error = first_error(all_ids<SlabId>(candidates_.size()), options_.threads, work,
+  auto error = first_error(all_ids<SlabId>(candidates_.size()), options_.execution.threads, work,
                            [&](SlabId slab) -> std::optional<Error> {
                              further[slab] =
                                  drift_links(slab, prepared_.stack, prepared_.nestings, candidates_,

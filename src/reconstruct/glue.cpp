@@ -33,8 +33,7 @@ class Gluing {
     vertices_.add_section(section.vertex_count());
     for (const VertexId v : section.contour.ids()) {
       const bool input = section.input_vertex[v] != ConformingSection::kNotInput;
-      add_point(section.point3(v), static_cast<std::int32_t>(s.value()),
-                static_cast<std::int32_t>(section.contour[v].value()),
+      add_point(section.point3(v), s, section.contour[v],
                 input ? PointOrigin::input : PointOrigin::contour_split);
     }
   }
@@ -56,8 +55,7 @@ class Gluing {
     model_.origin.reserve(points);
   }
 
-  VertexId add_point(const Point3& p, std::int32_t section, std::int32_t contour,
-                     PointOrigin origin) {
+  VertexId add_point(const Point3& p, SectionId section, ContourId contour, PointOrigin origin) {
     model_.section.push_back(section);
     model_.contour.push_back(contour);
     model_.origin.push_back(origin);
@@ -99,7 +97,7 @@ class Gluing {
     }
     for (const ConstructedId k : vertex.ids()) {
       if (!vertex[k].valid()) continue;
-      vertex[k] = add_point(solid.constructed[k], kNoSection, kNoContour, solid.origin[k]);
+      vertex[k] = add_point(solid.constructed[k], {}, {}, solid.origin[k]);
     }
     return vertex;
   }

@@ -7,8 +7,8 @@
 
 #include <vector>
 
+#include <tetloft/conforming_section.hpp>
 #include <tetloft/model.hpp>
-#include <tetloft/sections.hpp>
 
 #include "reconstruct/slab_solid.hpp"
 

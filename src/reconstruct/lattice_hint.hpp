@@ -1,7 +1,7 @@
 // Which lattice would merge coordinates that differ in their last bits.
 #pragma once
 
-#include <tetloft/sections.hpp>
+#include <tetloft/conforming_section.hpp>
 
 namespace tetloft {
 

@@ -14,7 +14,8 @@ std::optional<Error> PreparedStack::conform_section(SectionId s,
   std::size_t vertices = 0;
   for (const Contour& contour : stack.sections[s].contours) vertices += contour.vertices.size();
   Result<ConformingSection> section =
-      conform(stack.sections[s], s, gabriel, {}, most_inserted(work_limit, vertices));
+      conform(stack.sections[s], s,
+              {.gabriel = gabriel, .most_inserted = most_inserted(work_limit, vertices)});
   if (!section) return section.error();
   sections[s] = std::move(*section);
   return std::nullopt;
@@ -22,7 +23,7 @@ std::optional<Error> PreparedStack::conform_section(SectionId s,
 
 Result<PreparedStack> prepare(const SectionStack& given, Unit unit,
                               const ReconstructOptions& options, WatchedWork& work) {
-  if (Result<void> valid = validate(given, options.threads); !valid) return valid.error();
+  if (Result<void> valid = validate(given, untold(options.execution)); !valid) return valid.error();
   PreparedStack prepared;
   prepared.work_limit = options.work_limit;
   if (unit == Unit::of_the_stack) {
@@ -33,8 +34,8 @@ Result<PreparedStack> prepare(const SectionStack& given, Unit unit,
   prepared.stack = sections::scaled(given, prepared.exponent);
   prepared.nestings.resize(prepared.section_count());
   prepared.sections.resize(prepared.section_count());
-  auto error = first_error(all_ids<SectionId>(prepared.section_count()), options.threads, work,
-                           [&](SectionId s) {
+  auto error = first_error(all_ids<SectionId>(prepared.section_count()), options.execution.threads,
+                           work, [&](SectionId s) {
                              prepared.nestings[s] = nest(prepared.stack.sections[s]);
                              auto failed = prepared.conform_section(s);
                              work.step_done();

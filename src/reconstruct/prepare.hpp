@@ -3,6 +3,8 @@
 
 #include <optional>
 
+#include <tetloft/conforming_section.hpp>
+#include <tetloft/nesting.hpp>
 #include <tetloft/reconstruct.hpp>
 
 #include "core/watched_work.hpp"

@@ -9,8 +9,8 @@
 #include <tetloft/predicates.hpp>
 
 #include "core/check.hpp"
-#include "core/correspondence_options.hpp"
 #include "core/enums.hpp"
+#include "core/option_rules.hpp"
 #include "core/parallel.hpp"
 #include "core/unit_of_length.hpp"
 #include "core/watched_work.hpp"
@@ -43,12 +43,9 @@ std::size_t step_count(const SectionStack& stack) {
   if (!is_enumerator(options.delaunay, DelaunayEngine::slab)) {
     return Error{ErrorCode::usage, "there is no such Delaunay engine", {}};
   }
-  if (!(options.work_limit > 0)) {
-    return Error{ErrorCode::usage, "the work limit must be positive", {}};
-  }
-  if (options.thickness && !(*options.thickness > 0 && std::isfinite(*options.thickness))) {
-    return Error{ErrorCode::usage, "the thickness must be positive and finite", {}};
-  }
+  Result<void> good = check_work_limit(options.work_limit);
+  if (good && options.thickness) good = check_length(*options.thickness, "the thickness");
+  if (!good) return good.error();
   return std::nullopt;
 }
 
@@ -86,7 +83,7 @@ Result<std::optional<Reconstruction>> make(const SectionStack& stack,
                                            const ReconstructOptions& options, Unit unit,
                                            int& exponent) {
   const auto start = Clock::now();
-  WatchedWork work(options.stop, options.progress, step_count(stack));
+  WatchedWork work(options.execution, step_count(stack));
   Reconstruction result;
   ReconstructReport& report = result.report;
   StepClock clock(report.seconds);
@@ -146,7 +143,7 @@ Result<Reconstruction> reconstruct(const SectionStack& stack,
                          if (!made) return made.error();
                          if (*made) return std::move(**made);
                          ReconstructOptions again = options;
-                         again.progress = nullptr;  // all steps have been told
+                         again.execution.progress = nullptr;  // all steps have been told
                          made = make_in(stack, again, Unit::as_given);
                          if (!made) return made.error();
                          return std::move(**made);

@@ -7,10 +7,10 @@
 #include <variant>
 #include <vector>
 
-#include <tetloft/delaunay.hpp>
+#include <tetloft/conforming_section.hpp>
+#include <tetloft/delaunay3.hpp>
 #include <tetloft/model.hpp>
 #include <tetloft/result.hpp>
-#include <tetloft/sections.hpp>
 
 #include "slab/link.hpp"
 #include "slab/rules.hpp"

@@ -281,7 +281,7 @@ Result<std::string> render_html(const Model& model, const SectionStack* contours
     if (options.cut && options.cut->axis != 2) {
       return Error{ErrorCode::usage, "the viewer cuts by z only", {}};
     }
-    WatchedWork work(options.stop, options.progress, Page::kSteps + 1);
+    WatchedWork work(options.execution, Page::kSteps + 1);
     work.go_on();
     const Result<Subject> subject = render::subject_of(model, contours, options);
     if (!subject) return subject.error();

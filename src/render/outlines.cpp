@@ -45,19 +45,19 @@ Planes planes_of(const Subject& subject, const std::vector<double>& heights) {
 
 // The edges of the section regions of the model: in-plane edges of an odd number of in-plane
 // triangles.
-std::map<std::int32_t, std::vector<std::array<VertexId, 2>>> outlines_of(const Model& model) {
-  std::map<std::int32_t, std::vector<TriangleVertices>> triangles;
+std::map<SectionId, std::vector<std::array<VertexId, 2>>> outlines_of(const Model& model) {
+  std::map<SectionId, std::vector<TriangleVertices>> triangles;
   for (const TetVertices& tet : model.tets) {
     for (const auto& face : kFaceVertex) {
       TriangleVertices v;
       for (std::size_t i = 0; i < 3; ++i) v[i] = tet[static_cast<std::size_t>(face[i])];
-      const std::int32_t s = model.section[v[0]];
-      if (s == kNoSection || model.section[v[1]] != s || model.section[v[2]] != s) continue;
+      const SectionId s = model.section[v[0]];
+      if (!s.valid() || model.section[v[1]] != s || model.section[v[2]] != s) continue;
       std::sort(v.begin(), v.end());
       triangles[s].push_back(v);
     }
   }
-  std::map<std::int32_t, std::vector<std::array<VertexId, 2>>> outlines;
+  std::map<SectionId, std::vector<std::array<VertexId, 2>>> outlines;
   for (auto& [section, all] : triangles) {
     std::sort(all.begin(), all.end());
     all.erase(std::unique(all.begin(), all.end()), all.end());

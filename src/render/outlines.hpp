@@ -2,7 +2,7 @@
 #pragma once
 
 #include <tetloft/model.hpp>
-#include <tetloft/sections.hpp>
+#include <tetloft/section_stack.hpp>
 
 #include "render/subject.hpp"
 

@@ -94,7 +94,7 @@ std::string png(const Picture& picture, bool opaque) {
 Result<std::string> render_png(const Model& model, const SectionStack* contours,
                                const RenderOptions& options) {
   return guard_internal([&]() -> Result<std::string> {
-    WatchedWork work(options.stop, options.progress, render::kDrawSteps + 2);
+    WatchedWork work(options.execution, render::kDrawSteps + 2);
     work.go_on();
     const auto scene = render::scene_of(model, contours, render::View::toward(options), options);
     if (!scene) return scene.error();

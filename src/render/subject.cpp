@@ -57,8 +57,8 @@ float smallest_dihedral(const std::array<Point3, 4>& p) {
 // Usage error for what is out of range.
 Result<void> check_options(const RenderOptions& options) {
   const auto usage = [](const char* what) { return Error{ErrorCode::usage, what, {}}; };
-  constexpr int kMost = 8192;  // samples of a picture of this side take half a gigabyte
-  if (options.width < 1 || options.width > kMost || options.height < 1 || options.height > kMost) {
+  if (options.width < 1 || options.width > kLargestPictureSide || options.height < 1 ||
+      options.height > kLargestPictureSide) {
     return usage("width and height of a picture are 1 to 8192 pixels");
   }
   if (!is_enumerator(options.colour, ColourBy::dihedral)) {
@@ -72,8 +72,9 @@ Result<void> check_options(const RenderOptions& options) {
     return usage("slabs can be moved apart by 0 to 100 heights");
   }
   // Heights stay far within float32, and visible.
-  constexpr double kMostStretched = 1e6;
-  if (!(options.stretch <= kMostStretched && options.stretch >= 1 / kMostStretched)) {
+  constexpr double kLargestPictureSideStretched = 1e6;
+  if (!(options.stretch <= kLargestPictureSideStretched &&
+        options.stretch >= 1 / kLargestPictureSideStretched)) {
     return usage("z can be stretched by 1e-6 to 1e6");
   }
   if (options.cut && (options.cut->axis < 0 || options.cut->axis > 2)) {

@@ -178,7 +178,7 @@ std::string svg(const Scene& scene, const RenderOptions& options, WatchedWork& w
 Result<std::string> render_svg(const Model& model, const SectionStack* contours,
                                const RenderOptions& options) {
   return guard_internal([&]() -> Result<std::string> {
-    WatchedWork work(options.stop, options.progress, kSvgSteps + 1);
+    WatchedWork work(options.execution, kSvgSteps + 1);
     work.go_on();
     const auto scene = render::scene_of(model, contours, render::View::toward(options), options);
     if (!scene) return scene.error();

@@ -3,8 +3,9 @@
 #include <cmath>
 #include <vector>
 
-#include <tetloft/sections.hpp>
+#include <tetloft/overlap.hpp>
 
+#include "sections/interiors.hpp"
 #include "sections/trapezoids.hpp"
 
 namespace tetloft {
@@ -44,15 +45,18 @@ ScaledArea twice_area_of(const Trapezoids& shape) {
 }  // namespace
 
 double twice_area(const Contour& contour) {
+  sections::require_finite(contour);
   return twice_area_of(sections::trapezoids_of(contour)).rounded();
 }
 
 Sign area_sign(const Contour& contour) {
+  sections::require_finite(contour);
   const double value = twice_area_of(sections::trapezoids_of(contour)).value;
   return value > 0 ? Sign::positive : (value < 0 ? Sign::negative : Sign::zero);
 }
 
 double area(const RegionOutline& region) {
+  sections::require_outline(region);
   return twice_area_of(sections::trapezoids_of(region)).rounded() / 2;
 }
 

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include <tetloft/sections.hpp>
+#include <tetloft/conforming_section.hpp>
 
 #include "core/check.hpp"
 #include "sections/conforming_section.hpp"
@@ -59,16 +59,16 @@ class Conformer {
     flat_ = flatten(section, interior);
   }
 
-  Result<ConformingSection> run(const IdVector<ContourId, bool>& gabriel,
-                                std::size_t most_inserted) {
+  Result<ConformingSection> run(const ConformOptions& asked) {
     if (flat_.points.empty()) {
       result_.first_edge = {0};
       return std::move(result_);
     }
     ConformingOptions options;
-    options.most_inserted = most_inserted;
-    if (!gabriel.empty()) {
-      for (const ContourId c : flat_.contour) options.gabriel.push_back(gabriel[c]);
+    options.most_inserted = asked.most_inserted;
+    options.execution = asked.execution;
+    if (!asked.gabriel.empty()) {
+      for (const ContourId c : flat_.contour) options.gabriel.push_back(asked.gabriel[c]);
     }
     Result<Conforming2> conforming = conforming_delaunay2(flat_.points, flat_.segments, options);
     if (!conforming) return placed(conforming.error());
@@ -274,19 +274,17 @@ class Conformer {
 // The same in a unit of the section's own. Nothing where points have finer bits than fit in the
 // unit given.
 std::optional<Result<ConformingSection>> conform_in_unit(const Section& section, SectionId id,
-                                                         const IdVector<ContourId, bool>& gabriel,
-                                                         std::span<const Point2> interior,
-                                                         std::size_t most_inserted) {
+                                                         const ConformOptions& options) {
   UnitOfLength unit;
   for (const Contour& contour : section.contours) {
     for (const Point2& p : contour.vertices) unit.include(p);
   }
-  for (const Point2& p : interior) unit.include(p);
+  for (const Point2& p : options.interior) unit.include(p);
   const int exponent = unit.exponent();
-  std::vector<Point2> inside(interior.begin(), interior.end());
+  std::vector<Point2> inside = options.interior;
   for (Point2& p : inside) p = scaled(p, exponent);
   const Section in_unit = sections::scaled_in_plane(section, exponent);
-  Result<ConformingSection> result = Conformer(in_unit, id, inside).run(gabriel, most_inserted);
+  Result<ConformingSection> result = Conformer(in_unit, id, inside).run(options);
   if (!result) {
     Error error = result.error();
     if (error.where.point) {
@@ -305,17 +303,23 @@ std::optional<Result<ConformingSection>> conform_in_unit(const Section& section,
 }  // namespace
 
 Result<ConformingSection> conform(const Section& section, SectionId id,
-                                  const IdVector<ContourId, bool>& gabriel,
-                                  std::span<const Point2> interior, std::size_t most_inserted) {
+                                  const ConformOptions& options) {
   return guard_internal([&]() -> Result<ConformingSection> {
-    if (!gabriel.empty() && gabriel.size() != section.contours.size()) {
+    if (!options.gabriel.empty() && options.gabriel.size() != section.contours.size()) {
       return Error{ErrorCode::usage, "gabriel needs one flag for each contour", {}};
     }
-    auto in_unit = conform_in_unit(section, id, gabriel, interior, most_inserted);
+    if (!sections::has_contours(section)) {
+      Error error{ErrorCode::invalid_input, "contours of fewer than three finite vertices", {}};
+      error.where.section = id.index();
+      return error;
+    }
+    auto in_unit = conform_in_unit(section, id, options);
+    // What has been told of the work is not told again.
+    ConformOptions again = options;
+    again.execution.progress = nullptr;
     Result<ConformingSection> result =
-        in_unit ? *std::move(in_unit)
-                : Conformer(section, id, interior).run(gabriel, most_inserted);
-    if (result) result->gabriel = gabriel;
+        in_unit ? *std::move(in_unit) : Conformer(section, id, again.interior).run(again);
+    if (result) result->gabriel = options.gabriel;
     return result;
   });
 }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/check.hpp"
+#include "core/entry.hpp"
 
 namespace tetloft {
 
@@ -123,6 +124,28 @@ void sections::classify_edges(ConformingSection& section) {
       edge.kind = EdgeKind::external;
     }
   }
+}
+
+void sections::require_consistent(const ConformingSection& section) {
+  const std::size_t vertices = section.triangulation.points.size();
+  const std::size_t triangles = section.triangulation.triangles.size();
+  const auto is_triangle = [&](TriangleId t) { return !t.valid() || t.index() < triangles; };
+  const bool fit =
+      section.contour.size() == vertices &&
+      std::all_of(
+          section.contour.begin(), section.contour.end(),
+          [&](ContourId c) { return !c.valid() || c.index() < section.nesting.parent.size(); }) &&
+      std::all_of(section.triangulation.triangles.begin(), section.triangulation.triangles.end(),
+                  [&](const TriangleVertices& t) {
+                    return std::max({t[0], t[1], t[2]}).index() < vertices;
+                  }) &&
+      std::all_of(
+          section.edges.begin(), section.edges.end(), [&](const ConformingSection::Edge& edge) {
+            return edge.a.index() < vertices && edge.b.index() < vertices &&
+                   is_triangle(edge.left) && is_triangle(edge.right) &&
+                   (edge.kind == EdgeKind::contour || edge.left.valid() || edge.right.valid());
+          });
+  require_fit(fit, "no section as conform() makes it");
 }
 
 EdgeId ConformingSection::find_edge(VertexId u, VertexId v) const {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include <tetloft/sections.hpp>
+#include <tetloft/conforming_section.hpp>
 
 namespace tetloft::sections {
 
@@ -14,5 +14,7 @@ IdVector<VertexId, VertexId> adopt(const Triangulation2& triangulation, Conformi
 
 /// The kinds of all edges, from `internal` and `next`.
 void classify_edges(ConformingSection& section);
+/// Throws std::invalid_argument unless all ids and sizes are those of one section.
+void require_consistent(const ConformingSection& section);
 
 }  // namespace tetloft::sections

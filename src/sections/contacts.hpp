@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <tetloft/sections.hpp>
+#include <tetloft/section_stack.hpp>
 
 namespace tetloft::sections {
 

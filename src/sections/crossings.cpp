@@ -16,9 +16,10 @@
 #include <tuple>
 #include <vector>
 
-#include <tetloft/sections.hpp>
+#include <tetloft/skeleton.hpp>
 
 #include "sections/box_tree.hpp"
+#include "sections/conforming_section.hpp"
 #include "sections/interval.hpp"
 
 namespace tetloft {
@@ -210,6 +211,8 @@ Meeting meeting_of(const Dual& p, const Dual& q) {
 
 std::vector<SkeletonCrossing> skeleton_crossings(const ConformingSection& below,
                                                  const ConformingSection& above) {
+  sections::require_consistent(below);
+  sections::require_consistent(above);
   const int exponent = common_exponent(below, above);
   const Skeletons lower(below, exponent);
   const Skeletons upper(above, exponent);

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <tetloft/sections.hpp>
+#include <tetloft/repair.hpp>
 
 namespace tetloft {
 

@@ -7,10 +7,12 @@
 #include "sections/interiors.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
+#include "core/entry.hpp"
 #include "sections/box_tree.hpp"
 #include "sections/nesting.hpp"
 #include "sections/segments.hpp"
@@ -115,6 +117,20 @@ std::vector<OwnedEdge> pieces(const std::vector<OwnedEdge>& edges, std::vector<C
 }
 
 }  // namespace
+
+void require_finite(const Contour& contour) {
+  for (const Point2& p : contour.vertices) {
+    require_fit(std::isfinite(p.x) && std::isfinite(p.y), "a coordinate is not finite");
+  }
+}
+
+void require_outline(const RegionOutline& region) {
+  require_fit(!region.contours.empty(), "an outline without contour");
+  for (const Contour* contour : region.contours) {
+    require_fit(contour != nullptr, "an outline with a null contour");
+    require_finite(*contour);
+  }
+}
 
 Box bounds(const RegionOutline& region) {
   Box box;

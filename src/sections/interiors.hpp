@@ -1,7 +1,7 @@
 // Do two regions share an open set? Predicates decide; no area is computed.
 #pragma once
 
-#include <tetloft/sections.hpp>
+#include <tetloft/overlap.hpp>
 
 #include "sections/box_tree.hpp"
 
@@ -13,5 +13,10 @@ namespace tetloft::sections {
 /// Is area(a ∩ b) positive? Touching boundaries, shared vertices and shared edges alone do
 /// not count. Requires outlines of valid sections.
 [[nodiscard]] bool interiors_meet(const RegionOutline& a, const RegionOutline& b);
+
+/// Throws std::invalid_argument unless all coordinates are finite.
+void require_finite(const Contour& contour);
+/// The same for an outline, which has a contour at least, and none that is null.
+void require_outline(const RegionOutline& region);
 
 }  // namespace tetloft::sections

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include <tetloft/sections.hpp>
+#include <tetloft/repair.hpp>
 
 namespace tetloft {
 

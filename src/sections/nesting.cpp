@@ -6,9 +6,11 @@
 #include "sections/nesting.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "core/check.hpp"
+#include "core/entry.hpp"
 #include "sections/sweep.hpp"
 
 namespace tetloft {
@@ -25,7 +27,16 @@ bool sections::is_counter_clockwise(const Contour& contour) {
                   vertices[v + 1 == n ? 0 : v + 1]) == Sign::positive;
 }
 
+bool sections::has_contours(const Section& section) {
+  return std::all_of(section.contours.begin(), section.contours.end(), [](const Contour& contour) {
+    return contour.vertices.size() >= 3 &&
+           std::all_of(contour.vertices.begin(), contour.vertices.end(),
+                       [](const Point2& p) { return std::isfinite(p.x) && std::isfinite(p.y); });
+  });
+}
+
 Nesting nest(const Section& section) {
+  require_fit(sections::has_contours(section), "contours of fewer than three finite vertices");
   const std::size_t contours = section.contours.size();
   Nesting nesting;
   nesting.parent.resize(contours);
@@ -67,7 +78,24 @@ Nesting nest(const Section& section) {
   return nesting;
 }
 
+namespace {
+
+void require_nesting_of(const Section& section, const Nesting& nesting) {
+  const std::size_t contours = section.contours.size();
+  const std::size_t regions = nesting.outer.size();
+  const bool fit = nesting.region.size() == contours &&
+                   std::all_of(nesting.region.begin(), nesting.region.end(),
+                               [&](RegionId r) { return r.index() < regions; }) &&
+                   std::all_of(nesting.outer.begin(), nesting.outer.end(),
+                               [&](ContourId c) { return c.index() < contours; });
+  require_fit(fit, "the nesting is not that of the section");
+}
+
+}  // namespace
+
 RegionOutline outline(const Section& section, const Nesting& nesting, RegionId region) {
+  require_nesting_of(section, nesting);
+  require_named(region.index() < nesting.outer.size(), "no region of the section");
   RegionOutline result;
   const ContourId outer = nesting.outer[region];
   result.contours.push_back(&section.contours[outer]);
@@ -81,6 +109,7 @@ RegionOutline outline(const Section& section, const Nesting& nesting, RegionId r
 }
 
 IdVector<RegionId, RegionOutline> outlines(const Section& section, const Nesting& nesting) {
+  require_nesting_of(section, nesting);
   IdVector<RegionId, RegionOutline> result(nesting.outer.size());
   for (std::size_t r = 0; r < nesting.outer.size(); ++r) {
     result[RegionId(r)].contours.push_back(&section.contours[nesting.outer[RegionId(r)]]);

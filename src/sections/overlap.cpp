@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include <tetloft/sections.hpp>
+#include <tetloft/overlap.hpp>
 
 #include "sections/interiors.hpp"
 #include "sections/overlap_exact.hpp"
@@ -159,6 +159,8 @@ double to_ratio_bits(double value) {
 
 std::array<Sign, 2> compare_overlap(const RegionOutline& a, const RegionOutline& b,
                                     const std::array<double, 2>& taus) {
+  sections::require_outline(a);
+  sections::require_outline(b);
   std::array<Sign, 2> signs{};
   const bool apart = !sections::bounds(a).overlaps(sections::bounds(b));
   // What the thresholds have in common is found when the first of them needs it.
@@ -209,6 +211,8 @@ Sign compare_overlap(const RegionOutline& a, const RegionOutline& b, double tau)
 }
 
 double overlap_ratio(const RegionOutline& a, const RegionOutline& b) {
+  sections::require_outline(a);
+  sections::require_outline(b);
   if (!sections::bounds(a).overlaps(sections::bounds(b))) return 0;
   const Trapezoids edges_a = sections::trapezoids_of(a);
   const Trapezoids edges_b = sections::trapezoids_of(b);

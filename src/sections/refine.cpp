@@ -5,9 +5,13 @@
 #include <utility>
 #include <vector>
 
-#include <tetloft/sections.hpp>
+#include <tetloft/repair.hpp>
 
 #include "core/check.hpp"
+#include "core/option_rules.hpp"
+#include "core/parallel.hpp"
+#include "core/watched_work.hpp"
+#include "sections/validation.hpp"
 
 namespace tetloft {
 
@@ -42,11 +46,11 @@ void append_parts(const Point2& a, const Point2& b, double parts, std::vector<Po
   }
 }
 
-Result<Refined> refine_all(const SectionStack& stack, double length) {
-  if (!(length > 0) || !std::isfinite(length)) {
-    return Error{ErrorCode::usage, "the length to refine to must be positive and finite", {}};
-  }
-  if (Result<void> valid = validate(stack); !valid) return valid.error();
+Result<Refined> refine_all(const SectionStack& stack, double length, const Execution& execution) {
+  if (auto good = check_length(length, "the length to refine to"); !good) return good.error();
+  WatchedWork work(execution, 2 * stack.sections.size() + 1);
+  const Result<void> valid = sections::validate_within(stack, work);
+  if (!valid) return valid.error();
   double inserted = 0;
   for (const Section& section : stack.sections) {
     for (const Contour& contour : section.contours) {
@@ -73,8 +77,10 @@ Result<Refined> refine_all(const SectionStack& stack, double length) {
       contour.vertices = std::move(points);
     }
   }
-  if (Result<void> valid = validate(result.stack); !accepted(valid)) {
-    Error error = valid.error();
+  work.step_done_go_on();
+  const Result<void> still = sections::validate_within(result.stack, work);
+  if (!accepted(still)) {
+    Error error = still.error();
     error.message = "refined contours, bent by rounding, are not valid: " + error.message;
     return error;
   }
@@ -83,8 +89,9 @@ Result<Refined> refine_all(const SectionStack& stack, double length) {
 
 }  // namespace
 
-Result<Refined> refine(const SectionStack& stack, double length) {
-  return guard_internal([&] { return refine_all(stack, length); });
+Result<Refined> refine(const SectionStack& stack, double length, const Execution& given) {
+  return guard_threads(
+      given, [&](const Execution& execution) { return refine_all(stack, length, execution); });
 }
 
 }  // namespace tetloft

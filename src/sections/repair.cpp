@@ -16,9 +16,12 @@
 #include <utility>
 #include <vector>
 
-#include <tetloft/sections.hpp>
+#include <tetloft/repair.hpp>
 
 #include "core/check.hpp"
+#include "core/option_rules.hpp"
+#include "core/parallel.hpp"
+#include "core/watched_work.hpp"
 #include "sections/arrangement.hpp"
 #include "sections/scaling.hpp"
 #include "sections/segments.hpp"
@@ -354,30 +357,40 @@ Result<Section> repair_section(const Section& section, std::size_t number, doubl
 }
 
 Result<Repaired> repair_all(const SectionStack& stack, const RepairOptions& options) {
-  if (options.distance && !(*options.distance > 0 && std::isfinite(*options.distance))) {
-    return Error{ErrorCode::usage, "the repair distance must be positive and finite", {}};
+  if (options.distance) {
+    const Result<void> good = check_length(*options.distance, "the repair distance");
+    if (!good) return good.error();
   }
+  WatchedWork work(options.execution, stack.sections.size() + 1);
   Repaired result;
   result.stack = stack;
   result.changes = mend(result.stack);
   for (std::size_t s = 0; s < stack.sections.size(); ++s) {
+    work.go_on();
     Section& section = result.stack.sections[SectionId(s)];
-    if (!is_usable(section)) continue;
-    const double distance = options.distance.value_or(0x1p-20 * extent(section));
-    Result<Section> repaired = repair_section(section, s, distance, result);
-    if (!repaired) return repaired.error();
-    section = std::move(repaired.value());
+    if (is_usable(section)) {
+      const double distance = options.distance.value_or(0x1p-20 * extent(section));
+      Result<Section> repaired = repair_section(section, s, distance, result);
+      if (!repaired) return repaired.error();
+      section = std::move(repaired.value());
+    }
+    work.step_done();
   }
   // Where contours cancel nothing may be left, which only who wants a solid must refuse.
-  if (result.stack.contour_count() == 0 && stack.contour_count() > 0) return result;
-  if (Result<void> valid = validate(result.stack); !valid) return valid.error();
+  const bool nothing_left = result.stack.contour_count() == 0 && stack.contour_count() > 0;
+  if (!nothing_left) {
+    const Result<void> valid = validate(result.stack, untold(options.execution));
+    if (!valid) return valid.error();
+  }
+  work.step_done();
   return result;
 }
 
 }  // namespace
 
-Result<Repaired> repair(const SectionStack& stack, const RepairOptions& options) {
-  return guard_internal([&] { return repair_all(stack, options); });
+Result<Repaired> repair(const SectionStack& stack, const RepairOptions& given) {
+  return guard_threads(given,
+                       [&](const RepairOptions& options) { return repair_all(stack, options); });
 }
 
 }  // namespace tetloft

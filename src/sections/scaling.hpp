@@ -1,7 +1,7 @@
 // Sections times a power of two.
 #pragma once
 
-#include <tetloft/sections.hpp>
+#include <tetloft/section_stack.hpp>
 
 #include "core/unit_of_length.hpp"
 

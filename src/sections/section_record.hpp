@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include <tetloft/sections.hpp>
+#include <tetloft/conforming_section.hpp>
 
 namespace tetloft::sections {
 

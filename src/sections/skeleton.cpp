@@ -3,7 +3,10 @@
 #include <optional>
 #include <vector>
 
-#include <tetloft/sections.hpp>
+#include <tetloft/skeleton.hpp>
+
+#include "core/entry.hpp"
+#include "sections/conforming_section.hpp"
 
 namespace tetloft {
 
@@ -38,6 +41,9 @@ SkeletonEdge dual_edge(const ConformingSection& section, EdgeId id) {
 
 std::vector<SkeletonEdge> skeleton(const ConformingSection& section, EdgeKind kind,
                                    const std::optional<ContourId>& contour) {
+  sections::require_consistent(section);
+  require_named(!contour || contour->index() < section.nesting.parent.size(),
+                "no contour of the section");
   std::vector<SkeletonEdge> result;
   if (kind != EdgeKind::internal && kind != EdgeKind::external) return result;
   for (std::size_t e = 0; e < section.edges.size(); ++e) {

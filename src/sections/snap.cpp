@@ -4,15 +4,18 @@
 #include <string>
 #include <utility>
 
-#include <tetloft/sections.hpp>
+#include <tetloft/nesting.hpp>
+#include <tetloft/repair.hpp>
 
 #include "core/check.hpp"
+#include "core/option_rules.hpp"
+#include "core/parallel.hpp"
+#include "core/watched_work.hpp"
+#include "sections/validation.hpp"
 
 namespace tetloft {
 
 namespace {
-
-constexpr int kFinestBits = 50;
 
 // The exponent of the least power of two not below the largest coordinate magnitude.
 int extent_exponent(const SectionStack& stack) {
@@ -77,8 +80,10 @@ class Snapper {
 };
 
 // What snapping changed for the worse; ok if nothing.
-Result<void> acceptable(const SectionStack& before, const SectionStack& after) {
-  if (Result<void> valid = validate(after); !valid) return valid;
+Result<void> acceptable(const SectionStack& before, const SectionStack& after,
+                        const Execution& execution) {
+  WatchedWork work(execution, after.sections.size());
+  if (Result<void> valid = sections::validate_within(after, work); !valid) return valid;
   for (std::size_t s = 0; s < before.sections.size(); ++s) {
     const SectionId id(s);
     if (nest(before.sections[id]).parent == nest(after.sections[id]).parent) continue;
@@ -89,32 +94,40 @@ Result<void> acceptable(const SectionStack& before, const SectionStack& after) {
   return {};
 }
 
+Result<Snapped> snap_all(const SectionStack& stack, int bits, const Execution& execution) {
+  if (bits < kFewestSnapBits || bits > kMostSnapBits) {
+    return Error{ErrorCode::usage, "snapping takes 1 to 50 bits, not " + std::to_string(bits), {}};
+  }
+  // How many lattices will be tried nobody knows: all are one step.
+  WatchedWork work(execution, stack.sections.size() + 1);
+  const Result<void> sound = sections::validate_within(stack, work);
+  if (!sound) return sound.error();
+  const Execution trial = untold(execution);
+  const int extent = extent_exponent(stack);
+  for (;; ++bits) {
+    work.go_on();
+    // All doubles are multiples of 2^-1074 already.
+    const int exponent = std::max(extent - bits, -1074);
+    Snapper snapper(stack, exponent);
+    const Result<void> valid = acceptable(stack, snapper.result().stack, trial);
+    if (accepted(valid)) {
+      snapper.result().lattice = std::ldexp(1, exponent);
+      snapper.result().bits = extent - exponent;
+      work.step_done();
+      return std::move(snapper.result());
+    }
+    if (bits < kMostSnapBits) continue;
+    Error error = valid.error();
+    error.message = "no lattice keeps the stack valid; at 50 bits: " + error.message;
+    return error;
+  }
+}
+
 }  // namespace
 
-Result<Snapped> snap(const SectionStack& stack, int bits) {
-  return guard_internal([&]() -> Result<Snapped> {
-    if (bits < 1 || bits > kFinestBits) {
-      return Error{
-          ErrorCode::usage, "snapping takes 1 to 50 bits, not " + std::to_string(bits), {}};
-    }
-    if (Result<void> valid = validate(stack); !valid) return valid.error();
-    const int extent = extent_exponent(stack);
-    for (;; ++bits) {
-      // All doubles are multiples of 2^-1074 already.
-      const int exponent = std::max(extent - bits, -1074);
-      Snapper snapper(stack, exponent);
-      const Result<void> valid = acceptable(stack, snapper.result().stack);
-      if (accepted(valid)) {
-        snapper.result().lattice = std::ldexp(1, exponent);
-        snapper.result().bits = extent - exponent;
-        return std::move(snapper.result());
-      }
-      if (bits < kFinestBits) continue;
-      Error error = valid.error();
-      error.message = "no lattice keeps the stack valid; at 50 bits: " + error.message;
-      return error;
-    }
-  });
+Result<Snapped> snap(const SectionStack& stack, int bits, const Execution& given) {
+  return guard_threads(
+      given, [&](const Execution& execution) { return snap_all(stack, bits, execution); });
 }
 
 }  // namespace tetloft

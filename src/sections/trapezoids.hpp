@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include <tetloft/sections.hpp>
+#include <tetloft/overlap.hpp>
 
 #include "sections/big_integer.hpp"
 #include "sections/box_tree.hpp"

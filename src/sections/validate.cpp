@@ -12,11 +12,13 @@
 #include <string>
 #include <vector>
 
-#include <tetloft/sections.hpp>
+#include <tetloft/section_stack.hpp>
 
 #include "core/check.hpp"
 #include "core/parallel.hpp"
+#include "core/watched_work.hpp"
 #include "sections/contacts.hpp"
+#include "sections/validation.hpp"
 
 namespace tetloft {
 
@@ -166,29 +168,35 @@ std::size_t SectionStack::vertex_count() const {
   return count;
 }
 
-Result<void> validate(const SectionStack& stack, unsigned threads) {
-  return guard_internal([&]() -> Result<void> {
-    if (Result<void> sound = fp_self_check(); !sound) return sound;
-    if (stack.sections.empty()) {
-      return Error{ErrorCode::invalid_input, "the stack has no section", {}};
+Result<void> sections::validate_within(const SectionStack& stack, WatchedWork& work) {
+  if (Result<void> sound = fp_self_check(); !sound) return sound;
+  if (stack.sections.empty()) {
+    return Error{ErrorCode::invalid_input, "the stack has no section", {}};
+  }
+  std::vector<std::optional<Error>> errors(stack.sections.size());
+  // Sections above a faulty one need no look: the lowest is reported.
+  std::atomic<std::size_t> lowest{errors.size()};
+  parallel_for(errors.size(), work.execution().threads, [&](std::size_t s) {
+    if (s > lowest.load()) return;
+    work.go_on();
+    errors[s] = section_error(stack, s);
+    work.step_done();
+    if (!errors[s]) return;
+    std::size_t known = lowest.load();
+    while (s < known && !lowest.compare_exchange_weak(known, s)) {
     }
-    std::vector<std::optional<Error>> errors(stack.sections.size());
-    // Sections above a faulty one need no look: the lowest is reported.
-    std::atomic<std::size_t> lowest{errors.size()};
-    parallel_for(errors.size(), threads, [&](std::size_t s) {
-      if (s > lowest.load()) return;
-      errors[s] = section_error(stack, s);
-      if (!errors[s]) return;
-      std::size_t known = lowest.load();
-      while (s < known && !lowest.compare_exchange_weak(known, s)) {
-      }
-    });
-    if (lowest < errors.size()) return *std::move(errors[lowest]);
-    if (stack.contour_count() > 0) return {};
-    Error error{
-        ErrorCode::invalid_input, "the stack has no contour: all its sections are empty", {}};
-    error.where.section = 0;
-    return error;
+  });
+  if (lowest < errors.size()) return *std::move(errors[lowest]);
+  if (stack.contour_count() > 0) return {};
+  Error error{ErrorCode::invalid_input, "the stack has no contour: all its sections are empty", {}};
+  error.where.section = 0;
+  return error;
+}
+
+Result<void> validate(const SectionStack& stack, const Execution& given) {
+  return guard_threads(given, [&](const Execution& execution) {
+    WatchedWork work(execution, stack.sections.size());
+    return sections::validate_within(stack, work);
   });
 }
 

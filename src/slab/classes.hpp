@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include <tetloft/sections.hpp>
+#include <tetloft/conforming_section.hpp>
 
 #include "slab/link.hpp"
 #include "slab/numbering.hpp"

@@ -1,9 +1,9 @@
 // D: the 3D Delaunay triangulation of a slab's vertices.
 #pragma once
 
-#include <tetloft/delaunay.hpp>
+#include <tetloft/conforming_section.hpp>
+#include <tetloft/delaunay3.hpp>
 #include <tetloft/result.hpp>
-#include <tetloft/sections.hpp>
 #include <tetloft/tet_mesh.hpp>
 
 namespace tetloft {

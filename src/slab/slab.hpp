@@ -10,8 +10,8 @@
 #include <cstdint>
 #include <vector>
 
+#include <tetloft/conforming_section.hpp>
 #include <tetloft/model.hpp>
-#include <tetloft/sections.hpp>
 #include <tetloft/tet_mesh.hpp>
 
 #include "slab/numbering.hpp"

@@ -18,7 +18,7 @@ using Tet = std::array<NodeId, 4>;
 constexpr double kReach = 0x1p-4;
 
 template <class Item>
-void sort_unique(std::vector<Item>& items) {
+void sort_distinct(std::vector<Item>& items) {
   std::sort(items.begin(), items.end());
   items.erase(std::unique(items.begin(), items.end()), items.end());
 }
@@ -118,7 +118,7 @@ void squeeze_cuts(IdVector<NodeId, Point3>& points, const SlabClasses& classes,
   };
   std::vector<ClassId> affected;
   for (const std::size_t piece : bad) affected.push_back(class_of(piece));
-  sort_unique(affected);
+  sort_distinct(affected);
   CutSqueezing squeezing(points, subdivision, truncation, heights);
   for (const ClassId c : affected) {
     std::vector<CutId> of_bad, of_class;
@@ -128,8 +128,8 @@ void squeeze_cuts(IdVector<NodeId, Point3>& points, const SlabClasses& classes,
     for (std::size_t piece = 0; piece < truncation.pieces.size(); ++piece) {
       if (class_of(piece) == c) append_cuts(piece, of_class);
     }
-    sort_unique(of_bad);
-    sort_unique(of_class);
+    sort_distinct(of_bad);
+    sort_distinct(of_class);
     squeezing.run(std::move(of_bad), of_class);
   }
 }

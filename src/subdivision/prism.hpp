@@ -6,8 +6,8 @@
 
 #include <vector>
 
+#include <tetloft/conforming_section.hpp>
 #include <tetloft/point.hpp>
-#include <tetloft/sections.hpp>
 
 #include "subdivision/truncation.hpp"
 

@@ -5,8 +5,8 @@
 
 #include <vector>
 
+#include <tetloft/conforming_section.hpp>
 #include <tetloft/point.hpp>
-#include <tetloft/sections.hpp>
 
 #include "sections/box_tree.hpp"
 

@@ -25,13 +25,19 @@ std::string hex(double value) {
   return buffer.data();
 }
 
+// As files have it: -1 for none.
+template <class IdType>
+std::string number(IdType id) {
+  return id.valid() ? std::to_string(id.value()) : "-1";
+}
+
 std::string text_of(const Model& model) {
   std::string text = "points " + std::to_string(model.points.size()) + '\n';
   for (std::size_t i = 0; i < model.points.size(); ++i) {
     const VertexId v(i);
     const Point3& p = model.points[v];
     text += hex(p.x) + ' ' + hex(p.y) + ' ' + hex(p.z) + ' ' + name_of(model.origin[v]) + ' ' +
-            std::to_string(model.section[v]) + ' ' + std::to_string(model.contour[v]) + '\n';
+            number(model.section[v]) + ' ' + number(model.contour[v]) + '\n';
   }
   text += "tets " + std::to_string(model.tets.size()) + '\n';
   for (std::size_t i = 0; i < model.tets.size(); ++i) {

@@ -27,17 +27,21 @@ set(may_render core mesh sections model io)
 set(modules core predicates mesh delaunay2 delaunay3 sections contact model slab correspondence completion subdivision
   reconstruct geiger check io render)
 
-# Public headers whose name is not their module's. delaunay.hpp holds the types of both
-# triangulations: it is open to whoever may include one of them, and may include what
-# either may. tetloft.hpp is all of the API, for programs.
+# Public headers whose name is not their module's. delaunay.hpp and sections.hpp are all of their
+# subject, for callers; tetloft.hpp is all of the API, for programs.
 set(owner_version core)
 set(owner_ids core)
 set(owner_point core)
 set(owner_result core)
 set(owner_correspondence core)
+set(owner_execution core)
+set(owner_export core)
 set(owner_tet_mesh mesh)
 set(owner_report slab)
 set(owner_delaunay delaunay2 delaunay3)
+foreach(subject section_stack repair nesting conforming_section skeleton overlap)
+  set(owner_${subject} sections)
+endforeach()
 
 # Modules of which another may include only the public header.
 set(public_only_contact mesh)
@@ -91,7 +95,7 @@ function(check_private path)
   if(NOT path MATCHES "/")
     violation("write \"${path}\" with its module")
   elseif(from STREQUAL "cli")
-    if(NOT to MATCHES "^(cli|io)$" AND NOT path MATCHES "^core/(text|spelling|correspondence_options)\\.hpp$")
+    if(NOT to MATCHES "^(cli|io)$" AND NOT path MATCHES "^core/(text|spelling|option_rules)\\.hpp$")
       violation("cli uses the public API, io, and the texts and option rules of core (${path})")
     endif()
   else()

@@ -34,7 +34,7 @@ TEST(Concurrency, ManyReconstructionsAtOnceGiveWhatEachGivesAlone) {
   for (const StackKind kind : all_kinds()) stacks.push_back(generate(kind, kSeed));
   std::vector<Result<Reconstruction>> alone;
   ReconstructOptions one;
-  one.threads = 1;
+  one.execution.threads = 1;
   for (const GeneratedStack& stack : stacks) alone.push_back(run(stack, one));
 
   std::atomic<int> differ{0};
@@ -42,7 +42,7 @@ TEST(Concurrency, ManyReconstructionsAtOnceGiveWhatEachGivesAlone) {
   for (std::size_t t = 0; t < 4; ++t) {
     threads.emplace_back([&, t] {
       ReconstructOptions options;
-      options.threads = 1 + static_cast<unsigned>(t % 3);
+      options.execution.threads = 1 + static_cast<unsigned>(t % 3);
       for (std::size_t k = 0; k < stacks.size(); ++k) {
         const std::size_t i = (k + t * 5) % stacks.size();
         if (!same(run(stacks[i], options), alone[i])) ++differ;
@@ -57,7 +57,7 @@ TEST(Concurrency, AStopEndsIt) {
   const GeneratedStack generated = generate(StackKind::nesting, kSeed);
   std::stop_source source;
   ReconstructOptions options;
-  options.stop = source.get_token();
+  options.execution.stop = source.get_token();
   ASSERT_TRUE(run(generated, options).ok());
   source.request_stop();
   const auto stopped = run(generated, options);
@@ -81,9 +81,9 @@ TEST(Concurrency, AStopFromAnotherThreadEndsItMidway) {
     source.request_stop();
   });
   ReconstructOptions options;
-  options.threads = 3;
-  options.stop = source.get_token();
-  options.progress = [&](std::size_t done, std::size_t) {
+  options.execution.threads = 3;
+  options.execution.stop = source.get_token();
+  options.execution.progress = [&](std::size_t done, std::size_t) {
     if (done < 10) return;
     begun = true;
     // Not to be overtaken by the end of the work.
@@ -100,8 +100,8 @@ TEST(Concurrency, WhatACallbackThrowsEndsItCleanly) {
   for (const unsigned threads : {1U, 3U}) {
     for (const bool is_standard : {true, false}) {
       ReconstructOptions options;
-      options.threads = threads;
-      options.progress = [&](std::size_t done, std::size_t) {
+      options.execution.threads = threads;
+      options.execution.progress = [&](std::size_t done, std::size_t) {
         if (done < 2) return;
         if (is_standard) throw std::runtime_error("enough");
         throw 42;

@@ -28,7 +28,7 @@ constexpr std::uint64_t kSeeds = 3;
 
 Result<Reconstruction> run(const SectionStack& stack, const CorrespondenceOptions& correspondence) {
   ReconstructOptions options;
-  options.threads = 1;
+  options.execution.threads = 1;
   options.correspondence = correspondence;
   return reconstruct(stack, options);
 }

@@ -117,7 +117,7 @@ void for_each_refined_model(const Body& body) {
       SCOPED_TRACE(std::string(name_of(kind)) + " seed " + std::to_string(seed));
       const GeneratedStack generated = generate(kind, seed);
       ReconstructOptions options;
-      options.threads = 1;
+      options.execution.threads = 1;
       options.correspondence = generated.correspondence;
       auto made = reconstruct(generated.stack, options);
       if (!made.ok() || made->model.tets.empty() || made->model.tets.size() > kMostTets) continue;
@@ -159,7 +159,7 @@ TEST(RefinedModels, PassWithAllEdgesHalved) {
     CheckOptions options;
     options.correspondence = generated.correspondence;
     ReconstructOptions made_by;
-    made_by.threads = 1;
+    made_by.execution.threads = 1;
     made_by.correspondence = generated.correspondence;
     const auto made = reconstruct(generated.stack, made_by);
     if (!made.ok() || made->model.tets.empty() || made->model.tets.size() > kMostTets / 2) continue;

@@ -176,9 +176,9 @@ Attempt attempt(const GeneratedStack& generated, Criterion criterion, Excuse exc
   options.correspondence = generated.correspondence;
   options.correspondence.criterion = criterion;
   options.thickness = 1;  // shrinking may leave one section
-  options.threads = 1;
+  options.execution.threads = 1;
   const Result<Reconstruction> one = reconstruct(generated.stack, options);
-  options.threads = 2;
+  options.execution.threads = 2;
   const Result<Reconstruction> two = reconstruct(generated.stack, options);
 
   const bool same = one.ok() && two.ok()     ? same_bits(one->model, two->model)

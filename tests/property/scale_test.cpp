@@ -132,7 +132,7 @@ std::size_t compare(std::uint64_t seeds, bool large, const Options& options) {
 
 ReconstructOptions defaults(const GeneratedStack& generated) {
   ReconstructOptions options;
-  options.threads = 1;
+  options.execution.threads = 1;
   options.correspondence = generated.correspondence;
   return options;
 }
@@ -172,7 +172,7 @@ TEST(Scale, SingleSectionsOfAnyThicknessAreTheSame) {
                    for (const double thickness : {0.0, 0.3, 700.0}) {
                      const auto run = [&](int exponent) {
                        ReconstructOptions options;
-                       options.threads = 1;
+                       options.execution.threads = 1;
                        if (thickness != 0) options.thickness = std::ldexp(thickness, exponent);
                        return reconstruct(times(single, exponent), options);
                      };

@@ -40,7 +40,8 @@ TEST(MemoryEnds, InTriangulations) {
   }
   for (const unsigned threads : {1U, 2U}) {
     sweep("delaunay3, slab, " + std::to_string(threads), [&] {
-      return ended(delaunay3(planes, {.engine = DelaunayEngine::slab, .threads = threads}));
+      return ended(
+          delaunay3(planes, {.engine = DelaunayEngine::slab, .execution = {.threads = threads}}));
     });
   }
   const SectionStack stack = tower(1, 12);
@@ -73,13 +74,14 @@ TEST(MemoryEnds, InSections) {
   const SectionStack stack = case_stack("nested_hole");
   const Section& section = stack.sections[SectionId(0)];
   const SectionStack broken = broken_stack();
-  sweep("validate", [&] { return ended(validate(stack)); });
-  sweep("validate, refused", [&] { return ended(validate(broken)); });
-  sweep("repair", [&] { return ended(repair(broken)); });
-  sweep("snap", [&] { return ended(snap(stack, 3)); });
-  sweep("refine", [&] { return ended(refine(stack, 0.5)); });
+  const Execution alone{.threads = 1};
+  sweep("validate", [&] { return ended(validate(stack, alone)); });
+  sweep("validate, refused", [&] { return ended(validate(broken, alone)); });
+  sweep("repair", [&] { return ended(repair(broken, {.execution = alone})); });
+  sweep("snap", [&] { return ended(snap(stack, 3, alone)); });
+  sweep("refine", [&] { return ended(refine(stack, 0.5, alone)); });
   const IdVector<ContourId, bool> gabriel(section.contours.size(), true);
-  sweep("conform", [&] { return ended(conform(section, SectionId(0), gabriel)); });
+  sweep("conform", [&] { return ended(conform(section, SectionId(0), {.gabriel = gabriel})); });
   sweep("nest", [&] { return ended_throwing([&] { static_cast<void>(nest(section)); }); });
   const Nesting nesting = nest(section);
   sweep("outlines",

@@ -20,40 +20,42 @@ void sweep_reconstruct(const std::string& name, const SectionStack& stack,
 TEST(MemoryEnds, WhileReconstructing) {
   for (const char* file : {"fork", "nested_hole", "joined_by_midpoint", "pit", "parallel_edges",
                            "two_slivers", "crossed_bars"}) {
-    sweep_reconstruct(file, case_stack(file), {.threads = 1});
+    sweep_reconstruct(file, case_stack(file), {.execution = {.threads = 1}});
   }
 }
 
 TEST(MemoryEnds, WhileReconstructingWithOptions) {
   const SectionStack ring = case_stack("ring");
   ReconstructOptions options;
-  options.threads = 1;
+  options.execution.threads = 1;
   options.ends = Ends::half;
   options.delaunay = DelaunayEngine::incremental;
-  options.progress = [](std::size_t, std::size_t) {};
+  options.execution.progress = [](std::size_t, std::size_t) {};
   sweep_reconstruct("ends half, incremental", ring, options);
-  options = {.threads = 1};
+  options = {.execution = {.threads = 1}};
   options.correspondence.criterion = Criterion::reverse;
   sweep_reconstruct("reverse", ring, options);
-  options = {.threads = 1};
+  options = {.execution = {.threads = 1}};
   options.correspondence.labels = fork_labels();
   sweep_reconstruct("labels", case_stack("fork"), options);
-  options = {.threads = 1};
+  options = {.execution = {.threads = 1}};
   options.correspondence.drift = 0.2;
   sweep_reconstruct("drift", leaning_stack(), options);
-  sweep_reconstruct("single section", single_section(), {.threads = 1});
+  sweep_reconstruct("single section", single_section(), {.execution = {.threads = 1}});
 }
 
 TEST(MemoryEnds, WhileReconstructingIsRefused) {
   SectionStack crossing = case_stack("fork");
   std::swap(crossing.sections[SectionId(0)].contours[ContourId(0)].vertices[0],
             crossing.sections[SectionId(0)].contours[ContourId(0)].vertices[1]);
-  sweep_reconstruct("invalid stack", crossing, {.threads = 1});
-  ReconstructOptions options{.threads = 1};
+  sweep_reconstruct("invalid stack", crossing, {.execution = {.threads = 1}});
+  ReconstructOptions options{.execution = {.threads = 1}};
   options.correspondence.tau = 2;
   sweep_reconstruct("invalid options", case_stack("fork"), options);
-  options = {.threads = 1};
-  options.progress = [](std::size_t, std::size_t) { throw std::string("not an exception"); };
+  options = {.execution = {.threads = 1}};
+  options.execution.progress = [](std::size_t, std::size_t) {
+    throw std::string("not an exception");
+  };
   sweep_reconstruct("callback that throws", case_stack("fork"), options);
 }
 
@@ -61,13 +63,13 @@ TEST(MemoryEnds, OnSeveralThreads) {
   const SectionStack stack = tower(9);
   for (const unsigned threads : {2U, 4U}) {
     const std::string name = std::to_string(threads) + " threads";
-    sweep_reconstruct(name, stack, {.threads = threads});
+    sweep_reconstruct(name, stack, {.execution = {.threads = threads}});
     sweep("geiger, " + name,
-          [&] { return ended(reconstruct_geiger(stack, {.threads = threads})); });
-    sweep("validate, " + name, [&] { return ended(validate(stack, threads)); });
+          [&] { return ended(reconstruct_geiger(stack, {.execution = {.threads = threads}})); });
+    sweep("validate, " + name, [&] { return ended(validate(stack, {.threads = threads})); });
     const Model model = model_of(stack);
     CheckOptions options;
-    options.threads = threads;
+    options.execution.threads = threads;
     sweep("check, " + name, [&] { return ended(check(model, stack, options)); });
   }
 }
@@ -76,13 +78,13 @@ TEST(MemoryEnds, InGeigersAlgorithm) {
   for (const char* file : {"fork", "nested_hole", "ring"}) {
     const SectionStack stack = case_stack(file);
     sweep("geiger, " + std::string(file),
-          [&] { return ended(reconstruct_geiger(stack, {.threads = 1})); });
+          [&] { return ended(reconstruct_geiger(stack, {.execution = {.threads = 1}})); });
   }
 }
 
 TEST(MemoryEnds, WhileChecking) {
   CheckOptions options;
-  options.threads = 1;
+  options.execution.threads = 1;
   const auto sweep_check = [&](const std::string& name, const Model& model,
                                const SectionStack& stack) {
     sweep("check, " + name, [&] { return ended(check(model, stack, options)); });

@@ -197,7 +197,7 @@ TEST(Planes, ThatAreNoTriangulationsAreRefused) {
   std::vector<Triangulation2> bad;
   const std::size_t triangles = good.triangles.size();
   for (std::size_t i = 0; i < 3; ++i) {
-    for (const std::size_t id : {good.points.size(), std::size_t{0xFFFFFFFF}}) {
+    for (const std::size_t id : {good.points.size(), std::size_t{0xFFFFFFFE}}) {
       bad.push_back(good);
       bad.back().triangles[TriangleId(1)][i] = VertexId(id);
     }

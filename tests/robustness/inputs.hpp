@@ -80,7 +80,7 @@ inline std::vector<Label> fork_labels() {
 }
 
 inline Model model_of(const SectionStack& stack) {
-  Result<Reconstruction> made = reconstruct(stack, {.threads = 1});
+  Result<Reconstruction> made = reconstruct(stack, {.execution = {.threads = 1}});
   if (!made) throw std::runtime_error(to_string(made.error()));
   return std::move(made->model);
 }

@@ -20,7 +20,7 @@ namespace {
 TEST(Threads, ThatCannotBeMadeAreDoneWithout) {
   const SectionStack stack = tower(12);
   const Model expected = model_of(stack);
-  const Model geiger = reconstruct_geiger(stack, {.threads = 1}).value().model;
+  const Model geiger = reconstruct_geiger(stack, {.execution = {.threads = 1}}).value().model;
   std::vector<Point3> planes;
   for (const Section& section : tower(2, 40).sections) {
     for (const Contour& contour : section.contours) {
@@ -31,17 +31,19 @@ TEST(Threads, ThatCannotBeMadeAreDoneWithout) {
   for (const std::size_t most : {std::size_t{0}, std::size_t{1}, std::size_t{5}}) {
     for (const unsigned threads : {2U, 16U, 1000U}) {
       const FewThreads few(most);
-      const Result<Reconstruction> made = reconstruct(stack, {.threads = threads});
+      const Result<Reconstruction> made = reconstruct(stack, {.execution = {.threads = threads}});
       ASSERT_TRUE(made) << to_string(made.error());
       EXPECT_EQ(made->model.points, expected.points);
       EXPECT_EQ(made->model.tets, expected.tets);
       if (threads > most + 1) {
         EXPECT_GT(FewThreads::refused(), 0U);
       }
-      EXPECT_EQ(reconstruct_geiger(stack, {.threads = threads}).value().model.tets, geiger.tets);
-      EXPECT_TRUE(validate(stack, threads));
-      EXPECT_TRUE(check(expected, stack, {.threads = threads}).value().pass());
-      EXPECT_EQ(delaunay3(planes, {.threads = threads}).value().mesh.tet_count(), tets);
+      EXPECT_EQ(reconstruct_geiger(stack, {.execution = {.threads = threads}}).value().model.tets,
+                geiger.tets);
+      EXPECT_TRUE(validate(stack, {.threads = threads}));
+      EXPECT_TRUE(check(expected, stack, {.execution = {.threads = threads}}).value().pass());
+      EXPECT_EQ(delaunay3(planes, {.execution = {.threads = threads}}).value().mesh.tet_count(),
+                tets);
     }
   }
 }
@@ -49,10 +51,10 @@ TEST(Threads, ThatCannotBeMadeAreDoneWithout) {
 TEST(Threads, GiveTheSameReportOfCheckHoweverMany) {
   const SectionStack stack = tower(6);
   const Model model = model_of(tower(6, 9));  // of another stack: failures of several kinds
-  const CheckReport alone = check(model, stack, {.threads = 1}).value();
+  const CheckReport alone = check(model, stack, {.execution = {.threads = 1}}).value();
   EXPECT_FALSE(alone.pass());
   for (const unsigned threads : {0U, 2U, 4U, 7U}) {
-    const CheckReport report = check(model, stack, {.threads = threads}).value();
+    const CheckReport report = check(model, stack, {.execution = {.threads = threads}}).value();
     ASSERT_EQ(report.guarantees.size(), alone.guarantees.size());
     for (std::size_t g = 0; g < alone.guarantees.size(); ++g) {
       const auto& expected = alone.guarantees[g].failures;
@@ -103,8 +105,8 @@ TEST(StepSeconds, AreTheProcessorsOfAllThreadsAndNotTheClocks) {
   const SectionStack stack = tower(40, 60);
   for (const unsigned threads : {1U, 4U, 16U}) {
     ReconstructOptions options;
-    options.threads = threads;
-    options.progress = [](std::size_t, std::size_t) {
+    options.execution.threads = threads;
+    options.execution.progress = [](std::size_t, std::size_t) {
       std::this_thread::sleep_for(std::chrono::milliseconds(2));
     };
     const double before = process_seconds();

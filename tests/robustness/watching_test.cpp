@@ -1,6 +1,7 @@
 // Progress and stop tokens: the same contract for all that takes long.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 #include <map>
 #include <mutex>
@@ -20,15 +21,68 @@ namespace {
 using Progress = std::function<void(std::size_t, std::size_t)>;
 using Watched = std::function<Result<void>(const std::stop_token&, const Progress&)>;
 
+Result<void> outcome(const Result<void>& result) { return result; }
+
 template <class T>
 Result<void> outcome(const Result<T>& result) {
   return result ? Result<void>() : Result<void>(result.error());
 }
 
+// Not on two planes, nor in a row.
+std::vector<Point3> scattered(std::size_t n) {
+  std::vector<Point3> points;
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto k = static_cast<double>(i);
+    points.push_back({std::fmod(k * 0.6180339887, 1), std::fmod(k * 0.4142135624, 1),
+                      std::fmod(k * 0.7320508076, 1)});
+  }
+  return points;
+}
+
+std::vector<Point2> flattened(const std::vector<Point3>& points) {
+  std::vector<Point2> flat;
+  for (const Point3& p : points) flat.push_back({p.x, p.y});
+  return flat;
+}
+
 class LongFunctions : public ::testing::Test {
  protected:
   SectionStack stack_ = tower(4);
+  SectionStack tall_ = tower(12);
   Model model_ = model_of(stack_);
+  std::vector<Point3> points_ = scattered(4000);
+  std::vector<Point2> flat_ = flattened(scattered(17000));
+
+  // What takes its Execution by itself, or in options with nothing else of interest.
+  void add_parts(unsigned threads, std::vector<std::pair<std::string, Watched>>& functions) const {
+    const auto add = [&](const std::string& name, auto function) {
+      functions.emplace_back(
+          name + " on " + std::to_string(threads),
+          [threads, function](const auto& stop, const auto& progress) {
+            return outcome(function({.threads = threads, .stop = stop, .progress = progress}));
+          });
+    };
+    add("validate", [this](const Execution& e) { return validate(tall_, e); });
+    add("repair", [this](const Execution& e) { return repair(tall_, {.execution = e}); });
+    add("snap", [this](const Execution& e) { return snap(tall_, 20, e); });
+    add("refine", [this](const Execution& e) { return refine(tall_, 0.5, e); });
+    add("delaunay2", [this](const Execution& e) { return delaunay2(flat_, e); });
+    add("conforming_delaunay2",
+        [this](const Execution& e) { return conforming_delaunay2(flat_, {}, {.execution = e}); });
+    add("conform", [](const Execution& e) {
+      Section section;
+      section.contours.push_back(polygon({0, 0}, 10, 17000));
+      return conform(section, SectionId(0), {.execution = e});
+    });
+    add("delaunay3, incremental", [this](const Execution& e) {
+      return delaunay3(points_, {.engine = DelaunayEngine::incremental, .execution = e});
+    });
+    add("delaunay3, slab", [this](const Execution& e) {
+      std::vector<Point3> planes = points_;
+      for (std::size_t i = 0; i < planes.size(); ++i) planes[i].z = i < 2000 ? 0 : 1;
+      return delaunay3(planes, {.engine = DelaunayEngine::slab, .execution = e});
+    });
+  }
 
   // By name, on one and on several threads.
   [[nodiscard]] std::vector<std::pair<std::string, Watched>> all() const {
@@ -37,25 +91,28 @@ class LongFunctions : public ::testing::Test {
       const std::string on = " on " + std::to_string(threads);
       functions.emplace_back(
           "reconstruct" + on, [this, threads](const auto& stop, const auto& progress) {
-            return outcome(
-                reconstruct(stack_, {.threads = threads, .stop = stop, .progress = progress}));
+            return outcome(reconstruct(
+                stack_, {.execution = {.threads = threads, .stop = stop, .progress = progress}}));
           });
       functions.emplace_back(
           "geiger" + on, [this, threads](const auto& stop, const auto& progress) {
             return outcome(reconstruct_geiger(
-                stack_, {.threads = threads, .stop = stop, .progress = progress}));
+                stack_, {.execution = {.threads = threads, .stop = stop, .progress = progress}}));
           });
       functions.emplace_back("check" + on, [this, threads](const auto& stop, const auto& progress) {
         return outcome(
-            check(model_, stack_, {.threads = threads, .stop = stop, .progress = progress}));
+            check(model_, stack_,
+                  {.execution = {.threads = threads, .stop = stop, .progress = progress}}));
       });
     }
+    for (const unsigned threads : {1U, 3U}) add_parts(threads, functions);
     using Render = Result<std::string> (*)(const Model&, const SectionStack*, const RenderOptions&);
     for (const auto& [name, render] : std::map<std::string, Render>{
              {"png", render_png}, {"svg", render_svg}, {"html", render_html}}) {
       functions.emplace_back(name, [this, render = render](const auto& stop, const auto& progress) {
-        return outcome(render(model_, &stack_,
-                              {.width = 60, .height = 40, .stop = stop, .progress = progress}));
+        return outcome(
+            render(model_, &stack_,
+                   {.width = 60, .height = 40, .execution = {.stop = stop, .progress = progress}}));
       });
     }
     return functions;
@@ -115,6 +172,22 @@ TEST_F(LongFunctions, EndCancelledOnceAStopIsRequested) {
       EXPECT_EQ(stopped.error().code, ErrorCode::cancelled) << name;
     }
   }
+}
+
+TEST_F(LongFunctions, AreStoppedInTheirOneStepToo) {
+  const Triangulation2 plane =
+      conform(stack_.sections[SectionId(0)], SectionId(0)).value().triangulation;
+  std::stop_source source;
+  source.request_stop();
+  const auto stopped = slab_delaunay3(plane, plane, 0, {.stop = source.get_token()});
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().code, ErrorCode::cancelled);
+  std::size_t calls = 0;
+  EXPECT_TRUE(slab_delaunay3(plane, plane, 0, {.progress = [&](std::size_t done, std::size_t all) {
+                               EXPECT_EQ(done, all);
+                               ++calls;
+                             }}));
+  EXPECT_EQ(calls, 1U);
 }
 
 }  // namespace

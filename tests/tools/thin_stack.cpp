@@ -6,6 +6,7 @@
 #include <string>
 
 #include <tetloft/io.hpp>
+#include <tetloft/nesting.hpp>
 
 namespace {
 

@@ -118,14 +118,14 @@ TEST(ReverseLinks, JoinTheRegionsOfTetsWithAnInternalEdgeAndNoContourEdge) {
 
 Result<Reconstruction> reconstruct_labelled(const SectionStack& stack, std::string_view labels) {
   ReconstructOptions options;
-  options.threads = 1;
+  options.execution.threads = 1;
   options.correspondence.labels = labels_from(labels);
   return reconstruct(stack, options);
 }
 
 void expect_components(const SectionStack& stack, std::string_view labels, std::size_t count) {
   ReconstructOptions options;
-  options.threads = 1;
+  options.execution.threads = 1;
   options.correspondence.labels = labels_from(labels);
   const auto checked = reconstruct_and_check(stack, options);
   ASSERT_TRUE(checked);

@@ -64,7 +64,7 @@ SectionStack upside_down(SectionStack stack) {
 
 ReconstructOptions with_drift(double drift) {
   ReconstructOptions options;
-  options.threads = 1;
+  options.execution.threads = 1;
   options.correspondence.drift = drift;
   return options;
 }

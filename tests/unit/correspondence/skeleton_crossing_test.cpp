@@ -13,8 +13,8 @@
 
 #include "core/union_find.hpp"
 #include "correspondence/correspondence.hpp"
-#include "support/voronoi_crossings.hpp"
 #include "support/slabs/cases.hpp"
+#include "support/voronoi_crossings.hpp"
 
 namespace tetloft::testing {
 namespace {
@@ -268,7 +268,7 @@ TEST(WellPositionedContours, ArePartitionedAsByReverseTets) {
 TEST(WellPositionedContours, GiveManifolds) {
   ReconstructOptions options;
   options.correspondence.criterion = Criterion::reverse;
-  options.threads = 1;
+  options.execution.threads = 1;
   Tally tally;
   std::size_t tets = 0;
   for (const StackKind kind : all_kinds()) {

@@ -104,8 +104,8 @@ TEST(PlaneAgreement, PlanesTriangulatedOnTwoThreadsGiveTheSame) {
   Prng prng(21);
   Points points = uniform(400, prng);
   for (std::size_t i = 0; i < points.size(); ++i) points[i].z = i % 2 == 0 ? 0 : 1;
-  const auto one = delaunay3(points, {.engine = DelaunayEngine::slab, .threads = 1});
-  const auto two = delaunay3(points, {.engine = DelaunayEngine::slab, .threads = 2});
+  const auto one = delaunay3(points, {.engine = DelaunayEngine::slab, .execution = {.threads = 1}});
+  const auto two = delaunay3(points, {.engine = DelaunayEngine::slab, .execution = {.threads = 2}});
   ASSERT_TRUE(one.ok() && two.ok());
   EXPECT_EQ(tets_of(one->mesh), tets_of(two->mesh));
   EXPECT_GT(one->mesh.tet_count(), 400U);

@@ -210,8 +210,8 @@ TEST(Geiger, IsSingularWhereBothSectionsBranch) {
 TEST(Geiger, DependsOnNeitherThreadsNorOrderOfContours) {
   for (const auto& [name, stack] : generated_stacks()) {
     SCOPED_TRACE(name);
-    const auto made = reconstruct_geiger(stack, {.threads = 1});
-    const auto threaded = reconstruct_geiger(stack, {.threads = 3});
+    const auto made = reconstruct_geiger(stack, {.execution = {.threads = 1}});
+    const auto threaded = reconstruct_geiger(stack, {.execution = {.threads = 3}});
     ASSERT_TRUE(made && threaded);
     EXPECT_EQ(made->model.points, threaded->model.points);
     EXPECT_EQ(made->model.tets, threaded->model.tets);

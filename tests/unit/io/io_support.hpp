@@ -93,8 +93,8 @@ inline Model hard_model() {
   const std::vector<double> hard = hard_doubles();
   for (std::size_t i = 0; i + 2 < hard.size(); ++i) {
     model.points.push_back({hard[i], hard[i + 1], hard[i + 2]});
-    model.section.push_back(static_cast<std::int32_t>(i % 3) - 1);
-    model.contour.push_back(static_cast<std::int32_t>(i % 5) - 1);
+    model.section.push_back(i % 3 == 0 ? SectionId() : SectionId(i % 3 - 1));
+    model.contour.push_back(i % 5 == 0 ? ContourId() : ContourId(i % 5 - 1));
     model.origin.push_back(static_cast<PointOrigin>(i % 5));
   }
   const auto tet = [](int a, int b, int c, int d) {

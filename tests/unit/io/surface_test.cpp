@@ -30,8 +30,8 @@ Model two_tets(double scale = 1, double shift = 0) {
   model.tets.push_back(tet(1, 2, 3, 5));
   model.tets.push_back(tet(2, 1, 3, 4));
   model.component.assign(2, ComponentId(0));
-  model.section.assign(6, 3);
-  model.contour.assign(6, kNoContour);
+  model.section.assign(6, SectionId(3));
+  model.contour.assign(6, ContourId());
   return model;
 }
 

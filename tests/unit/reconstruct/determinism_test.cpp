@@ -20,7 +20,7 @@ Result<Reconstruction> run(const GeneratedStack& generated, unsigned threads,
                            DelaunayEngine engine = DelaunayEngine::automatic) {
   ReconstructOptions options;
   options.correspondence = generated.correspondence;
-  options.threads = threads;
+  options.execution.threads = threads;
   options.delaunay = engine;
   return reconstruct(generated.stack, options);
 }

@@ -120,14 +120,14 @@ TEST(Provenance, HasOneEntryForEachTetAndPoint) {
   for (std::size_t v = 0; v < m.points.size(); ++v) {
     const bool in_section = m.origin[VertexId(v)] == PointOrigin::input ||
                             m.origin[VertexId(v)] == PointOrigin::contour_split;
-    EXPECT_EQ(m.section[VertexId(v)] != kNoSection, in_section);
-    EXPECT_EQ(m.contour[VertexId(v)] != kNoContour, in_section);
+    EXPECT_EQ(m.section[VertexId(v)].valid(), in_section);
+    EXPECT_EQ(m.contour[VertexId(v)].valid(), in_section);
   }
 }
 
 TEST(Progress, NeverExceedsItsTotal) {
   ReconstructOptions options = with_labels("0 0 1\n0 1 3\n1 0 1\n1 1 2");
-  options.progress = [](std::size_t done, std::size_t all) { EXPECT_LE(done, all); };
+  options.execution.progress = [](std::size_t done, std::size_t all) { EXPECT_LE(done, all); };
   ASSERT_TRUE(reconstruct(sample("cases/shielded.cnt"), options).ok());
 }
 
@@ -136,8 +136,8 @@ TEST(Progress, CountsUpToItsTotal) {
     std::vector<std::size_t> done;
     std::size_t all = 0;
     ReconstructOptions options;
-    options.threads = threads;
-    options.progress = [&](std::size_t d, std::size_t a) {
+    options.execution.threads = threads;
+    options.execution.progress = [&](std::size_t d, std::size_t a) {
       done.push_back(d);
       all = a;
     };

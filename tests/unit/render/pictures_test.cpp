@@ -31,8 +31,8 @@ Model boxes(std::size_t slabs, std::size_t components = 1) {
       for (std::size_t i = 0; i < 4; ++i) {
         model.points.push_back({2.0 * static_cast<double>(i % 2) + 5.0 * static_cast<double>(c),
                                 2.0 * static_cast<double>(i / 2), 3.0 * static_cast<double>(k)});
-        model.section.push_back(static_cast<std::int32_t>(k));
-        model.contour.push_back(0);
+        model.section.push_back(SectionId(k));
+        model.contour.push_back(ContourId(0));
         model.origin.push_back(PointOrigin::input);
       }
     }

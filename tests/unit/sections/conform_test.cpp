@@ -281,7 +281,8 @@ TEST(Conform, MakesTheEdgesOfGivenContoursGabriel) {
       testing::section(0, {contour({{0, 0}, {16, 0}, {8, 2}}), rectangle(0, 5, 16, 40)});
   const Result<ConformingSection> plain = conform(section, SectionId(0));
   const Result<ConformingSection> s =
-      conform(section, SectionId(0), IdVector<ContourId, bool>(std::vector<bool>{true, false}));
+      conform(section, SectionId(0),
+              {.gabriel = IdVector<ContourId, bool>(std::vector<bool>{true, false})});
   ASSERT_TRUE(plain.ok() && s.ok());
   bool some_not = false;
   for (std::size_t k = 0; k < plain->vertex_count(); ++k) {
@@ -294,7 +295,7 @@ TEST(Conform, MakesTheEdgesOfGivenContoursGabriel) {
     }
   }
   expect_conforming(section, *s);
-  EXPECT_EQ(conform(section, SectionId(0), IdVector<ContourId, bool>(3)).error().code,
+  EXPECT_EQ(conform(section, SectionId(0), {.gabriel = IdVector<ContourId, bool>(3)}).error().code,
             ErrorCode::usage);
 }
 
@@ -374,7 +375,7 @@ TEST(ConformInterior, VerticesInsideBelongToTheirRegionAndToNoContour) {
   }
   // The second is so near an edge of the hole that the edge must be split.
   const std::vector<Point2> interior{{1.5, 4.5}, {4.5, 2.9}, {22, 2}};
-  const auto conforming = conform(section, SectionId(0), {}, interior);
+  const auto conforming = conform(section, SectionId(0), {.interior = interior});
   ASSERT_TRUE(conforming) << to_string(conforming.error());
   expect_canonical_delaunay(*conforming);
   std::size_t inside = 0;
@@ -396,7 +397,7 @@ TEST(ConformInterior, RefusesVerticesThatAreNotInside) {
   section.contours.push_back(Contour{{{0, 0}, {9, 0}, {9, 9}, {0, 9}}});
   section.contours.push_back(Contour{{{3, 3}, {6, 3}, {6, 6}, {3, 6}}});
   for (const Point2 p : {Point2{4.5, 4.5}, Point2{-1, 3}, Point2{3, 3}}) {
-    const auto refused = conform(section, SectionId(2), {}, std::vector<Point2>{p});
+    const auto refused = conform(section, SectionId(2), {.interior = {p}});
     ASSERT_FALSE(refused) << p.x;
     EXPECT_EQ(refused.error().code, ErrorCode::invalid_input);
     EXPECT_EQ(refused.error().where.section, 2U);

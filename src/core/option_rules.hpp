@@ -1,0 +1,28 @@
+// Which options make sense: one rule for all who take them, the command line included.
+#pragma once
+
+#include <tetloft/correspondence.hpp>
+#include <tetloft/result.hpp>
+
+namespace tetloft {
+
+/// Of areas, as `tau` and `drift` are: in [0, 1).
+[[nodiscard]] bool is_overlap_ratio(double value);
+/// Of tets per vertex: above 0; infinity is none.
+[[nodiscard]] bool is_work_limit(double value);
+/// Thicknesses, distances: positive and finite.
+[[nodiscard]] bool is_length(double value);
+
+/// The bits that snap() takes.
+inline constexpr int kFewestSnapBits = 1;
+inline constexpr int kMostSnapBits = 50;
+
+/// Usage error for a criterion that there is none of, for ratios that are not in [0, 1), and for
+/// drift without the overlap criterion. Labels are input, and looked at with the sections.
+[[nodiscard]] Result<void> check_correspondence_options(const CorrespondenceOptions& options);
+/// Usage error where it is none.
+[[nodiscard]] Result<void> check_work_limit(double value);
+/// Usage error naming `what`, where it is none.
+[[nodiscard]] Result<void> check_length(double value, const char* what);
+
+}  // namespace tetloft
