@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "io/stl_write.hpp"
 #include "io/surface.hpp"
 #include "io/vtk_write.hpp"
+#include "model/fields.hpp"
 #include "model/well_formed.hpp"
 
 namespace tetloft {
@@ -119,21 +121,24 @@ void append_vtp(PendingFile& file, const SurfaceMesh& mesh, const Model& model, 
   const std::size_t points = mesh.points.size();
   const std::size_t triangles = mesh.triangles.size();
   VtkGroup point_data{"PointData", {}};
-  if (!model.section.empty()) {
-    point_data.arrays.push_back(vtk_array<std::int32_t>(
-        "section", 1, points, [&](std::size_t i) { return model.section[mesh.vertex[i]]; }));
-  }
-  if (!model.contour.empty()) {
-    point_data.arrays.push_back(vtk_array<std::int32_t>(
-        "contour", 1, points, [&](std::size_t i) { return model.contour[mesh.vertex[i]]; }));
-  }
   VtkGroup cell_data{"CellData", {}};
-  if (!model.component.empty()) {
-    cell_data.arrays.push_back(
-        vtk_array<std::int32_t>("component", 1, triangles, [&](std::size_t i) {
-          return static_cast<std::int32_t>(model.component[mesh.tet[i]].value());
-        }));
-  }
+  for_each_field([&](const auto& field) {
+    using Field = std::remove_cvref_t<decltype(field)>;
+    const auto& values = model.*field.values;
+    if (!field.on_surfaces || values.empty()) return;
+    const auto& index = [&]() -> const auto& {
+      if constexpr (Field::kOfPoints) {
+        return mesh.vertex;
+      } else {
+        return mesh.tet;
+      }
+    }
+    ();
+    VtkGroup& group = Field::kOfPoints ? point_data : cell_data;
+    group.arrays.push_back(vtk_array<typename Field::Stored::Type>(
+        std::string(field.name), 1, index.size(),
+        [&values, &index](std::size_t i) { return Field::Stored::store(values[index[i]]); }));
+  });
   VtkGroup coordinates{"Points", {}};
   coordinates.arrays.push_back(vtk_array<double>("Points", 3, 3 * points, [&](std::size_t i) {
     const Point3& p = mesh.points[i / 3];

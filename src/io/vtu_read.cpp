@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -16,6 +15,7 @@
 #include "io/vtk_data.hpp"
 #include "io/vtu_scan.hpp"
 #include "io/xml.hpp"
+#include "model/fields.hpp"
 
 namespace tetloft {
 
@@ -44,7 +44,7 @@ class GridDecoder {
       if (Result<void> points = add_points(piece); !points) return points.error();
       if (Result<void> tets = add_tets(piece, first_point); !tets) return tets.error();
     }
-    if (Result<void> labels = read_labels(); !labels) return labels.error();
+    if (Result<void> fields = read_fields(); !fields) return fields.error();
     return std::move(model_);
   }
 
@@ -161,19 +161,17 @@ class GridDecoder {
     return {};
   }
 
-  // The values of one data array over all pieces, or nothing where a piece lacks it, or
-  // where it is another writer's array of that name: of floats, of vectors, or with a value
-  // outside [least, largest].
-  Result<std::optional<std::vector<std::int64_t>>> data_array(VtuRole role, bool of_points,
-                                                              const char* name, std::int64_t least,
-                                                              std::int64_t largest) {
+  // The values of one field over all pieces, or nothing where a piece lacks it, or where it is
+  // another writer's array of that name: of floats, of vectors, or with a value out of range.
+  template <class Field>
+  Result<std::optional<std::vector<std::int64_t>>> field_values(const Field& field) {
     using Found = std::optional<std::vector<std::int64_t>>;
     std::vector<std::int64_t> all;
-    all.reserve(of_points ? model_.points.size() : model_.tets.size());
+    all.reserve(Field::due(model_));
     for (std::size_t p = 0; p < grid_.pieces.size(); ++p) {
       const VtuPiece& piece = grid_.pieces[p];
-      const auto count = static_cast<std::size_t>(of_points ? piece.points : piece.cells);
-      const DataArray* const found = grid_.find(p, role);
+      const auto count = static_cast<std::size_t>(Field::kOfPoints ? piece.points : piece.cells);
+      const DataArray* const found = grid_.find(p, VtuRole::field, field.name);
       if (found == nullptr && count == 0) continue;
       if (found == nullptr) return Found();
       const DataArray& array = *found;
@@ -181,53 +179,38 @@ class GridDecoder {
       const auto values = io::read_integers(array, grid_.source, scanner_);
       if (!values) return values.error();
       if (values->size() != count) {
-        return complain(array.position, std::string("the data array ") + name + " has " +
+        return complain(array.position, "the data array " + std::string(field.name) + " has " +
                                             std::to_string(values->size()) + " values where " +
                                             std::to_string(count) + " are due");
       }
       for (const std::int64_t value : *values) {
-        if (value < least || value > largest) return Found();
+        if (value < Field::Stored::kLeast || value > Field::Stored::kLargest) return Found();
       }
       all.insert(all.end(), values->begin(), values->end());
     }
     return Found(std::move(all));
   }
 
-  template <class IdVectorType, class Convert>
-  Result<void> read_label(IdVectorType& target, VtuRole role, bool of_points, const char* name,
-                          std::int64_t least, std::int64_t largest, Convert convert) {
-    auto values = data_array(role, of_points, name, least, largest);
+  template <class Field>
+  Result<void> read_field(const Field& field) {
+    auto values = field_values(field);
     if (!values) return values.error();
     if (!values->has_value()) return {};
+    auto& target = model_.*field.values;
     target.reserve((*values)->size());
-    for (const std::int64_t value : **values) target.push_back(convert(value));
+    for (const std::int64_t value : **values) target.push_back(Field::Stored::load(value));
     return {};
   }
 
-  Result<void> read_labels() {
-    constexpr std::int64_t kLargest = std::numeric_limits<std::int32_t>::max();
-    const auto to_component = [&](std::int64_t value) {
-      if (value < 0) return ComponentId();
-      model_.component_count =
-          std::max(model_.component_count, static_cast<std::size_t>(value) + 1);
-      return ComponentId(value);
-    };
-    const auto to_slab = [](std::int64_t value) { return value < 0 ? SlabId() : SlabId(value); };
-    const auto to_kind = [](std::int64_t value) { return static_cast<TetKind>(value); };
-    const auto to_origin = [](std::int64_t value) { return static_cast<PointOrigin>(value); };
-    const auto to_int = [](std::int64_t value) { return static_cast<std::int32_t>(value); };
-    Result<void> done = read_label(model_.component, VtuRole::component, false, "component", -1,
-                                   kLargest, to_component);
-    if (done) done = read_label(model_.slab, VtuRole::slab, false, "slab", -1, kLargest, to_slab);
-    if (done)
-      done = read_label(model_.kind, VtuRole::kind, false, "kind", 0, kTetKinds - 1, to_kind);
-    if (done)
-      done = read_label(model_.section, VtuRole::section, true, "section", -1, kLargest, to_int);
-    if (done)
-      done = read_label(model_.contour, VtuRole::contour, true, "contour", -1, kLargest, to_int);
-    if (done)
-      done = read_label(model_.origin, VtuRole::origin, true, "origin", 0, kPointOrigins - 1,
-                        to_origin);
+  Result<void> read_fields() {
+    Result<void> done;
+    for_each_field([&](const auto& field) {
+      if (done) done = read_field(field);
+    });
+    for (const ComponentId component : model_.component) {
+      if (!component.valid()) continue;
+      model_.component_count = std::max(model_.component_count, component.index() + 1);
+    }
     return done;
   }
 

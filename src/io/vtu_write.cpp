@@ -1,6 +1,7 @@
 // Tetrahedral meshes as VTK XML unstructured grids (.vtu).
 #include <cstdint>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "io/arguments.hpp"
 #include "io/stage.hpp"
 #include "io/vtk_write.hpp"
+#include "model/fields.hpp"
 #include "model/well_formed.hpp"
 
 namespace tetloft {
@@ -17,7 +19,6 @@ namespace tetloft {
 namespace {
 
 using io::vtk_array;
-using io::VtkArray;
 using io::VtkGroup;
 
 constexpr std::uint8_t kVtkTetra = 10;
@@ -47,30 +48,19 @@ VtkGroup cell_group(const std::vector<TetVertices>& tets) {
   return group;
 }
 
-// An invalid id is written as −1.
-template <class Ids>
-VtkArray id_array(const char* name, const Ids& ids) {
-  return vtk_array<std::int32_t>(name, 1, ids.size(), [&ids](std::size_t i) {
-    return static_cast<std::int32_t>(ids.raw()[i].value());
+// The fields of points or of tets; without values they are left out: a model need not have
+// provenance.
+VtkGroup field_group(const char* element, const Model& model, bool of_points) {
+  VtkGroup group{element, {}};
+  for_each_field([&](const auto& field) {
+    using Field = std::remove_cvref_t<decltype(field)>;
+    const auto& values = (model.*field.values).raw();
+    if (Field::kOfPoints != of_points || values.empty()) return;
+    group.arrays.push_back(vtk_array<typename Field::Stored::Type>(
+        std::string(field.name), 1, values.size(),
+        [&values](std::size_t i) { return Field::Stored::store(values[i]); }));
   });
-}
-
-template <class Enums>
-VtkArray enum_array(const char* name, const Enums& values) {
-  return vtk_array<std::uint8_t>(name, 1, values.size(), [&values](std::size_t i) {
-    return static_cast<std::uint8_t>(values.raw()[i]);
-  });
-}
-
-template <class Ints>
-VtkArray int_array(const char* name, const Ints& values) {
-  return vtk_array<std::int32_t>(name, 1, values.size(),
-                                 [&values](std::size_t i) { return values.raw()[i]; });
-}
-
-// Arrays without values are left out: a model need not have provenance.
-void add_unless_empty(VtkGroup& group, VtkArray array) {
-  if (array.bytes != 0) group.arrays.push_back(std::move(array));
+  return group;
 }
 
 Result<io::PendingFile> stage(const std::string& path, const std::vector<VtkGroup>& groups,
@@ -91,18 +81,10 @@ Result<io::PendingFile> io::stage_vtu(const std::string& path, const Model& mode
   return guard_internal([&]() -> Result<PendingFile> {
     if (Result<void> known = check_encoding(encoding); !known) return known.error();
     if (Result<void> formed = check_well_formed(model); !formed) return at_file(path, formed);
-    VtkGroup point_data{"PointData", {}};
-    add_unless_empty(point_data, int_array("section", model.section));
-    add_unless_empty(point_data, int_array("contour", model.contour));
-    add_unless_empty(point_data, enum_array("origin", model.origin));
-    VtkGroup cell_data{"CellData", {}};
-    add_unless_empty(cell_data, id_array("component", model.component));
-    add_unless_empty(cell_data, id_array("slab", model.slab));
-    add_unless_empty(cell_data, enum_array("kind", model.kind));
-    return stage(
-        path,
-        {point_data, cell_data, point_group(model.points.raw()), cell_group(model.tets.raw())},
-        model.points.size(), model.tets.size(), encoding, watcher);
+    return stage(path,
+                 {field_group("PointData", model, true), field_group("CellData", model, false),
+                  point_group(model.points.raw()), cell_group(model.tets.raw())},
+                 model.points.size(), model.tets.size(), encoding, watcher);
   });
 }
 
