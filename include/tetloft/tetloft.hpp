@@ -5,6 +5,7 @@
 #include <tetloft/check.hpp>
 #include <tetloft/correspondence.hpp>
 #include <tetloft/delaunay.hpp>
+#include <tetloft/formats.hpp>
 #include <tetloft/geiger.hpp>
 #include <tetloft/ids.hpp>
 #include <tetloft/io.hpp>

@@ -1,5 +1,6 @@
 // tetloft check: the four guarantees, exactly.
 #include "cli/commands.hpp"
+#include "cli/file_formats.hpp"
 #include "cli/progress.hpp"
 #include "cli/stack_input.hpp"
 
@@ -10,11 +11,12 @@ namespace {
 Usage usage() {
   Usage usage{"check",
               "The guarantees of a model, checked exactly against its input.",
-              {"MODEL.vtu", "IN.cnt"},
+              {input_word("MODEL", Contents::model), input_word("IN", Contents::stack)},
               stack_options(),
               "Give the options of correspondence, and --snap, as they were given to "
               "reconstruct. Exits with 1 if a guarantee fails."};
-  for (const Option& option : {kJsonOption, kQuietOption, kHelpOption}) {
+  usage.options.push_back(model_format_option());
+  for (const Option& option : {json_option(), quiet_option(), help_option()}) {
     usage.options.push_back(option);
   }
   return usage;
@@ -120,7 +122,10 @@ Result<int> run(const Arguments& arguments, Console& console) {
   const auto prepared = preparation(arguments);
   if (!prepared) return prepared.error();
 
-  const Result<Model> model = read_vtu(arguments.operand(0));
+  const auto format = chosen_model_format(arguments);
+  if (!format) return format.error();
+
+  const auto model = read_model_input(arguments.operand(0), *format, console);
   if (!model) return model.error();
   const auto input = read_stack_input(arguments.operand(1), *prepared, console);
   if (!input) return input.error();

@@ -25,11 +25,12 @@ struct Command {
 inline constexpr int kGuaranteeFails = 1;
 
 /// Options that every command has.
-inline constexpr Option kJsonOption{"--json", "",
-                                    "print exactly one JSON object on standard output"};
-inline constexpr Option kQuietOption{"--quiet", "",
-                                     "no progress and no summary; warnings, errors and --json "
-                                     "stay"};
-inline constexpr Option kHelpOption{"--help", "", "print this help", "-h"};
+[[nodiscard]] inline Option json_option() {
+  return {"--json", "", "print exactly one JSON object on standard output"};
+}
+[[nodiscard]] inline Option quiet_option() {
+  return {"--quiet", "", "no progress and no summary; warnings, errors and --json stay"};
+}
+[[nodiscard]] inline Option help_option() { return {"--help", "", "print this help", "-h"}; }
 
 }  // namespace tetloft::cli

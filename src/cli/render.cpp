@@ -7,9 +7,11 @@
 #include <tetloft/tetloft.hpp>
 
 #include "cli/commands.hpp"
+#include "cli/file_formats.hpp"
 #include "cli/outputs.hpp"
 #include "cli/progress.hpp"
 #include "cli/signals.hpp"
+#include "cli/stack_input.hpp"
 #include "core/text.hpp"
 #include "io/files.hpp"
 #include "io/numbers.hpp"
@@ -22,9 +24,12 @@ namespace {
 Usage usage() {
   return {"render",
           "A picture of a model, or a page to turn, cut and take it apart.",
-          {"MODEL.vtu"},
+          {input_word("MODEL", Contents::model)},
           {{"--output", "OUT", "the picture: .png, .svg, or .html; required", "-o"},
-           {"--contours", "IN.cnt", "draw the contours of this stack (default: the model's own)"},
+           {"--contours", input_word("IN", Contents::stack),
+            "draw the contours of this stack (default: the model's own)"},
+           stack_format_option(),
+           model_format_option(),
            {"--no-contours", "", "draw no contours"},
            {"--colour", "WHAT", "component (default), slab, kind or dihedral"},
            {"--view", "A,E", "azimuth and elevation of the eye in degrees (default -60,25)"},
@@ -35,9 +40,9 @@ Usage usage() {
            {"--size", "WxH", "pixels of .png and .svg (default 1200x900)"},
            {"--white", "", "white background instead of none"},
            {"--title", "TEXT", "of the page (default: the model's name)"},
-           kJsonOption,
-           kQuietOption,
-           kHelpOption},
+           json_option(),
+           quiet_option(),
+           help_option()},
           "An .html file needs nothing else: open it in a browser with WebGL 2. There the options "
           "are what is shown first, and all can be changed."};
 }
@@ -112,14 +117,19 @@ Result<int> run(const Arguments& arguments, Console& console) {
   Result<void> checked = check_output("--output (-o)", *output, {".png", ".svg", ".html"}, taken);
   if (!checked) return checked.error();
 
+  const auto stack_format = chosen_stack_format(arguments);
+  if (!stack_format) return stack_format.error();
+  const auto model_format = chosen_model_format(arguments);
+  if (!model_format) return model_format.error();
+
   std::optional<SectionStack> stack;
   if (stack_path) {
-    Result<ReadStack> read = read_cnt(*stack_path);
+    Result<ReadStack> read = read_stack(*stack_path, {.format = *stack_format});
     if (!read) return read.error();
     for (const Warning& warning : read->warnings) console.warn(warning);
     stack = std::move(read->stack);
   }
-  const Result<Model> model = read_vtu(arguments.operand(0));
+  const auto model = read_model_input(arguments.operand(0), *model_format, console);
   if (!model) return model.error();
 
   const std::string extension = io::extension_of(*output);
@@ -139,7 +149,7 @@ Result<int> run(const Arguments& arguments, Console& console) {
   StagedFiles files;
   auto staged = io::stage_file(*output, *picture, temporary_watcher());
   if (!staged) return staged.error();
-  files.push_back(*std::move(staged));
+  files.push_back(std::move(staged->file));
   std::string told;
   if (console.json()) {
     JsonWriter json;

@@ -1,5 +1,7 @@
 // VTK XML unstructured grids (.vtu) of tetrahedra, by tetloft and other writers: the arrays
 // that were declared (vtu_scan.hpp) are decoded and compared with what they announce.
+#include "io/vtu_read.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -8,24 +10,14 @@
 #include <utility>
 #include <vector>
 
-#include <tetloft/io.hpp>
-
-#include "core/check.hpp"
-#include "io/files.hpp"
 #include "io/vtk_data.hpp"
 #include "io/vtu_scan.hpp"
 #include "io/xml.hpp"
 #include "model/fields.hpp"
 
-namespace tetloft {
+namespace tetloft::io {
 
 namespace {
-
-using io::DataArray;
-using io::VtuDeclaration;
-using io::VtuPiece;
-using io::VtuRole;
-using io::XmlScanner;
 
 constexpr std::int64_t kVtkTetra = 10;
 
@@ -56,9 +48,9 @@ class GridDecoder {
   // Every byte of the appended data belongs to one array: one block for all would let a small
   // file become a large grid.
   Result<void> check_apart() {
-    std::vector<io::AppendedExtent> extents;
-    for (const io::VtuArray& array : grid_.arrays) {
-      if (const auto extent = io::appended_extent(array.data, grid_.source)) {
+    std::vector<AppendedExtent> extents;
+    for (const VtuArray& array : grid_.arrays) {
+      if (const auto extent = appended_extent(array.data, grid_.source)) {
         extents.push_back(*extent);
       }
     }
@@ -80,7 +72,7 @@ class GridDecoder {
       return complain(piece.position, "the piece has no Points");
     }
     const DataArray& array = *declared;
-    const auto values = io::read_doubles(array, grid_.source, scanner_);
+    const auto values = read_doubles(array, grid_.source, scanner_);
     if (!values) return values.error();
     if (array.components != 3 || values->size() % 3 != 0 ||
         values->size() / 3 != static_cast<std::size_t>(piece.points)) {
@@ -112,7 +104,7 @@ class GridDecoder {
       if (expected == 0) return std::vector<std::int64_t>();
       return complain(grid_.pieces[p].position, std::string("the piece has no cell array ") + name);
     }
-    auto values = io::read_integers(*array, grid_.source, scanner_);
+    auto values = read_integers(*array, grid_.source, scanner_);
     if (values && values->size() != expected) {
       return complain(array->position, std::string("the cell array ") + name + " has " +
                                            std::to_string(values->size()) + " values where " +
@@ -175,8 +167,8 @@ class GridDecoder {
       if (found == nullptr && count == 0) continue;
       if (found == nullptr) return Found();
       const DataArray& array = *found;
-      if (io::is_float(array.type) || array.components != 1) return Found();
-      const auto values = io::read_integers(array, grid_.source, scanner_);
+      if (is_float(array.type) || array.components != 1) return Found();
+      const auto values = read_integers(array, grid_.source, scanner_);
       if (!values) return values.error();
       if (values->size() != count) {
         return complain(array.position, "the data array " + std::string(field.name) + " has " +
@@ -221,21 +213,13 @@ class GridDecoder {
 
 }  // namespace
 
-Result<Model> parse_vtu(std::string_view bytes, const std::string& name) {
-  return guard_internal([&]() -> Result<Model> {
-    XmlScanner scanner(bytes, name);
-    const Result<VtuDeclaration> grid = io::scan_vtu(scanner);
-    if (!grid) return grid.error();
-    return GridDecoder(*grid, scanner).decode();
-  });
+Result<ReadModel> read_vtu_source(const Source& source, const ReadOptions& /*options*/) {
+  XmlScanner scanner(source.bytes, source.name);
+  const Result<VtuDeclaration> grid = scan_vtu(scanner);
+  if (!grid) return grid.error();
+  Result<Model> model = GridDecoder(*grid, scanner).decode();
+  if (!model) return model.error();
+  return ReadModel{*std::move(model), {}};
 }
 
-Result<Model> read_vtu(const std::string& path) {
-  return guard_internal([&]() -> Result<Model> {
-    const Result<std::string> bytes = io::read_file(path);
-    if (!bytes) return bytes.error();
-    return parse_vtu(*bytes, path);
-  });
-}
-
-}  // namespace tetloft
+}  // namespace tetloft::io

@@ -30,6 +30,7 @@ set(owner_ids core)
 set(owner_point core)
 set(owner_result core)
 set(owner_correspondence core)
+set(owner_formats io)
 set(owner_tet_mesh mesh)
 set(owner_delaunay delaunay2 delaunay3)
 

@@ -1,7 +1,7 @@
 // Labels and points.
 #include <gtest/gtest.h>
 
-#include <tetloft/io.hpp>
+#include <tetloft/formats.hpp>
 
 #include "io/bytes.hpp"
 #include "unit/io/io_support.hpp"
@@ -64,9 +64,10 @@ TEST(Points, ReadTextAndBinaryAlike) {
   for (const char* name : {"p.txt", "p.bin"}) {
     const auto points = read_points(folder.file(name));
     ASSERT_TRUE(points.ok()) << to_string(points.error());
-    ASSERT_EQ(points->size(), expected.size());
+    EXPECT_TRUE(points->warnings.empty());
+    ASSERT_EQ(points->points.size(), expected.size());
     for (std::size_t i = 0; i < expected.size(); ++i) {
-      EXPECT_TRUE(test::same_bits((*points)[i], expected[i])) << name << ' ' << i;
+      EXPECT_TRUE(test::same_bits(points->points[i], expected[i])) << name << ' ' << i;
     }
   }
 }
@@ -75,8 +76,8 @@ TEST(Points, AcceptNone) {
   TempFolder folder;
   test::put(folder.file("p.txt"), "# nothing\n");
   test::put(folder.file("p.bin"), "");
-  EXPECT_TRUE(read_points(folder.file("p.txt"))->empty());
-  EXPECT_TRUE(read_points(folder.file("p.bin"))->empty());
+  EXPECT_TRUE(read_points(folder.file("p.txt"))->points.empty());
+  EXPECT_TRUE(read_points(folder.file("p.bin"))->points.empty());
 }
 
 TEST(Points, NameTheLineOfAnError) {
