@@ -31,7 +31,8 @@ inline constexpr std::size_t kReaderBytes = std::size_t{1} << 21;
 struct ReadStack {
   SectionStack stack;
   std::vector<Warning> warnings;  ///< harmless slips, mended
-  /// Line of each contour's opening brace, for messages: lines[section][contour].
+  /// Where each contour begins, for messages: lines[section][contour]. Empty where the format has
+  /// no lines.
   IdVector<SectionId, IdVector<ContourId, std::size_t>> lines;
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/spelling.hpp"
 #include "io/formats.hpp"
 
 namespace tetloft::cli {
@@ -14,16 +15,6 @@ using io::Direction;
 std::string file_word(std::string_view word, Contents contents, Direction direction) {
   const auto extensions = io::extensions_of(io::format_table(), contents, direction);
   return std::string(word) + (extensions.size() == 1 ? std::string(extensions.front()) : "");
-}
-
-// "a, b or c", of texts.
-std::string in_a_row(const std::vector<std::string>& texts) {
-  std::string row;
-  for (std::size_t i = 0; i < texts.size(); ++i) {
-    if (i != 0) row += i + 1 == texts.size() ? " or " : ", ";
-    row += texts[i];
-  }
-  return row;
 }
 
 }  // namespace
@@ -46,7 +37,7 @@ std::string described_outputs(Contents contents) {
     }
     texts.push_back(text + " (" + std::string(format.summary) + ')');
   }
-  return in_a_row(texts);
+  return list_of({texts.begin(), texts.end()});
 }
 
 std::string described_inputs(Contents contents) {
@@ -54,7 +45,7 @@ std::string described_inputs(Contents contents) {
   for (const FormatInfo& format : formats()) {
     if (format.reads.has(contents)) texts.emplace_back(format.summary);
   }
-  return in_a_row(texts);
+  return list_of({texts.begin(), texts.end()});
 }
 
 std::vector<std::string_view> output_extensions(Contents contents) {
@@ -69,13 +60,9 @@ bool has_input_extension(const std::string& path, Contents contents) {
 }
 
 Option format_option(std::string_view name, std::string_view word, Contents contents) {
-  std::vector<std::string> texts;
-  for (const FormatInfo& format : formats()) {
-    if (!format.reads.has(contents)) continue;
-    texts.push_back(std::string(format.name) + " (" + std::string(format.summary) + ')');
-  }
   return {std::string(name), "NAME",
-          "read " + std::string(word) + " as " + in_a_row(texts) +
+          "read " + std::string(word) + " as " +
+              io::described_readers(io::format_table(), contents) +
               "; default: by its contents, then its extension"};
 }
 

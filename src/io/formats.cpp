@@ -1,46 +1,22 @@
+// Which format a file is of, or is to be.
 #include "io/formats.hpp"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 
 #include "core/spelling.hpp"
 #include "io/files.hpp"
 #include "io/numbers.hpp"
 
-// The table: a line for each format, in the order in which contents are looked at and help lists
-// them. NAME stands for the value io::NAME_format.
-#define TETLOFT_FORMAT_TABLE(FORMAT) \
-  FORMAT(cnt)                        \
-  FORMAT(vtu)                        \
-  FORMAT(obj)                        \
-  FORMAT(ply)                        \
-  FORMAT(vtp)                        \
-  FORMAT(stl)                        \
-  FORMAT(xyz)                        \
-  FORMAT(bin)                        \
-  FORMAT(labels)
-
 namespace tetloft::io {
 
-#define TETLOFT_DECLARE_FORMAT(NAME) extern const Format NAME##_format;
-TETLOFT_FORMAT_TABLE(TETLOFT_DECLARE_FORMAT)
-#undef TETLOFT_DECLARE_FORMAT
-
 namespace {
-
-#define TETLOFT_LIST_FORMAT(NAME) &NAME##_format,
-constexpr std::array kTable{TETLOFT_FORMAT_TABLE(TETLOFT_LIST_FORMAT)};
-#undef TETLOFT_LIST_FORMAT
-#undef TETLOFT_FORMAT_TABLE
 
 bool handles(const Format& format, Contents contents, Direction direction) {
   return direction == Direction::reading ? reads(format, contents) : writes(format, contents);
 }
 
 }  // namespace
-
-FormatTable format_table() { return kTable; }
 
 bool reads(const Format& format, Contents contents) {
   switch (contents) {
@@ -102,6 +78,19 @@ std::vector<std::string_view> names_of(FormatTable table, Contents contents, Dir
   return names;
 }
 
+std::string described_readers(FormatTable table, Contents contents) {
+  std::vector<std::string> texts;
+  for (const Format* format : table) {
+    if (!reads(*format, contents)) continue;
+    std::string text = std::string(format->name) + " (";
+    for (const std::string_view extension : format->extensions) {
+      if (!extension.empty()) text += std::string(extension) + ", ";
+    }
+    texts.push_back(text + std::string(format->summary) + ')');
+  }
+  return list_of({texts.begin(), texts.end()});
+}
+
 namespace {
 
 // As the subject of a sentence, and its verb.
@@ -128,16 +117,6 @@ Result<const Format*> by_name(FormatTable table, Contents contents, Direction di
 bool is_text(std::string_view bytes) {
   constexpr std::size_t kBeginning = 4096;
   return bytes.substr(0, kBeginning).find('\0') == std::string_view::npos;
-}
-
-std::string readable_formats(FormatTable table, Contents contents) {
-  std::string text;
-  for (const Format* format : table) {
-    if (!reads(*format, contents)) continue;
-    text += (text.empty() ? "" : ", ") + std::string(format->name) + " (" +
-            std::string(format->summary) + ')';
-  }
-  return text;
 }
 
 }  // namespace
@@ -169,7 +148,7 @@ Result<const Format*> choose_reader(FormatTable table, Contents contents, const 
   error.message = of_others != nullptr
                       ? "this is a file of the format " + std::string(of_others->name)
                       : std::string("nothing tells the format of this file");
-  error.message += "; " + subject(contents) + " read from: " + readable_formats(table, contents);
+  error.message += "; " + subject(contents) + " read as " + described_readers(table, contents);
   return error;
 }
 
@@ -200,37 +179,3 @@ Result<const Format*> choose_writer(FormatTable table, Contents contents, const 
 }
 
 }  // namespace tetloft::io
-
-namespace tetloft {
-
-const char* name_of(Contents contents) {
-  switch (contents) {
-    case Contents::stack: return "stack";
-    case Contents::model: return "model";
-    case Contents::surface: return "surface";
-    case Contents::points: return "points";
-    case Contents::labels: return "labels";
-    case Contents::lines: return "lines";
-  }
-  return "unknown";
-}
-
-std::span<const FormatInfo> formats() {
-  static const auto infos = [] {
-    std::array<FormatInfo, io::kTable.size()> all;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      const io::Format& format = *io::kTable[i];
-      const auto end = std::find(format.extensions.begin(), format.extensions.end(), "");
-      all[i] = {format.name, format.summary, {format.extensions.begin(), end}, {}, {}};
-      for (int k = 0; k < kContents; ++k) {
-        const auto contents = static_cast<Contents>(k);
-        if (io::reads(format, contents)) all[i].reads.add(contents);
-        if (io::writes(format, contents)) all[i].writes.add(contents);
-      }
-    }
-    return all;
-  }();
-  return infos;
-}
-
-}  // namespace tetloft

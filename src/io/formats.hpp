@@ -1,6 +1,7 @@
 // The table of formats, and the choice from it.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -39,7 +40,11 @@ using FormatTable = std::span<const Format* const>;
 enum class Direction : std::uint8_t { reading, writing };
 [[nodiscard]] std::vector<std::string_view> extensions_of(FormatTable table, Contents contents,
                                                           Direction direction);
+/// Names of formats.
 [[nodiscard]] std::vector<std::string_view> names_of(FormatTable table, Contents contents,
                                                      Direction direction);
+
+/// The formats that read `contents`, in a row, for help and messages.
+[[nodiscard]] std::string described_readers(FormatTable table, Contents contents);
 
 }  // namespace tetloft::io

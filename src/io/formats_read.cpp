@@ -42,8 +42,8 @@ Result<Out> read_path(Contents contents, Reader<Out> reader, const std::string& 
   });
 }
 
-// What a function of io.hpp for one format asks for.
-ReadOptions only(const char* format, Validity validity = Validity::required) {
+// Of the functions of io.hpp, each for one format.
+ReadOptions reading(const char* format, Validity validity = Validity::required) {
   return {validity, format};
 }
 
@@ -64,10 +64,10 @@ Result<ReadStack> parse_stack(std::string_view bytes, const std::string& name,
   return parse_bytes(Contents::stack, &io::Format::read_stack, bytes, name, options);
 }
 Result<ReadStack> read_cnt(const std::string& path, Validity validity) {
-  return read_stack(path, only("cnt", validity));
+  return read_stack(path, reading("cnt", validity));
 }
 Result<ReadStack> parse_cnt(std::string_view text, const std::string& name, Validity validity) {
-  return parse_stack(text, name, only("cnt", validity));
+  return parse_stack(text, name, reading("cnt", validity));
 }
 
 Result<ReadModel> read_model(const std::string& path, const ReadOptions& options) {
@@ -78,10 +78,10 @@ Result<ReadModel> parse_model(std::string_view bytes, const std::string& name,
   return parse_bytes(Contents::model, &io::Format::read_model, bytes, name, options);
 }
 Result<Model> read_vtu(const std::string& path) {
-  return without_warnings(read_model(path, only("vtu")));
+  return without_warnings(read_model(path, reading("vtu")));
 }
 Result<Model> parse_vtu(std::string_view bytes, const std::string& name) {
-  return without_warnings(parse_model(bytes, name, only("vtu")));
+  return without_warnings(parse_model(bytes, name, reading("vtu")));
 }
 
 Result<ReadPoints> read_points(const std::string& path, const ReadOptions& options) {
@@ -93,10 +93,10 @@ Result<ReadPoints> parse_points(std::string_view bytes, const std::string& name,
 }
 
 Result<std::vector<Label>> read_labels(const std::string& path) {
-  return read_path(Contents::labels, &io::Format::read_labels, path, only("labels"));
+  return read_path(Contents::labels, &io::Format::read_labels, path, reading("labels"));
 }
 Result<std::vector<Label>> parse_labels(std::string_view text, const std::string& name) {
-  return parse_bytes(Contents::labels, &io::Format::read_labels, text, name, only("labels"));
+  return parse_bytes(Contents::labels, &io::Format::read_labels, text, name, reading("labels"));
 }
 
 }  // namespace tetloft

@@ -94,8 +94,8 @@ Body lines_body(const LineSet& lines) {
   };
 }
 
-// What a function of io.hpp for one format asks for, and what it returns.
-WriteOptions only(const char* format, Encoding encoding = Encoding::binary) {
+// Of the functions of io.hpp, each for one format: what they ask for, and what they return.
+WriteOptions writing(const char* format, Encoding encoding = Encoding::binary) {
   return {encoding, format};
 }
 
@@ -145,10 +145,10 @@ Result<Formatted> format_stack(const SectionStack& stack, const WriteOptions& op
   return format_as(Contents::stack, options, stack_body(stack));
 }
 Result<void> write_cnt(const std::string& path, const SectionStack& stack) {
-  return without_warnings(write_stack(path, stack, only("cnt")));
+  return without_warnings(write_stack(path, stack, writing("cnt")));
 }
 Result<std::string> format_cnt(const SectionStack& stack) {
-  return bytes_of(format_stack(stack, only("cnt")));
+  return bytes_of(format_stack(stack, writing("cnt")));
 }
 
 Result<std::vector<Warning>> write_model(const std::string& path, const Model& model,
@@ -159,10 +159,10 @@ Result<Formatted> format_model(const Model& model, const WriteOptions& options) 
   return format_as(Contents::model, options, model_body(model));
 }
 Result<void> write_vtu(const std::string& path, const Model& model, Encoding encoding) {
-  return without_warnings(write_model(path, model, only("vtu", encoding)));
+  return without_warnings(write_model(path, model, writing("vtu", encoding)));
 }
 Result<std::string> format_vtu(const Model& model, Encoding encoding) {
-  return bytes_of(format_model(model, only("vtu", encoding)));
+  return bytes_of(format_model(model, writing("vtu", encoding)));
 }
 
 Result<std::vector<Warning>> write_surface(const std::string& path, const Model& model,
@@ -188,17 +188,17 @@ Result<Formatted> format_points(const std::vector<Point3>& points, const WriteOp
 
 Result<void> write_labels(const std::string& path, const std::vector<Label>& labels) {
   return without_warnings(io::committed(
-      stage_as(Contents::labels, path, only("labels"), nullptr, labels_body(labels))));
+      stage_as(Contents::labels, path, writing("labels"), nullptr, labels_body(labels))));
 }
 Result<std::string> format_labels(const std::vector<Label>& labels) {
-  return bytes_of(format_as(Contents::labels, only("labels"), labels_body(labels)));
+  return bytes_of(format_as(Contents::labels, writing("labels"), labels_body(labels)));
 }
 
 Result<void> write_lines(const std::string& path, const LineSet& lines, Encoding encoding) {
-  return without_warnings(io::committed(io::stage_lines(path, lines, only("vtp", encoding))));
+  return without_warnings(io::committed(io::stage_lines(path, lines, writing("vtp", encoding))));
 }
 Result<std::string> format_lines(const LineSet& lines, Encoding encoding) {
-  return bytes_of(format_as(Contents::lines, only("vtp", encoding), lines_body(lines)));
+  return bytes_of(format_as(Contents::lines, writing("vtp", encoding), lines_body(lines)));
 }
 
 Result<void> write_file(const std::string& path, std::string_view bytes) {

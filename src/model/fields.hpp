@@ -64,7 +64,11 @@ struct ModelField {
 
   std::string_view name;
   IdVector<Index, V> Model::*values;
-  bool on_surfaces = false;  ///< kept where only the boundary is written
+  bool on_surfaces;  ///< kept where only the boundary is written
+
+  constexpr ModelField(std::string_view its_name, IdVector<Index, V> Model::*its_values,
+                       bool surfaces = false)
+      : name(its_name), values(its_values), on_surfaces(surfaces) {}
 
   /// How many values there are where there are any.
   [[nodiscard]] static std::size_t due(const Model& model) {

@@ -238,7 +238,8 @@ TEST(ChooseReader, RefusesWithTheListOfWhatCanBeRead) {
   ASSERT_FALSE(unknown.ok());
   EXPECT_EQ(unknown.error().code, ErrorCode::invalid_input);
   EXPECT_EQ(unknown.error().where.file, "a.wild");
-  for (const char* part : {"a stack is read from", "cnt (NUAGES contours)", "dots (sections"}) {
+  for (const char* part :
+       {"a stack is read as", "cnt (.cnt, NUAGES contours)", "dots (.dots, .dots.cnt, sections"}) {
     EXPECT_NE(unknown.error().message.find(part), std::string::npos) << unknown.error().message;
   }
   EXPECT_EQ(reader_of(binary, "a.cnt"), "cnt");
