@@ -16,7 +16,7 @@ Usage usage() {
               "Give the options of correspondence, and --snap, as they were given to "
               "reconstruct. Exits with 1 if a guarantee fails."};
   usage.options.push_back(model_format_option());
-  for (const Option& option : {json_option(), quiet_option(), help_option()}) {
+  for (const Option& option : {kJsonOption, kQuietOption, kHelpOption}) {
     usage.options.push_back(option);
   }
   return usage;

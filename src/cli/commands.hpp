@@ -25,12 +25,10 @@ struct Command {
 inline constexpr int kGuaranteeFails = 1;
 
 /// Options that every command has.
-[[nodiscard]] inline Option json_option() {
-  return {"--json", "", "print exactly one JSON object on standard output"};
-}
-[[nodiscard]] inline Option quiet_option() {
-  return {"--quiet", "", "no progress and no summary; warnings, errors and --json stay"};
-}
-[[nodiscard]] inline Option help_option() { return {"--help", "", "print this help", "-h"}; }
+inline const Option kJsonOption{"--json", "", "print exactly one JSON object on standard output"};
+inline const Option kQuietOption{"--quiet", "",
+                                 "no progress and no summary; warnings, errors and --json "
+                                 "stay"};
+inline const Option kHelpOption{"--help", "", "print this help", "-h"};
 
 }  // namespace tetloft::cli

@@ -32,9 +32,9 @@ Usage usage() {
        {"--work-limit", "N",
         "tets per point that may be made before the points are refused with exit code 7 (default "
         "1000; under 2^15 points as for 2^15)"},
-       json_option(),
-       quiet_option(),
-       help_option()},
+       kJsonOption,
+       kQuietOption,
+       kHelpOption},
       "The seconds told are those of the triangulation alone."};
 }
 

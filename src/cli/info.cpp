@@ -18,7 +18,7 @@ Usage usage() {
   return {"info",
           "Sections, contours, nesting, regions, areas and extents of a stack.",
           {input_word("IN", Contents::stack)},
-          {stack_format_option(), json_option(), quiet_option(), help_option()},
+          {stack_format_option(), kJsonOption, kQuietOption, kHelpOption},
           "Depth counts the contours around a contour: even for outer contours, odd for holes. "
           "A region is an outer contour with its immediate holes; areas are those of regions."};
 }

@@ -46,8 +46,8 @@ Usage usage() {
                "reaches; under 2^15 vertices as for 2^15)"},
         Option{"--threads", "N", "0 (default: all processors) to 1024; the result is the same"},
         Option{"--verify", "", "check the result; write nothing and exit with 70 if it fails"},
-        Option{"--ascii", "", "write numbers as text that reads back exactly"}, json_option(),
-        quiet_option(), help_option()}) {
+        Option{"--ascii", "", "write numbers as text that reads back exactly"}, kJsonOption,
+        kQuietOption, kHelpOption}) {
     usage.options.push_back(option);
   }
   return usage;

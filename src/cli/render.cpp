@@ -1,4 +1,5 @@
 // tetloft render: pictures of a model.
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <optional>
@@ -12,6 +13,7 @@
 #include "cli/progress.hpp"
 #include "cli/signals.hpp"
 #include "cli/stack_input.hpp"
+#include "core/spelling.hpp"
 #include "core/text.hpp"
 #include "io/files.hpp"
 #include "io/numbers.hpp"
@@ -21,30 +23,45 @@ namespace tetloft::cli {
 
 namespace {
 
+// What is drawn for each extension of the output.
+struct Picture {
+  std::string_view extension;
+  Result<std::string> (*render)(const Model&, const SectionStack*, const RenderOptions&);
+};
+constexpr std::array kPictures{Picture{".png", render_png}, Picture{".svg", render_svg},
+                               Picture{".html", render_html}};
+
+std::vector<std::string_view> picture_extensions() {
+  std::vector<std::string_view> extensions;
+  for (const Picture& picture : kPictures) extensions.push_back(picture.extension);
+  return extensions;
+}
+
 Usage usage() {
-  return {"render",
-          "A picture of a model, or a page to turn, cut and take it apart.",
-          {input_word("MODEL", Contents::model)},
-          {{"--output", "OUT", "the picture: .png, .svg, or .html; required", "-o"},
-           {"--contours", input_word("IN", Contents::stack),
-            "draw the contours of this stack (default: the model's own)"},
-           stack_format_option(),
-           model_format_option(),
-           {"--no-contours", "", "draw no contours"},
-           {"--colour", "WHAT", "component (default), slab, kind or dihedral"},
-           {"--view", "A,E", "azimuth and elevation of the eye in degrees (default -60,25)"},
-           {"--cut", "AXIS=VALUE", "cut open by the plane x, y or z = VALUE; .html: z only"},
-           {"--explode", "GAPS", "move the slabs apart by this many mean heights"},
-           {"--stretch", "FACTOR", "draw z this many times as large"},
-           {"--edges", "", "draw the edges of tets"},
-           {"--size", "WxH", "pixels of .png and .svg (default 1200x900)"},
-           {"--white", "", "white background instead of none"},
-           {"--title", "TEXT", "of the page (default: the model's name)"},
-           json_option(),
-           quiet_option(),
-           help_option()},
-          "An .html file needs nothing else: open it in a browser with WebGL 2. There the options "
-          "are what is shown first, and all can be changed."};
+  return {
+      "render",
+      "A picture of a model, or a page to turn, cut and take it apart.",
+      {input_word("MODEL", Contents::model)},
+      {{"--output", "OUT", "the picture: " + list_of(picture_extensions()) + "; required", "-o"},
+       {"--contours", input_word("IN", Contents::stack),
+        "draw the contours of this stack (default: the model's own)"},
+       stack_format_option(),
+       model_format_option(),
+       {"--no-contours", "", "draw no contours"},
+       {"--colour", "WHAT", "component (default), slab, kind or dihedral"},
+       {"--view", "A,E", "azimuth and elevation of the eye in degrees (default -60,25)"},
+       {"--cut", "AXIS=VALUE", "cut open by the plane x, y or z = VALUE; .html: z only"},
+       {"--explode", "GAPS", "move the slabs apart by this many mean heights"},
+       {"--stretch", "FACTOR", "draw z this many times as large"},
+       {"--edges", "", "draw the edges of tets"},
+       {"--size", "WxH", "pixels of .png and .svg (default 1200x900)"},
+       {"--white", "", "white background instead of none"},
+       {"--title", "TEXT", "of the page (default: the model's name)"},
+       kJsonOption,
+       kQuietOption,
+       kHelpOption},
+      "An .html file needs nothing else: open it in a browser with WebGL 2. There the options "
+      "are what is shown first, and all can be changed."};
 }
 
 // "first SEPARATOR second", two numbers.
@@ -114,7 +131,7 @@ Result<int> run(const Arguments& arguments, Console& console) {
   std::vector<std::string> taken{arguments.operand(0)};
   const auto stack_path = arguments.text("--contours");
   if (stack_path) taken.push_back(*stack_path);
-  Result<void> checked = check_output("--output (-o)", *output, {".png", ".svg", ".html"}, taken);
+  Result<void> checked = check_output("--output (-o)", *output, picture_extensions(), taken);
   if (!checked) return checked.error();
 
   const auto stack_format = chosen_stack_format(arguments);
@@ -133,13 +150,12 @@ Result<int> run(const Arguments& arguments, Console& console) {
   if (!model) return model.error();
 
   const std::string extension = io::extension_of(*output);
-  const auto render = extension == ".png"   ? render_png
-                      : extension == ".svg" ? render_svg
-                                            : render_html;
+  const auto picture_of = std::find_if(kPictures.begin(), kPictures.end(),
+                                       [&](const Picture& p) { return p.extension == extension; });
   const Result<std::string> picture = [&] {
     Progress progress(!console.quiet());
     options->progress = progress.callback();
-    return render(*model, stack ? &*stack : nullptr, *options);
+    return picture_of->render(*model, stack ? &*stack : nullptr, *options);
   }();
   if (!picture) {
     Error error = picture.error();

@@ -42,8 +42,8 @@ Usage usage() {
       "proper is false where skeletons only touch, which decides nothing."};
   for (const Option& option : preparation_options()) usage.options.push_back(option);
   for (const Option& option :
-       {Option{"--ascii", "", "write numbers as text that reads back exactly"}, json_option(),
-        quiet_option(), help_option()}) {
+       {Option{"--ascii", "", "write numbers as text that reads back exactly"}, kJsonOption,
+        kQuietOption, kHelpOption}) {
     usage.options.push_back(option);
   }
   return usage;

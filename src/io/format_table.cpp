@@ -25,13 +25,13 @@ TETLOFT_FORMAT_TABLE(TETLOFT_DECLARE_FORMAT)
 namespace {
 
 #define TETLOFT_LIST_FORMAT(NAME) &NAME##_format,
-constexpr std::array kTable{TETLOFT_FORMAT_TABLE(TETLOFT_LIST_FORMAT)};
+constexpr std::array kFormats{TETLOFT_FORMAT_TABLE(TETLOFT_LIST_FORMAT)};
 #undef TETLOFT_LIST_FORMAT
 #undef TETLOFT_FORMAT_TABLE
 
 }  // namespace
 
-FormatTable format_table() { return kTable; }
+FormatTable format_table() { return kFormats; }
 
 }  // namespace tetloft::io
 
@@ -51,9 +51,9 @@ const char* name_of(Contents contents) {
 
 std::span<const FormatInfo> formats() {
   static const auto infos = [] {
-    std::array<FormatInfo, io::kTable.size()> all;
+    std::array<FormatInfo, io::kFormats.size()> all;
     for (std::size_t i = 0; i < all.size(); ++i) {
-      const io::Format& format = *io::kTable[i];
+      const io::Format& format = *io::kFormats[i];
       const auto end = std::find(format.extensions.begin(), format.extensions.end(), "");
       all[i] = {format.name, format.summary, {format.extensions.begin(), end}, {}, {}};
       for (int k = 0; k < kContents; ++k) {

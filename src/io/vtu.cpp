@@ -20,8 +20,6 @@ namespace tetloft::io {
 
 namespace {
 
-constexpr std::uint8_t kVtkTetra = 10;
-
 VtkGroup cell_group(const std::vector<TetVertices>& tets) {
   VtkGroup group{"Cells", {}};
   group.arrays.push_back(vtk_array<std::int64_t>(

@@ -19,8 +19,6 @@ namespace tetloft::io {
 
 namespace {
 
-constexpr std::int64_t kVtkTetra = 10;
-
 // Half-faces 4 t + i must fit into 32 bits (tet_mesh.hpp).
 constexpr std::size_t kTetLimit = std::size_t{1} << 30;
 
