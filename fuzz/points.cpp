@@ -1,7 +1,7 @@
 // The readers of points: text, or binary where the first byte says so.
 #include <cmath>
 
-#include <tetloft/io.hpp>
+#include <tetloft/formats.hpp>
 
 #include "fuzz/target.hpp"
 
@@ -16,7 +16,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     require(!points.error().where.file.empty(), "an error without the file's name");
     return 0;
   }
-  for (const Point3& p : *points) {
+  for (const Point3& p : points->points) {
     require(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z), "not finite");
   }
   return 0;

@@ -1,7 +1,7 @@
-// Readers and writers. A file appears complete or not at all; symbolic links are followed.
-// Errors: io where a file cannot be read or written, invalid_input naming file and line
-// where its contents are wrong, usage for an Encoding or Validity that there is none of. Counts in
-// headers are checked, never trusted.
+// Readers and writers of one format each; formats.hpp has those that find the format. A file
+// appears complete or not at all; symbolic links are followed. Errors: io where a file cannot be
+// read or written, invalid_input naming file and line where its contents are wrong, usage for an
+// Encoding or Validity that there is none of. Counts in headers are checked, never trusted.
 #pragma once
 
 #include <array>
@@ -32,7 +32,8 @@ inline constexpr std::size_t kReaderBytes = std::size_t{1} << 21;
 struct ReadStack {
   SectionStack stack;
   std::vector<Warning> warnings;  ///< harmless slips, mended
-  /// Line of each contour's opening brace, for messages: lines[section][contour].
+  /// Where each contour begins, for messages: lines[section][contour]. Empty where the format has
+  /// no lines.
   IdVector<SectionId, IdVector<ContourId, std::size_t>> lines;
 };
 
@@ -53,18 +54,16 @@ enum class Validity { required, unchecked };
                                                       Validity validity = Validity::required);
 [[nodiscard]] TETLOFT_API Result<void> write_cnt(const std::string& path,
                                                  const SectionStack& stack);
+/// The bytes that write_cnt() writes; and so with each format_ below.
+[[nodiscard]] TETLOFT_API Result<std::string> format_cnt(const SectionStack& stack);
 
 /// Lines "section contour label", zero-based; # starts a comment.
 [[nodiscard]] TETLOFT_API Result<std::vector<Label>> read_labels(const std::string& path);
 [[nodiscard]] TETLOFT_API Result<std::vector<Label>> parse_labels(std::string_view text,
                                                                   const std::string& name);
-
-/// Text lines "x y z" (# comments), or little-endian float64 triples if the name ends in
-/// ".bin".
-[[nodiscard]] TETLOFT_API Result<std::vector<Point3>> read_points(const std::string& path);
-/// The same from bytes; `name` stands for the file in messages, and its extension decides.
-[[nodiscard]] TETLOFT_API Result<std::vector<Point3>> parse_points(std::string_view bytes,
-                                                                   const std::string& name);
+[[nodiscard]] TETLOFT_API Result<void> write_labels(const std::string& path,
+                                                    const std::vector<Label>& labels);
+[[nodiscard]] TETLOFT_API Result<std::string> format_labels(const std::vector<Label>& labels);
 
 enum class Encoding { binary, ascii };
 
@@ -74,11 +73,16 @@ enum class Encoding { binary, ascii };
 /// tet names a vertex that there is not, or a kind or origin is none.
 [[nodiscard]] TETLOFT_API Result<void> write_vtu(const std::string& path, const Model& model,
                                                  Encoding encoding = Encoding::binary);
+[[nodiscard]] TETLOFT_API Result<std::string> format_vtu(const Model& model,
+                                                         Encoding encoding = Encoding::binary);
 /// Writes any tetrahedral mesh, without provenance. Refused as above.
 [[nodiscard]] TETLOFT_API Result<void> write_vtu(const std::string& path,
                                                  const std::vector<Point3>& points,
                                                  const std::vector<TetVertices>& tets,
                                                  Encoding encoding = Encoding::binary);
+[[nodiscard]] TETLOFT_API Result<std::string> format_vtu(const std::vector<Point3>& points,
+                                                         const std::vector<TetVertices>& tets,
+                                                         Encoding encoding = Encoding::binary);
 /// Reads points, tets and, where present, the data arrays that write_vtu makes. Accepts
 /// ascii, inline base64 and appended (raw or base64) data, uncompressed.
 /// Arrays that a file lacks, or has with values of another meaning, are left empty.
@@ -108,6 +112,8 @@ struct LineSet {
 /// array has a wrong length.
 [[nodiscard]] TETLOFT_API Result<void> write_lines(const std::string& path, const LineSet& lines,
                                                    Encoding encoding = Encoding::binary);
+[[nodiscard]] TETLOFT_API Result<std::string> format_lines(const LineSet& lines,
+                                                           Encoding encoding = Encoding::binary);
 
 /// Writes `bytes`, which appear at `path` all or not at all; directly where a pipe or a device is.
 [[nodiscard]] TETLOFT_API Result<void> write_file(const std::string& path, std::string_view bytes);

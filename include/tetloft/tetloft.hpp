@@ -7,6 +7,7 @@
 #include <tetloft/delaunay.hpp>
 #include <tetloft/execution.hpp>
 #include <tetloft/export.hpp>
+#include <tetloft/formats.hpp>
 #include <tetloft/geiger.hpp>
 #include <tetloft/ids.hpp>
 #include <tetloft/io.hpp>

@@ -27,8 +27,8 @@ std::string unknown_option(const Usage& usage, const std::string& name) {
 
 // What an option is called in messages: "--output (-o)".
 std::string display_name(const Option& option) {
-  std::string name(option.name);
-  if (!option.alias.empty()) name += " (" + std::string(option.alias) + ')';
+  std::string name = option.name;
+  if (!option.alias.empty()) name += " (" + option.alias + ')';
   return name;
 }
 
@@ -68,19 +68,18 @@ Result<Arguments> Arguments::parse(const Usage& usage, const std::vector<std::st
       // A following option is more likely a forgotten value than a value.
       const bool missing = i + 1 == words.size() || words[i + 1].rfind("--", 0) == 0;
       if (missing) {
-        return usage_error("option " + display_name(*option) + " needs a value (" +
-                           std::string(option->value) + ')');
+        return usage_error("option " + display_name(*option) + " needs a value (" + option->value +
+                           ')');
       }
       value = words[++i];
     }
-    if (!arguments.values_.emplace(std::string(option->name), value).second) {
+    if (!arguments.values_.emplace(option->name, value).second) {
       return usage_error("option " + display_name(*option) + " is given twice");
     }
   }
   const std::size_t expected = usage.operands.size();
   if (arguments.operands_.size() < expected && !arguments.has("--help")) {
-    return usage_error("missing " + std::string(usage.operands[arguments.operands_.size()]) +
-                       see_help(usage));
+    return usage_error("missing " + usage.operands[arguments.operands_.size()] + see_help(usage));
   }
   if (arguments.operands_.size() > expected) {
     const bool writes = find_option(usage, "--output") != nullptr;
@@ -164,12 +163,12 @@ void append_wrapped(std::string& text, std::string_view paragraph, std::size_t i
 std::string help_text(const Usage& usage) {
   constexpr std::size_t kHelpColumn = 30;
   std::string text = "usage: tetloft " + std::string(usage.command);
-  for (const std::string_view operand : usage.operands) text += ' ' + std::string(operand);
+  for (const std::string& operand : usage.operands) text += ' ' + operand;
   text += " [options]\n\n";
   append_wrapped(text, usage.summary, 0);
   text += "\noptions:\n";
   for (const Option& option : usage.options) {
-    std::string left = "  " + std::string(option.alias);
+    std::string left = "  " + option.alias;
     if (!option.alias.empty()) left += ", ";
     left += option.name;
     if (!option.value.empty()) left += ' ' + std::string(option.value);

@@ -13,19 +13,19 @@
 namespace tetloft::cli {
 
 struct Option {
-  std::string_view name;   ///< "--overlap"
-  std::string_view value;  ///< what it takes ("TAU"); empty for a flag
-  std::string_view help;
-  std::string_view alias = {};  ///< "-o"
+  std::string name;   ///< "--overlap"
+  std::string value;  ///< what it takes ("TAU"); empty for a flag
+  std::string help;
+  std::string alias = {};  ///< "-o"
 };
 
 /// What a command takes: for parsing and for --help.
 struct Usage {
   std::string_view command;
   std::string_view summary;
-  std::vector<std::string_view> operands;  ///< all are required
+  std::vector<std::string> operands;  ///< all are required
   std::vector<Option> options;
-  std::string_view notes;  ///< further help, one paragraph
+  std::string notes;  ///< further help, one paragraph
 };
 
 class Arguments {

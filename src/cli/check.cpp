@@ -1,6 +1,7 @@
 // tetloft check: the four guarantees, exactly.
 #include "cli/commands.hpp"
 #include "cli/engine_option.hpp"
+#include "cli/file_formats.hpp"
 #include "cli/progress.hpp"
 #include "cli/stack_input.hpp"
 
@@ -11,10 +12,11 @@ namespace {
 Usage check_usage() {
   Usage usage{"check",
               "The guarantees of a model, checked exactly against its input.",
-              {"MODEL.vtu", "IN.cnt"},
+              {input_word("MODEL", Contents::model), input_word("IN", Contents::stack)},
               stack_options(),
               "Give the options of correspondence, and --snap, as they were given to "
               "reconstruct. Exits with 1 if a guarantee fails."};
+  usage.options.push_back(model_format_option());
   for (const Option& option : {kThreadsOption, kJsonOption, kQuietOption, kHelpOption}) {
     usage.options.push_back(option);
   }
@@ -124,7 +126,10 @@ Result<int> run_check(const Arguments& arguments, Console& console) {
   const auto threads = threads_option(arguments);
   if (!threads) return threads.error();
   options.execution.threads = *threads;
-  const Result<Model> model = read_vtu(arguments.operand(0));
+  const auto format = chosen_model_format(arguments);
+  if (!format) return format.error();
+
+  const auto model = read_model_input(arguments.operand(0), *format, console);
   if (!model) return model.error();
   const auto input = read_stack_input(arguments.operand(1), *prepared, console);
   if (!input) return input.error();

@@ -25,11 +25,10 @@ struct Command {
 inline constexpr int kGuaranteeFails = 1;
 
 /// Options that every command has.
-inline constexpr Option kJsonOption{"--json", "",
-                                    "print exactly one JSON object on standard output"};
-inline constexpr Option kQuietOption{"--quiet", "",
-                                     "no progress and no summary; warnings, errors and --json "
-                                     "stay"};
-inline constexpr Option kHelpOption{"--help", "", "print this help", "-h"};
+inline const Option kJsonOption{"--json", "", "print exactly one JSON object on standard output"};
+inline const Option kQuietOption{"--quiet", "",
+                                 "no progress and no summary; warnings, errors and --json "
+                                 "stay"};
+inline const Option kHelpOption{"--help", "", "print this help", "-h"};
 
 }  // namespace tetloft::cli

@@ -5,6 +5,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/engine_option.hpp"
+#include "cli/file_formats.hpp"
 #include "cli/outputs.hpp"
 #include "cli/signals.hpp"
 #include "core/text.hpp"
@@ -19,7 +20,9 @@ Usage delaunay_usage() {
       "delaunay",
       "The Delaunay triangulation of points in space.",
       {"POINTS"},
-      {{"--output", "OUT.vtu", "write the tets, a VTK XML file", "-o"},
+      {{"--output", output_word("OUT", Contents::model),
+        "write the tets: " + described_outputs(Contents::model), "-o"},
+       format_option("--format", "POINTS", Contents::points),
        {"--engine", "NAME",
         "auto (default): slab where all points lie on two planes of constant z, else "
         "incremental; or one of these. The tets are the same"},
@@ -32,8 +35,7 @@ Usage delaunay_usage() {
        kJsonOption,
        kQuietOption,
        kHelpOption},
-      "POINTS holds lines \"x y z\" with # comments, or little-endian float64 triples if its "
-      "name ends in .bin. The seconds told are those of the triangulation alone."};
+      "The seconds told are those of the triangulation alone."};
 }
 
 // Two skew lines of 8,000 points each have as many tets as fit, in some gigabytes.
@@ -55,8 +57,8 @@ void warn_if_flat(const Delaunay3& delaunay, Console& console) {
   console.warn({std::string("the points are ") + shape + ": there are no tets", {}});
 }
 
-std::vector<TetVertices> tets_of(const TetMesh& mesh) {
-  std::vector<TetVertices> tets;
+IdVector<TetId, TetVertices> tets_of(const TetMesh& mesh) {
+  IdVector<TetId, TetVertices> tets;
   tets.reserve(mesh.tet_count());
   for (std::size_t t = 0; t < mesh.tet_slots(); ++t) {
     if (mesh.is_live(TetId(t))) tets.push_back(mesh.vertices(TetId(t)));
@@ -73,16 +75,21 @@ Result<int> run_delaunay(const Arguments& arguments, Console& console) {
   if (!engine) return engine.error();
   const auto output = arguments.text("--output");
   if (output) {
-    Result<void> checked = check_output("--output (-o)", *output, {".vtu"}, {arguments.operand(0)});
+    Result<void> checked = check_output("--output (-o)", *output,
+                                        output_extensions(Contents::model), {arguments.operand(0)});
     if (!checked) return checked.error();
   }
-  const auto points = read_points(arguments.operand(0));
-  if (!points) return points.error();
+  const auto format = chosen_format(arguments, "--format", Contents::points);
+  if (!format) return format.error();
+  auto read = read_points(arguments.operand(0), {.format = *format});
+  if (!read) return read.error();
+  for (const Warning& warning : read->warnings) console.warn(warning);
+  const std::size_t points = read->points.size();
   const Stopwatch triangulating;
   const Result<Delaunay3> delaunay =
-      delaunay3(*points, {.engine = *engine,
-                          .most_tets = most_tets(*limit, points->size()),
-                          .execution = {.threads = *threads}});
+      delaunay3(read->points, {.engine = *engine,
+                               .most_tets = most_tets(*limit, points),
+                               .execution = {.threads = *threads}});
   const double seconds = triangulating.seconds();
   if (!delaunay) {
     Error error = delaunay.error();
@@ -92,16 +99,19 @@ Result<int> run_delaunay(const Arguments& arguments, Console& console) {
   warn_if_flat(*delaunay, console);
   StagedFiles files;
   if (output) {
-    auto staged = io::stage_vtu(*output, *points, tets_of(delaunay->mesh), Encoding::binary,
-                                temporary_watcher());
+    Model mesh;
+    mesh.points = IdVector<VertexId, Point3>(std::move(read->points));
+    mesh.tets = tets_of(delaunay->mesh);
+    auto staged = io::stage_model(*output, mesh, {}, temporary_watcher());
     if (!staged) return staged.error();
-    files.push_back(*std::move(staged));
+    for (const Warning& warning : staged->warnings) console.warn(warning);
+    files.push_back(std::move(staged->file));
   }
   std::string told;
   if (console.json()) {
     JsonWriter json;
     json.begin_object();
-    json.member("points", points->size());
+    json.member("points", points);
     json.member("tets", delaunay->mesh.tet_count());
     json.member("seconds", seconds);
     json.member("duplicates", delaunay->duplicates);
@@ -111,8 +121,8 @@ Result<int> run_delaunay(const Arguments& arguments, Console& console) {
     json.end_object();
     told = json.text();
   } else if (!console.quiet()) {
-    told = counted(points->size(), "point") + " (" + counted(delaunay->duplicates, "duplicate") +
-           "), " + counted(delaunay->mesh.tet_count(), "tet") + ", " + readable_seconds(seconds) +
+    told = counted(points, "point") + " (" + counted(delaunay->duplicates, "duplicate") + "), " +
+           counted(delaunay->mesh.tet_count(), "tet") + ", " + readable_seconds(seconds) +
            " seconds\n";
     if (output) told += "written: " + printable(*output) + '\n';
   }

@@ -15,8 +15,8 @@ namespace tetloft::cli {
 [[nodiscard]] Result<DelaunayEngine> engine_option(const Arguments& arguments,
                                                    std::string_view option);
 
-inline constexpr Option kThreadsOption{
-    "--threads", "N", "0 (default: all processors) to 1024; the result is the same"};
+inline const Option kThreadsOption{"--threads", "N",
+                                   "0 (default: all processors) to 1024; the result is the same"};
 static_assert(kMostThreads == 1024);
 /// What --threads says, 0 if it was not given.
 [[nodiscard]] Result<unsigned> threads_option(const Arguments& arguments);

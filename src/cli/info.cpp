@@ -7,6 +7,8 @@
 #include <tetloft/tetloft.hpp>
 
 #include "cli/commands.hpp"
+#include "cli/file_formats.hpp"
+#include "cli/stack_input.hpp"
 
 namespace tetloft::cli {
 
@@ -15,8 +17,8 @@ namespace {
 Usage info_usage() {
   return {"info",
           "Sections, contours, nesting, regions, areas and extents of a stack.",
-          {"IN.cnt"},
-          {kJsonOption, kQuietOption, kHelpOption},
+          {input_word("IN", Contents::stack)},
+          {stack_format_option(), kJsonOption, kQuietOption, kHelpOption},
           "Depth counts the contours around a contour: even for outer contours, odd for holes. "
           "A region is an outer contour with its immediate holes; areas are those of regions."};
 }
@@ -169,7 +171,9 @@ std::string to_text(const SectionStack& stack, const StackInfo& info) {
 }
 
 Result<int> run_info(const Arguments& arguments, Console& console) {
-  const Result<ReadStack> read = read_cnt(arguments.operand(0));
+  const auto format = chosen_stack_format(arguments);
+  if (!format) return format.error();
+  const Result<ReadStack> read = read_stack(arguments.operand(0), {.format = *format});
   if (!read) return read.error();
   for (const Warning& warning : read->warnings) console.warn(warning);
   const StackInfo info = stack_info(read->stack);

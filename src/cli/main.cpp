@@ -10,10 +10,10 @@
 #include <tetloft/version.hpp>
 
 #include "cli/commands.hpp"
+#include "cli/file_formats.hpp"
 #include "cli/signals.hpp"
 #include "cli/standard_streams.hpp"
 #include "core/spelling.hpp"
-#include "io/files.hpp"
 #include "io/numbers.hpp"
 
 namespace tetloft::cli {
@@ -26,6 +26,8 @@ std::vector<Command> all_commands() {
 }
 
 std::string general_help() {
+  const std::string stack = input_word("IN", Contents::stack);
+  const std::string model = output_word("OUT", Contents::model);
   std::string text =
       "usage: tetloft COMMAND …\n\n"
       "Solids from planar cross sections.\n\ncommands:\n";
@@ -38,9 +40,15 @@ std::string general_help() {
       "\n  --help        print this help; tetloft COMMAND --help tells more\n"
       "  --version     print the version\n\n"
       "first steps:\n"
-      "  tetloft info IN.cnt\n"
-      "  tetloft reconstruct IN.cnt -o OUT.vtu\n"
-      "  tetloft render OUT.vtu -o OUT.html\n\n"
+      "  tetloft info " +
+      stack +
+      "\n"
+      "  tetloft reconstruct " +
+      stack + " -o " + model +
+      "\n"
+      "  tetloft render " +
+      model +
+      " -o OUT.html\n\n"
       "exit codes: 0 done, 1 check: a guarantee fails, 2 usage, 3 invalid input,\n"
       "4 a file cannot be read or written, 5 no valid model representable, 7 over the\n"
       "work limit, 70 internal error, 71 out of memory, 72 arithmetic unfit for exact\n"
@@ -51,11 +59,15 @@ std::string general_help() {
 Error unknown_command(const std::string& name, const std::vector<Command>& commands) {
   std::vector<std::string_view> names{"help", "--help", "--version"};
   for (const Command& command : commands) names.push_back(command.usage.command);
-  const std::string extension = io::extension_of(name);
   std::string hint = did_you_mean(name, names);
   // A file where the command should be: the first thing that people try.
-  if (extension == ".cnt") hint = " (to make a solid: tetloft reconstruct IN.cnt -o OUT.vtu)";
-  if (extension == ".vtu") hint = " (to see a solid: tetloft render MODEL.vtu -o OUT.html)";
+  if (has_input_extension(name, Contents::stack)) {
+    hint = " (to make a solid: tetloft reconstruct " + input_word("IN", Contents::stack) + " -o " +
+           output_word("OUT", Contents::model) + ')';
+  } else if (has_input_extension(name, Contents::model)) {
+    hint = " (to see a solid: tetloft render " + input_word("MODEL", Contents::model) +
+           " -o OUT.html)";
+  }
   return usage_error("unknown command " + io::in_quotes(name) + hint + "; see tetloft --help");
 }
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "cli/arguments.hpp"
+#include "cli/file_formats.hpp"
 #include "cli/signals.hpp"
 #include "core/spelling.hpp"
 #include "core/text.hpp"
@@ -72,18 +73,21 @@ Result<ModelOutputs> model_outputs(const Arguments& arguments) {
   outputs.solid = arguments.text("--output");
   outputs.surface = arguments.text("--surface");
   if (!outputs.solid && !outputs.surface) {
-    return usage_error("missing option --output (-o) OUT.vtu, or --surface FILE");
+    return usage_error("missing option --output (-o) " + output_word("OUT", Contents::model) +
+                       ", or --surface FILE");
   }
   if (arguments.has("--ascii")) outputs.encoding = Encoding::ascii;
   std::vector<std::string> taken{arguments.operand(0)};
   if (const auto labels = arguments.text("--labels")) taken.push_back(*labels);
   Result<void> checked;
   if (outputs.solid) {
-    checked = check_output("--output (-o)", *outputs.solid, {".vtu"}, taken);
+    checked =
+        check_output("--output (-o)", *outputs.solid, output_extensions(Contents::model), taken);
     taken.push_back(*outputs.solid);
   }
   if (checked && outputs.surface) {
-    checked = check_output("--surface", *outputs.surface, {".obj", ".ply", ".vtp", ".stl"}, taken);
+    checked =
+        check_output("--surface", *outputs.surface, output_extensions(Contents::surface), taken);
   }
   if (!checked) return checked.error();
   return outputs;
@@ -91,18 +95,17 @@ Result<ModelOutputs> model_outputs(const Arguments& arguments) {
 
 Result<StagedFiles> stage_model(const Model& model, const ModelOutputs& outputs, Console& console) {
   StagedFiles files;
-  if (outputs.surface) {
-    auto surface =
-        io::stage_surface(*outputs.surface, model, outputs.encoding, temporary_watcher());
-    if (!surface) return surface.error();
-    for (const Warning& warning : surface->warnings) console.warn(warning);
-    files.push_back(std::move(surface->file));
-  }
-  if (outputs.solid) {
-    auto solid = io::stage_vtu(*outputs.solid, model, outputs.encoding, temporary_watcher());
-    if (!solid) return solid.error();
-    files.push_back(*std::move(solid));
-  }
+  const auto stage = [&](const std::optional<std::string>& path, auto writer) -> Result<void> {
+    if (!path) return {};
+    auto staged = writer(*path, model, WriteOptions{outputs.encoding, {}}, temporary_watcher());
+    if (!staged) return staged.error();
+    for (const Warning& warning : staged->warnings) console.warn(warning);
+    files.push_back(std::move(staged->file));
+    return {};
+  };
+  Result<void> staged = stage(outputs.surface, io::stage_surface);
+  if (staged) staged = stage(outputs.solid, io::stage_model);
+  if (!staged) return staged.error();
   return files;
 }
 

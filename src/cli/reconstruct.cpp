@@ -4,6 +4,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/engine_option.hpp"
+#include "cli/file_formats.hpp"
 #include "cli/geiger_method.hpp"
 #include "cli/outputs.hpp"
 #include "cli/progress.hpp"
@@ -19,10 +20,12 @@ namespace {
 Usage reconstruct_usage() {
   Usage usage{"reconstruct",
               "From a stack of contours to a tetrahedral solid.",
-              {"IN.cnt"},
-              {{"--output", "OUT.vtu", "the solid, a VTK XML file", "-o"},
+              {input_word("IN", Contents::stack)},
+              {{"--output", output_word("OUT", Contents::model),
+                "the solid: " + described_outputs(Contents::model), "-o"},
                {"--surface", "FILE",
-                "its boundary: .obj, .ply, .vtp or .stl; this or --output must be given"}},
+                "its boundary: " + described_outputs(Contents::surface) +
+                    "; this or --output must be given"}},
               "A single section is made into a solid of --thickness, or of a tenth of the larger "
               "side of its bounding box, with a warning. Nothing is written when the command "
               "fails."};

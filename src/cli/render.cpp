@@ -1,4 +1,5 @@
 // tetloft render: pictures of a model.
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <optional>
@@ -7,9 +8,12 @@
 #include <tetloft/tetloft.hpp>
 
 #include "cli/commands.hpp"
+#include "cli/file_formats.hpp"
 #include "cli/outputs.hpp"
 #include "cli/progress.hpp"
 #include "cli/signals.hpp"
+#include "cli/stack_input.hpp"
+#include "core/spelling.hpp"
 #include "core/text.hpp"
 #include "io/files.hpp"
 #include "io/numbers.hpp"
@@ -19,27 +23,45 @@ namespace tetloft::cli {
 
 namespace {
 
+// What is drawn for each extension of the output.
+struct Picture {
+  std::string_view extension;
+  Result<std::string> (*render)(const Model&, const SectionStack*, const RenderOptions&);
+};
+constexpr std::array kPictures{Picture{".png", render_png}, Picture{".svg", render_svg},
+                               Picture{".html", render_html}};
+
+std::vector<std::string_view> picture_extensions() {
+  std::vector<std::string_view> extensions;
+  for (const Picture& picture : kPictures) extensions.push_back(picture.extension);
+  return extensions;
+}
+
 Usage render_usage() {
-  return {"render",
-          "A picture of a model, or a page to turn, cut and take it apart.",
-          {"MODEL.vtu"},
-          {{"--output", "OUT", "the picture: .png, .svg, or .html; required", "-o"},
-           {"--contours", "IN.cnt", "draw the contours of this stack (default: the model's own)"},
-           {"--no-contours", "", "draw no contours"},
-           {"--colour", "WHAT", "component (default), slab, kind or dihedral"},
-           {"--view", "A,E", "azimuth and elevation of the eye in degrees (default -60,25)"},
-           {"--cut", "AXIS=VALUE", "cut open by the plane x, y or z = VALUE; .html: z only"},
-           {"--explode", "GAPS", "move the slabs apart by this many mean heights"},
-           {"--stretch", "FACTOR", "draw z this many times as large"},
-           {"--edges", "", "draw the edges of tets"},
-           {"--size", "WxH", "pixels of .png and .svg (default 1200x900)"},
-           {"--white", "", "white background instead of none"},
-           {"--title", "TEXT", "of the page (default: the model's name)"},
-           kJsonOption,
-           kQuietOption,
-           kHelpOption},
-          "An .html file needs nothing else: open it in a browser with WebGL 2. There the options "
-          "are what is shown first, and all can be changed."};
+  return {
+      "render",
+      "A picture of a model, or a page to turn, cut and take it apart.",
+      {input_word("MODEL", Contents::model)},
+      {{"--output", "OUT", "the picture: " + list_of(picture_extensions()) + "; required", "-o"},
+       {"--contours", input_word("IN", Contents::stack),
+        "draw the contours of this stack (default: the model's own)"},
+       stack_format_option(),
+       model_format_option(),
+       {"--no-contours", "", "draw no contours"},
+       {"--colour", "WHAT", "component (default), slab, kind or dihedral"},
+       {"--view", "A,E", "azimuth and elevation of the eye in degrees (default -60,25)"},
+       {"--cut", "AXIS=VALUE", "cut open by the plane x, y or z = VALUE; .html: z only"},
+       {"--explode", "GAPS", "move the slabs apart by this many mean heights"},
+       {"--stretch", "FACTOR", "draw z this many times as large"},
+       {"--edges", "", "draw the edges of tets"},
+       {"--size", "WxH", "pixels of .png and .svg (default 1200x900)"},
+       {"--white", "", "white background instead of none"},
+       {"--title", "TEXT", "of the page (default: the model's name)"},
+       kJsonOption,
+       kQuietOption,
+       kHelpOption},
+      "An .html file needs nothing else: open it in a browser with WebGL 2. There the options "
+      "are what is shown first, and all can be changed."};
 }
 
 // "first SEPARATOR second", two numbers.
@@ -109,27 +131,31 @@ Result<int> run_render(const Arguments& arguments, Console& console) {
   std::vector<std::string> taken{arguments.operand(0)};
   const auto stack_path = arguments.text("--contours");
   if (stack_path) taken.push_back(*stack_path);
-  Result<void> checked = check_output("--output (-o)", *output, {".png", ".svg", ".html"}, taken);
+  Result<void> checked = check_output("--output (-o)", *output, picture_extensions(), taken);
   if (!checked) return checked.error();
+
+  const auto stack_format = chosen_stack_format(arguments);
+  if (!stack_format) return stack_format.error();
+  const auto model_format = chosen_model_format(arguments);
+  if (!model_format) return model_format.error();
 
   std::optional<SectionStack> stack;
   if (stack_path) {
-    Result<ReadStack> read = read_cnt(*stack_path);
+    Result<ReadStack> read = read_stack(*stack_path, {.format = *stack_format});
     if (!read) return read.error();
     for (const Warning& warning : read->warnings) console.warn(warning);
     stack = std::move(read->stack);
   }
-  const Result<Model> model = read_vtu(arguments.operand(0));
+  const auto model = read_model_input(arguments.operand(0), *model_format, console);
   if (!model) return model.error();
 
   const std::string extension = io::extension_of(*output);
-  const auto render = extension == ".png"   ? render_png
-                      : extension == ".svg" ? render_svg
-                                            : render_html;
+  const auto picture_of = std::find_if(kPictures.begin(), kPictures.end(),
+                                       [&](const Picture& p) { return p.extension == extension; });
   const Result<std::string> picture = [&] {
     Progress progress(!console.quiet());
     options->execution.progress = progress.callback();
-    return render(*model, stack ? &*stack : nullptr, *options);
+    return picture_of->render(*model, stack ? &*stack : nullptr, *options);
   }();
   if (!picture) {
     Error error = picture.error();
@@ -139,7 +165,7 @@ Result<int> run_render(const Arguments& arguments, Console& console) {
   StagedFiles files;
   auto staged = io::stage_file(*output, *picture, temporary_watcher());
   if (!staged) return staged.error();
-  files.push_back(*std::move(staged));
+  files.push_back(std::move(staged->file));
   std::string told;
   if (console.json()) {
     JsonWriter json;

@@ -12,6 +12,7 @@
 #include <tetloft/tetloft.hpp>
 
 #include "cli/commands.hpp"
+#include "cli/file_formats.hpp"
 #include "cli/outputs.hpp"
 #include "cli/signals.hpp"
 #include "cli/stack_input.hpp"
@@ -26,8 +27,9 @@ Usage skeleton_usage() {
   Usage usage{
       "skeleton",
       "Internal and external Voronoi skeletons of all sections, and which contours they relate.",
-      {"IN.cnt"},
-      {{"--output", "OUT.vtp", "the skeletons, a VTK XML file of lines; required", "-o"},
+      {input_word("IN", Contents::stack)},
+      {{"--output", output_word("OUT", Contents::lines),
+        "the skeletons, lines: " + described_outputs(Contents::lines) + "; required", "-o"},
        {"--kind", "NAME", "internal, external, or both (default)"}},
       "Lines are Voronoi edges, dual to edges of the section's conforming Delaunay triangulation "
       "inside or outside its region. Cell data: section; kind, 0 internal and 1 external; "
@@ -170,12 +172,14 @@ std::string describe_well_positioned(const std::vector<std::vector<WellPositione
 
 Result<int> run_skeleton(const Arguments& arguments, Console& console) {
   const auto output = arguments.text("--output");
-  if (!output) return usage_error("missing option --output (-o) OUT.vtp");
+  if (!output)
+    return usage_error("missing option --output (-o) " + output_word("OUT", Contents::lines));
   const auto kind = arguments.choice("--kind", {"both", "internal", "external"});
   if (!kind) return kind.error();
   const auto prepared = preparation(arguments);
   if (!prepared) return prepared.error();
-  Result<void> checked = check_output("--output (-o)", *output, {".vtp"}, {arguments.operand(0)});
+  Result<void> checked = check_output("--output (-o)", *output, output_extensions(Contents::lines),
+                                      {arguments.operand(0)});
   if (!checked) return checked.error();
   const auto input = read_stack_input(arguments.operand(0), *prepared, console);
   if (!input) return input.error();
@@ -193,11 +197,12 @@ Result<int> run_skeleton(const Arguments& arguments, Console& console) {
     }
   }
   StagedFiles files;
-  auto staged =
-      io::stage_lines(*output, lines, arguments.has("--ascii") ? Encoding::ascii : Encoding::binary,
-                      temporary_watcher());
+  auto staged = io::stage_lines(
+      *output, lines, {.encoding = arguments.has("--ascii") ? Encoding::ascii : Encoding::binary},
+      temporary_watcher());
   if (!staged) return staged.error();
-  files.push_back(*std::move(staged));
+  for (const Warning& warning : staged->warnings) console.warn(warning);
+  files.push_back(std::move(staged->file));
   std::string told;
   const auto positions = all_well_positioned(*sections);
   if (console.json()) {

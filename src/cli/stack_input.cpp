@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cli/file_formats.hpp"
 #include "core/option_rules.hpp"
 #include "io/numbers.hpp"
 
@@ -18,7 +19,7 @@ std::vector<Option> stack_options() {
       {"--drift", "RATIO",
        "overlap also unites regions without link that overlap above this ratio, from 0 to below "
        "1, where moved on as they came: for oblique tubes (default: not done)"},
-      {"--labels", "FILE", "lines \"section contour label\", zero-based, # comments"},
+      {"--labels", "FILE", described_inputs(Contents::labels)},
   };
   for (const Option& option : preparation_options()) options.push_back(option);
   return options;
@@ -26,6 +27,7 @@ std::vector<Option> stack_options() {
 
 std::vector<Option> preparation_options() {
   return {
+      stack_format_option(),
       {"--repair", "",
        "first mend contours that cross or touch, spikes and contours without area: the points of "
        "odd crossing number stay the region; every change is told"},
@@ -36,6 +38,30 @@ std::vector<Option> preparation_options() {
       {"--refine", "LENGTH",
        "then divide contour edges longer than this: coarse contours can close a tunnel"},
   };
+}
+
+Option stack_format_option() {
+  return format_option("--format", input_word("IN", Contents::stack), Contents::stack);
+}
+
+Result<std::string> chosen_stack_format(const Arguments& arguments) {
+  return chosen_format(arguments, "--format", Contents::stack);
+}
+
+Option model_format_option() {
+  return format_option("--model-format", input_word("MODEL", Contents::model), Contents::model);
+}
+
+Result<std::string> chosen_model_format(const Arguments& arguments) {
+  return chosen_format(arguments, "--model-format", Contents::model);
+}
+
+Result<Model> read_model_input(const std::string& path, const std::string& format,
+                               Console& console) {
+  Result<ReadModel> read = read_model(path, {.format = format});
+  if (!read) return read.error();
+  for (const Warning& warning : read->warnings) console.warn(warning);
+  return std::move(read->model);
 }
 
 Result<CorrespondenceOptions> correspondence_options(const Arguments& arguments, Console& console) {
@@ -72,6 +98,9 @@ Result<CorrespondenceOptions> correspondence_options(const Arguments& arguments,
 
 Result<Preparation> preparation(const Arguments& arguments) {
   Preparation result;
+  auto format = chosen_stack_format(arguments);
+  if (!format) return format.error();
+  result.format = *std::move(format);
   const auto bits = arguments.integer("--snap", kFewestSnapBits, kMostSnapBits);
   if (!bits) return bits.error();
   if (bits->has_value()) result.snap = static_cast<int>(**bits);
@@ -121,9 +150,12 @@ void locate(Place& where, const std::string& path, const ReadStack& read) {
   if (*where.contour < lines.size()) where.line = lines[ContourId(*where.contour)];
 }
 
-Result<StackInput> read_and_repair(const std::string& path,
-                                   const std::optional<RepairOptions>& options, Console& console) {
-  Result<ReadStack> read = read_cnt(path, options ? Validity::unchecked : Validity::required);
+Result<StackInput> read_and_repair(const std::string& path, const Preparation& preparation,
+                                   Console& console) {
+  const std::optional<RepairOptions>& options = preparation.repair;
+  Result<ReadStack> read =
+      read_stack(path, {.validity = options ? Validity::unchecked : Validity::required,
+                        .format = preparation.format});
   if (!read) {
     Error error = read.error();
     if (error.where.contour) error.message += " (--repair may mend it)";
@@ -171,7 +203,7 @@ Result<void> refine_input(StackInput& input, double length) {
 
 Result<StackInput> read_stack_input(const std::string& path, const Preparation& preparation,
                                     Console& console) {
-  Result<StackInput> read = read_and_repair(path, preparation.repair, console);
+  Result<StackInput> read = read_and_repair(path, preparation, console);
   if (!read) return read;
   StackInput input = std::move(read.value());
   Result<void> done;

@@ -13,7 +13,7 @@
 
 namespace tetloft::cli {
 
-/// --repair, --repair-distance, --snap, --refine.
+/// --format, --repair, --repair-distance, --snap, --refine.
 [[nodiscard]] std::vector<Option> preparation_options();
 /// The same, after --correspondence, --overlap, --labels.
 [[nodiscard]] std::vector<Option> stack_options();
@@ -34,6 +34,7 @@ struct RepairReport {
 
 /// What is done to a stack before it is worked on: repaired, then snapped, then refined.
 struct Preparation {
+  std::string format;  ///< of the file; empty: recognised
   std::optional<RepairOptions> repair;
   std::optional<int> snap;       ///< bits
   std::optional<double> refine;  ///< the longest edge left
@@ -49,12 +50,23 @@ struct StackInput {
 /// Checks the options' values without touching a file. `labels` stay empty.
 [[nodiscard]] Result<CorrespondenceOptions> correspondence_options(const Arguments& arguments,
                                                                    Console& console);
-/// --repair, --repair-distance, --snap and --refine as given.
+/// --format, --repair, --repair-distance, --snap and --refine as given.
 [[nodiscard]] Result<Preparation> preparation(const Arguments& arguments);
 
 /// Reads and prepares the stack; warnings go to the console.
 [[nodiscard]] Result<StackInput> read_stack_input(const std::string& path,
                                                   const Preparation& preparation, Console& console);
+/// --format of stacks, alone.
+[[nodiscard]] Option stack_format_option();
+[[nodiscard]] Result<std::string> chosen_stack_format(const Arguments& arguments);
+
+/// --model-format.
+[[nodiscard]] Option model_format_option();
+[[nodiscard]] Result<std::string> chosen_model_format(const Arguments& arguments);
+/// Reads a model; warnings go to the console.
+[[nodiscard]] Result<Model> read_model_input(const std::string& path, const std::string& format,
+                                             Console& console);
+
 /// Reads --labels; each must name a contour of `stack`.
 [[nodiscard]] Result<std::vector<Label>> read_label_option(const Arguments& arguments,
                                                            const SectionStack& stack);

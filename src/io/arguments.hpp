@@ -19,10 +19,9 @@ namespace tetloft::io {
   return Error{ErrorCode::usage, "there is no such validity: required or unchecked", {}};
 }
 
-/// The error of `failed`, at `path`.
-[[nodiscard]] inline Error at_file(const std::string& path, const Result<void>& failed) {
-  Error error = failed.error();
-  error.where.file = path;
+/// `error`, at `path` unless it names a file.
+[[nodiscard]] inline Error at_file(const std::string& path, Error error) {
+  if (error.where.file.empty()) error.where.file = path;
   return error;
 }
 

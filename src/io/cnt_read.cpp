@@ -4,47 +4,40 @@
 //   { x y x y … }  for each contour
 // Commas or semicolons may stand between numbers, # begins a comment. Both counts are redundant
 // here: they are compared with what follows, and tell pairs from triples where that is open.
+#include "io/cnt_read.hpp"
+
 #include <cmath>
 #include <limits>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include <tetloft/io.hpp>
 #include <tetloft/repair.hpp>
 
-#include "core/check.hpp"
-#include "io/arguments.hpp"
 #include "io/cnt_contents.hpp"
 #include "io/cursor.hpp"
-#include "io/files.hpp"
 #include "io/numbers.hpp"
 
-namespace tetloft {
+namespace tetloft::io {
 
 namespace {
-
-using io::complaint;
-using io::in_quotes;
-using io::ParsedNumber;
 
 class CntReader {
  public:
   CntReader(std::string_view text, const std::string& name) : cursor_(text), name_(name) {}
 
   Result<ReadStack> read(Validity validity) {
-    if (Result<void> known = io::check_validity(validity); !known) return known.error();
     Result<void> parsed = read_sections();
     // Nothing is wrong before the first odd contour, whatever follows.
     if (!parsed && !contents_.odd) return parsed.error();
-    Result<std::optional<Warning>> settled = io::settle_vertices(contents_);
+    Result<std::optional<Warning>> settled = settle_vertices(contents_);
     if (!settled) return with_file(settled.error());
     if (!parsed) return parsed.error();
     compare_counts();
     if (settled->has_value()) warn(**std::move(settled));
     mend_contours();
     for (Warning& warning : suspicious_gaps(contents_.stack)) warn(std::move(warning));
-    for (Warning& warning : io::open_lines(contents_.stack, kMostWarnings)) {
+    for (Warning& warning : open_lines(contents_.stack, kMostWarnings)) {
       warn(std::move(warning));
     }
     sum_up();
@@ -111,7 +104,7 @@ class CntReader {
       if (token.empty() || is_header(token)) {
         return complain("the contour opened in line " + std::to_string(opened) + " is not closed");
       }
-      const ParsedNumber number = io::parse_number(token);
+      const ParsedNumber number = parse_number(token);
       if (!number.ok()) return complain(complaint(token, number.status));
       if (have_x) vertices.push_back({x, number.value});
       x = number.value;
@@ -196,7 +189,7 @@ class CntReader {
     skip_space();
     const std::string_view token = cursor_.token(kStops);
     if (token.empty()) return complain(std::string("the ") + what + " is missing");
-    const ParsedNumber number = io::parse_number(token);
+    const ParsedNumber number = parse_number(token);
     if (!number.ok()) {
       return complain(std::string("the ") + what + ' ' + complaint(token, number.status));
     }
@@ -216,9 +209,9 @@ class CntReader {
   static std::string number_text(double value) {
     std::string text;
     if (std::fabs(value) < 0x1p63 && value == std::floor(value)) {
-      io::append_number(text, static_cast<long long>(value));
+      append_number(text, static_cast<long long>(value));
     } else {
-      io::append_number(text, value);
+      append_number(text, value);
     }
     return text;
   }
@@ -258,7 +251,7 @@ class CntReader {
     locate(error.where);
     if (!error.where.section || !error.where.contour) return error;
     const auto& contours = contents_.stack.sections[SectionId(*error.where.section)].contours;
-    const auto times = io::conspicuous_closing(contours[ContourId(*error.where.contour)]);
+    const auto times = conspicuous_closing(contours[ContourId(*error.where.contour)]);
     if (!times) return error;
     error.message += "; the edge that closes the contour is " + number_text(std::floor(*times)) +
                      " times as long as its longest other: if it is an open line, close it along "
@@ -288,9 +281,9 @@ class CntReader {
   // A file of a million slips gets this many warnings, and one that counts the others.
   static constexpr std::size_t kMostWarnings = 1000;
 
-  io::TextCursor cursor_;
+  TextCursor cursor_;
   const std::string& name_;
-  io::CntContents contents_;
+  CntContents contents_;
   std::vector<Warning> warnings_;
   std::size_t untold_ = 0;
   std::size_t header_line_ = 0;
@@ -299,16 +292,8 @@ class CntReader {
 
 }  // namespace
 
-Result<ReadStack> parse_cnt(std::string_view text, const std::string& name, Validity validity) {
-  return guard_internal([&] { return CntReader(text, name).read(validity); });
+Result<ReadStack> read_cnt_source(const Source& source, const ReadOptions& options) {
+  return CntReader(source.bytes, source.name).read(options.validity);
 }
 
-Result<ReadStack> read_cnt(const std::string& path, Validity validity) {
-  return guard_internal([&]() -> Result<ReadStack> {
-    const Result<std::string> text = io::read_file(path);
-    if (!text) return text.error();
-    return CntReader(*text, path).read(validity);
-  });
-}
-
-}  // namespace tetloft
+}  // namespace tetloft::io

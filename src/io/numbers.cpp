@@ -180,4 +180,12 @@ void append_float(std::string& text, Float value) {
 void append_number(std::string& text, double value) { append_float(text, value); }
 void append_number(std::string& text, float value) { append_float(text, value); }
 
+void append_point(std::string& text, const Point3& p) {
+  append_number(text, p.x);
+  text += ' ';
+  append_number(text, p.y);
+  text += ' ';
+  append_number(text, p.z);
+}
+
 }  // namespace tetloft::io

@@ -13,6 +13,8 @@
 #include <string>
 #include <string_view>
 
+#include <tetloft/point.hpp>
+
 namespace tetloft::io {
 
 enum class NumberStatus : std::uint8_t {
@@ -43,6 +45,9 @@ struct ParsedNumber {
 /// Appends the shortest digits that read back exactly.
 void append_number(std::string& text, double value);
 void append_number(std::string& text, float value);
+
+/// "x y z".
+void append_point(std::string& text, const Point3& p);
 
 template <std::integral I>
 void append_number(std::string& text, I value) {

@@ -254,16 +254,6 @@ Result<void> PendingFile::commit() {
   });
 }
 
-Result<PendingFile> finished(PendingFile file) {
-  if (Result<void> done = file.finish(); !done) return done.error();
-  return file;
-}
-
-Result<void> committed(Result<PendingFile> file) {
-  if (!file) return file.error();
-  return file->commit();
-}
-
 Result<void> commit_all(std::vector<PendingFile>& files) {
   for (PendingFile& file : files) {
     if (Result<void> finished = file.finish(); !finished) return finished;

@@ -10,6 +10,8 @@
 
 #include <tetloft/result.hpp>
 
+#include "io/sink.hpp"
+
 namespace tetloft::io {
 
 /// Told which temporaries have a name, so that a program which a signal ends can remove them.
@@ -31,18 +33,18 @@ enum class Waiting : std::uint8_t { unnamed, named };
 /// - Pipes, terminals and other character devices, and what a link to /dev/stdout stands for,
 ///   are written directly, as bytes come; everything else appears with commit().
 /// Without a successful commit() no file is left behind, and what was at `path` is untouched.
-class PendingFile {
+class PendingFile final : public Sink {
  public:
   explicit PendingFile(const std::string& path, TemporaryWatcher* watcher = nullptr,
                        Waiting waiting = Waiting::unnamed);
-  ~PendingFile();
+  ~PendingFile() override;
   PendingFile(PendingFile&&) noexcept;
   PendingFile& operator=(PendingFile&&) noexcept;
 
   /// Appends; a failure is remembered and told by finish() and commit().
-  void append(std::string_view bytes);
+  void append(std::string_view bytes) override;
   /// Whether nothing has failed so far: lets long writers stop early.
-  [[nodiscard]] bool ok() const;
+  [[nodiscard]] bool ok() const override;
   /// All bytes are with the system: nothing that can fail for want of room is left to commit().
   [[nodiscard]] Result<void> finish();
   /// finish(), and the file appears, in place of an earlier one.
@@ -55,11 +57,6 @@ class PendingFile {
   struct State;
   std::unique_ptr<State> state_;
 };
-
-/// The file once finished, or what kept it from that.
-[[nodiscard]] Result<PendingFile> finished(PendingFile file);
-/// Commits a file that could be staged.
-[[nodiscard]] Result<void> committed(Result<PendingFile> file);
 
 /// All of them or none: every file is finished before the first appears. Should one then not
 /// take its name, those that appeared where nothing was are removed again.

@@ -5,8 +5,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "core/little_endian.hpp"
 #include "io/base64.hpp"
-#include "io/bytes.hpp"
 #include "io/cursor.hpp"
 #include "io/numbers.hpp"
 

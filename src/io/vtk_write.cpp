@@ -37,43 +37,53 @@ std::string array_head(const VtkArray& array) {
 
 }  // namespace
 
-void append_vtk_file(PendingFile& file, const std::string& grid_type, const std::string& counts,
+bool is_vtk_file(std::string_view bytes, std::string_view grid_type) {
+  constexpr std::size_t kBeginning = 4096;  // room for comments before the tag
+  const std::string_view head = bytes.substr(0, kBeginning);
+  const std::size_t tag = head.find("<VTKFile");
+  if (tag == std::string_view::npos) return false;
+  const std::string_view attributes = head.substr(tag, head.find('>', tag) - tag);
+  return attributes.find('"' + std::string(grid_type) + '"') != std::string_view::npos ||
+         attributes.find('\'' + std::string(grid_type) + '\'') != std::string_view::npos;
+}
+
+void append_vtk_file(Sink& sink, const std::string& grid_type, const std::string& counts,
                      const std::vector<VtkGroup>& groups, Encoding encoding) {
   const bool ascii = encoding == Encoding::ascii;
-  file.append("<?xml version=\"1.0\"?>\n<VTKFile type=\"" + grid_type +
+  sink.append("<?xml version=\"1.0\"?>\n<VTKFile type=\"" + grid_type +
               "\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<" +
               grid_type + ">\n<Piece " + counts + ">\n");
   std::uint64_t offset = 0;
   for (const VtkGroup& group : groups) {
-    file.append('<' + group.element + ">\n");
+    sink.append('<' + group.element + ">\n");
     for (const VtkArray& array : group.arrays) {
       if (ascii) {
-        file.append(array_head(array) + " format=\"ascii\">\n");
-        array.append_text(file);
-        file.append("</DataArray>\n");
+        sink.append(array_head(array) + " format=\"ascii\">\n");
+        array.append_text(sink);
+        sink.append("</DataArray>\n");
       } else {
-        file.append(array_head(array) + " format=\"appended\" offset=\"" + std::to_string(offset) +
+        sink.append(array_head(array) + " format=\"appended\" offset=\"" + std::to_string(offset) +
                     "\"/>\n");
         offset += sizeof(std::uint64_t) + array.bytes;
       }
     }
-    file.append("</" + group.element + ">\n");
+    sink.append("</" + group.element + ">\n");
   }
-  file.append("</Piece>\n</" + grid_type + ">\n");
+  sink.append("</Piece>\n</" + grid_type + ">\n");
   if (!ascii) {
-    file.append("<AppendedData encoding=\"raw\">\n_");
+    sink.append("<AppendedData encoding=\"raw\">\n_");
     for (const VtkGroup& group : groups) {
       for (const VtkArray& array : group.arrays) {
-        if (!file.ok()) return;
+        if (!sink.ok()) return;
         std::string count;
         append_little(count, static_cast<std::uint64_t>(array.bytes));
-        file.append(count);
-        array.append_bytes(file);
+        sink.append(count);
+        array.append_bytes(sink);
       }
     }
-    file.append("\n</AppendedData>\n");
+    sink.append("\n</AppendedData>\n");
   }
-  file.append("</VTKFile>\n");
+  sink.append("</VTKFile>\n");
 }
 
 }  // namespace tetloft::io

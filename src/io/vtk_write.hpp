@@ -7,14 +7,15 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
 #include <tetloft/io.hpp>
 
-#include "io/bytes.hpp"
+#include "core/little_endian.hpp"
 #include "io/numbers.hpp"
-#include "io/pending_file.hpp"
+#include "io/sink.hpp"
 
 namespace tetloft::io {
 
@@ -33,19 +34,18 @@ struct VtkArray {
   std::string type;
   std::size_t components = 1;
   std::size_t bytes = 0;
-  std::function<void(PendingFile&)> append_text;
-  std::function<void(PendingFile&)> append_bytes;
+  std::function<void(Sink&)> append_text;
+  std::function<void(Sink&)> append_bytes;
 };
 
 /// An array of n values of type T; get(i) is value i. get must live as long as the array.
 template <class T, class Get>
 VtkArray vtk_array(std::string name, std::size_t components, std::size_t n, Get get) {
   static_assert(std::same_as<T, std::remove_cvref_t<decltype(get(std::size_t{0}))>>);
-  // Pieces large enough to make the calls cheap, small beside the array.
-  constexpr std::size_t kPiece = std::size_t{1} << 16;
   VtkArray array{std::move(name), vtk_type_name<T>(), components, n * sizeof(T), {}, {}};
-  array.append_text = [n, components, get](PendingFile& file) {
-    std::string piece;
+  array.append_text = [n, components, get](Sink& sink) {
+    Pieces pieces(sink);
+    std::string& piece = pieces.text();
     for (std::size_t i = 0; i < n; ++i) {
       if constexpr (sizeof(T) == 1) {
         append_number(piece, static_cast<int>(get(i)));
@@ -53,23 +53,17 @@ VtkArray vtk_array(std::string name, std::size_t components, std::size_t n, Get 
         append_number(piece, get(i));
       }
       piece += (i + 1) % (components == 1 ? 16 : components) == 0 || i + 1 == n ? '\n' : ' ';
-      if (piece.size() >= kPiece) {
-        file.append(piece);
-        piece.clear();
-      }
+      pieces.next();
     }
-    file.append(piece);
+    pieces.finish();
   };
-  array.append_bytes = [n, get](PendingFile& file) {
-    std::string piece;
+  array.append_bytes = [n, get](Sink& sink) {
+    Pieces pieces(sink);
     for (std::size_t i = 0; i < n; ++i) {
-      append_little<T>(piece, get(i));
-      if (piece.size() >= kPiece) {
-        file.append(piece);
-        piece.clear();
-      }
+      append_little<T>(pieces.text(), get(i));
+      pieces.next();
     }
-    file.append(piece);
+    pieces.finish();
   };
   return array;
 }
@@ -80,8 +74,22 @@ struct VtkGroup {
   std::vector<VtkArray> arrays;
 };
 
-/// Writes a file of one piece; `counts` are the attributes of Piece. Does not commit.
-void append_vtk_file(PendingFile& file, const std::string& grid_type, const std::string& counts,
+/// The element Points, of n points; get(i) is a Point3.
+template <class Get>
+VtkGroup vtk_points(std::size_t n, Get get) {
+  VtkGroup group{"Points", {}};
+  group.arrays.push_back(vtk_array<double>("Points", 3, 3 * n, [get](std::size_t i) {
+    const Point3& p = get(i / 3);
+    return i % 3 == 0 ? p.x : i % 3 == 1 ? p.y : p.z;
+  }));
+  return group;
+}
+
+/// Whether a file begins as VTK XML of this grid type.
+[[nodiscard]] bool is_vtk_file(std::string_view bytes, std::string_view grid_type);
+
+/// Writes a file of one piece; `counts` are the attributes of Piece.
+void append_vtk_file(Sink& sink, const std::string& grid_type, const std::string& counts,
                      const std::vector<VtkGroup>& groups, Encoding encoding);
 
 }  // namespace tetloft::io

@@ -1,33 +1,23 @@
 // VTK XML unstructured grids (.vtu) of tetrahedra, by tetloft and other writers: the arrays
 // that were declared (vtu_scan.hpp) are decoded and compared with what they announce.
+#include "io/vtu_read.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include <tetloft/io.hpp>
-
-#include "core/check.hpp"
-#include "io/files.hpp"
 #include "io/vtk_data.hpp"
 #include "io/vtu_scan.hpp"
 #include "io/xml.hpp"
+#include "model/fields.hpp"
 
-namespace tetloft {
+namespace tetloft::io {
 
 namespace {
-
-using io::DataArray;
-using io::VtuDeclaration;
-using io::VtuPiece;
-using io::VtuRole;
-using io::XmlScanner;
-
-constexpr std::int64_t kTetraType = 10;
 
 // Half-faces 4 t + i must fit into 32 bits (tet_mesh.hpp).
 constexpr std::size_t kTetLimit = std::size_t{1} << 30;
@@ -44,7 +34,7 @@ class GridDecoder {
       if (Result<void> points = add_points(piece); !points) return points.error();
       if (Result<void> tets = add_tets(piece, first_point); !tets) return tets.error();
     }
-    if (Result<void> labels = read_labels(); !labels) return labels.error();
+    if (Result<void> fields = read_fields(); !fields) return fields.error();
     return std::move(model_);
   }
 
@@ -56,9 +46,9 @@ class GridDecoder {
   // Every byte of the appended data belongs to one array: one block for all would let a small
   // file become a large grid.
   Result<void> check_apart() {
-    std::vector<io::AppendedExtent> extents;
-    for (const io::VtuArray& array : grid_.arrays) {
-      if (const auto extent = io::appended_extent(array.data, grid_.source)) {
+    std::vector<AppendedExtent> extents;
+    for (const VtuArray& array : grid_.arrays) {
+      if (const auto extent = appended_extent(array.data, grid_.source)) {
         extents.push_back(*extent);
       }
     }
@@ -80,7 +70,7 @@ class GridDecoder {
       return complain(piece.position, "the piece has no Points");
     }
     const DataArray& array = *declared;
-    const auto values = io::read_doubles(array, grid_.source, scanner_);
+    const auto values = read_doubles(array, grid_.source, scanner_);
     if (!values) return values.error();
     if (array.components != 3 || values->size() % 3 != 0 ||
         values->size() / 3 != static_cast<std::size_t>(piece.points)) {
@@ -112,7 +102,7 @@ class GridDecoder {
       if (expected == 0) return std::vector<std::int64_t>();
       return complain(grid_.pieces[p].position, std::string("the piece has no cell array ") + name);
     }
-    auto values = io::read_integers(*array, grid_.source, scanner_);
+    auto values = read_integers(*array, grid_.source, scanner_);
     if (values && values->size() != expected) {
       return complain(array->position, std::string("the cell array ") + name + " has " +
                                            std::to_string(values->size()) + " values where " +
@@ -131,7 +121,7 @@ class GridDecoder {
     const auto types = cell_array(p, VtuRole::types, "types", cells);
     if (!types) return types.error();
     for (std::size_t i = 0; i < cells; ++i) {
-      if ((*types)[i] == kTetraType) continue;
+      if ((*types)[i] == kVtkTetra) continue;
       return complain(piece.position, "cell " + std::to_string(i) + " is of VTK type " +
                                           std::to_string((*types)[i]) +
                                           "; only tetrahedra (10) can be read");
@@ -161,80 +151,56 @@ class GridDecoder {
     return {};
   }
 
-  // The values of one data array over all pieces, or nothing where a piece lacks it, or
-  // where it is another writer's array of that name: of floats, of vectors, or with a value
-  // outside [least, largest].
-  Result<std::optional<std::vector<std::int64_t>>> data_array(VtuRole role, bool of_points,
-                                                              const char* name, std::int64_t least,
-                                                              std::int64_t largest) {
+  // The values of one field over all pieces, or nothing where a piece lacks it, or where it is
+  // another writer's array of that name: of floats, of vectors, or with a value out of range.
+  template <class Field>
+  Result<std::optional<std::vector<std::int64_t>>> field_values(const Field& field) {
     using Found = std::optional<std::vector<std::int64_t>>;
     std::vector<std::int64_t> all;
-    all.reserve(of_points ? model_.points.size() : model_.tets.size());
+    all.reserve(Field::due(model_));
     for (std::size_t p = 0; p < grid_.pieces.size(); ++p) {
       const VtuPiece& piece = grid_.pieces[p];
-      const auto count = static_cast<std::size_t>(of_points ? piece.points : piece.cells);
-      const DataArray* const found = grid_.find(p, role);
+      const auto count = static_cast<std::size_t>(Field::kOfPoints ? piece.points : piece.cells);
+      const DataArray* const found = grid_.find(p, VtuRole::field, field.name);
       if (found == nullptr && count == 0) continue;
       if (found == nullptr) return Found();
       const DataArray& array = *found;
-      if (io::is_float(array.type) || array.components != 1) return Found();
-      const auto values = io::read_integers(array, grid_.source, scanner_);
+      if (is_float(array.type) || array.components != 1) return Found();
+      const auto values = read_integers(array, grid_.source, scanner_);
       if (!values) return values.error();
       if (values->size() != count) {
-        return complain(array.position, std::string("the data array ") + name + " has " +
+        return complain(array.position, "the data array " + std::string(field.name) + " has " +
                                             std::to_string(values->size()) + " values where " +
                                             std::to_string(count) + " are due");
       }
       for (const std::int64_t value : *values) {
-        if (value < least || value > largest) return Found();
+        if (value < Field::Stored::kLeast || value > Field::Stored::kLargest) return Found();
       }
       all.insert(all.end(), values->begin(), values->end());
     }
     return Found(std::move(all));
   }
 
-  template <class IdVectorType, class Convert>
-  Result<void> read_label(IdVectorType& target, VtuRole role, bool of_points, const char* name,
-                          std::int64_t least, std::int64_t largest, Convert convert) {
-    auto values = data_array(role, of_points, name, least, largest);
+  template <class Field>
+  Result<void> read_field(const Field& field) {
+    auto values = field_values(field);
     if (!values) return values.error();
     if (!values->has_value()) return {};
+    auto& target = model_.*field.values;
     target.reserve((*values)->size());
-    for (const std::int64_t value : **values) target.push_back(convert(value));
+    for (const std::int64_t value : **values) target.push_back(Field::Stored::load(value));
     return {};
   }
 
-  Result<void> read_labels() {
-    constexpr std::int64_t kLargest = std::numeric_limits<std::int32_t>::max();
-    const auto to_component = [&](std::int64_t value) {
-      if (value < 0) return ComponentId();
-      model_.component_count =
-          std::max(model_.component_count, static_cast<std::size_t>(value) + 1);
-      return ComponentId(value);
-    };
-    const auto to_slab = [](std::int64_t value) { return value < 0 ? SlabId() : SlabId(value); };
-    const auto to_kind = [](std::int64_t value) { return static_cast<TetKind>(value); };
-    const auto to_origin = [](std::int64_t value) { return static_cast<PointOrigin>(value); };
-    const auto to_section = [](std::int64_t value) {
-      return value < 0 ? SectionId() : SectionId(value);
-    };
-    const auto to_contour = [](std::int64_t value) {
-      return value < 0 ? ContourId() : ContourId(value);
-    };
-    Result<void> done = read_label(model_.component, VtuRole::component, false, "component", -1,
-                                   kLargest, to_component);
-    if (done) done = read_label(model_.slab, VtuRole::slab, false, "slab", -1, kLargest, to_slab);
-    if (done)
-      done = read_label(model_.kind, VtuRole::kind, false, "kind", 0, kTetKinds - 1, to_kind);
-    if (done)
-      done =
-          read_label(model_.section, VtuRole::section, true, "section", -1, kLargest, to_section);
-    if (done)
-      done =
-          read_label(model_.contour, VtuRole::contour, true, "contour", -1, kLargest, to_contour);
-    if (done)
-      done = read_label(model_.origin, VtuRole::origin, true, "origin", 0, kPointOrigins - 1,
-                        to_origin);
+  Result<void> read_fields() {
+    Result<void> done;
+    for_each_field([&](const auto& field) {
+      if (done) done = read_field(field);
+    });
+    for (const ComponentId component : model_.component) {
+      if (!component.valid()) continue;
+      model_.component_count = std::max(model_.component_count, component.index() + 1);
+    }
     return done;
   }
 
@@ -245,21 +211,13 @@ class GridDecoder {
 
 }  // namespace
 
-Result<Model> parse_vtu(std::string_view bytes, const std::string& name) {
-  return guard_internal([&]() -> Result<Model> {
-    XmlScanner scanner(bytes, name);
-    const Result<VtuDeclaration> grid = io::scan_vtu(scanner);
-    if (!grid) return grid.error();
-    return GridDecoder(*grid, scanner).decode();
-  });
+Result<ReadModel> read_vtu_source(const Source& source, const ReadOptions& /*options*/) {
+  XmlScanner scanner(source.bytes, source.name);
+  const Result<VtuDeclaration> grid = scan_vtu(scanner);
+  if (!grid) return grid.error();
+  Result<Model> model = GridDecoder(*grid, scanner).decode();
+  if (!model) return model.error();
+  return ReadModel{*std::move(model), {}};
 }
 
-Result<Model> read_vtu(const std::string& path) {
-  return guard_internal([&]() -> Result<Model> {
-    const Result<std::string> bytes = io::read_file(path);
-    if (!bytes) return bytes.error();
-    return parse_vtu(*bytes, path);
-  });
-}
-
-}  // namespace tetloft
+}  // namespace tetloft::io

@@ -5,10 +5,12 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "io/cursor.hpp"
 #include "io/numbers.hpp"
+#include "model/fields.hpp"
 
 namespace tetloft::io {
 
@@ -17,21 +19,30 @@ namespace {
 // Grids are nested five deep; those of other writers have keys inside of arrays.
 constexpr std::size_t kDeepest = 64;
 
-// Role of an array, by the group it stands in and its name.
-struct RoleRow {
+// An array that is read: the group it stands in, and its name.
+struct KnownArray {
   std::string_view group;
   std::string_view name;
   VtuRole role;
 };
-constexpr std::array<RoleRow, 9> kRoles{{{"Cells", "connectivity", VtuRole::connectivity},
-                                         {"Cells", "offsets", VtuRole::offsets},
-                                         {"Cells", "types", VtuRole::types},
-                                         {"CellData", "component", VtuRole::component},
-                                         {"CellData", "slab", VtuRole::slab},
-                                         {"CellData", "kind", VtuRole::kind},
-                                         {"PointData", "section", VtuRole::section},
-                                         {"PointData", "contour", VtuRole::contour},
-                                         {"PointData", "origin", VtuRole::origin}}};
+
+std::optional<KnownArray> known_array(std::string_view group, std::string_view name) {
+  constexpr std::array<KnownArray, 3> kOfCells{{{"Cells", "connectivity", VtuRole::connectivity},
+                                                {"Cells", "offsets", VtuRole::offsets},
+                                                {"Cells", "types", VtuRole::types}}};
+  if (group == "Points") return KnownArray{group, "Points", VtuRole::points};
+  for (const KnownArray& known : kOfCells) {
+    if (known.group == group && known.name == name) return known;
+  }
+  std::optional<KnownArray> found;
+  for_each_field([&](const auto& field) {
+    using Field = std::remove_cvref_t<decltype(field)>;
+    if (group == (Field::kOfPoints ? "PointData" : "CellData") && name == field.name) {
+      found = KnownArray{group, field.name, VtuRole::field};
+    }
+  });
+  return found;
+}
 
 constexpr std::array<std::string_view, 4> kGroups{"Points", "Cells", "PointData", "CellData"};
 
@@ -168,21 +179,14 @@ class VtuScanner {
       return scanner_.complain(tag.position, in_quotes(group) + " has two arrays" +
                                                  (is_points ? "" : ' ' + in_quotes(key)));
     }
-    VtuArray array;
-    std::string_view known = "Points";
-    if (!is_points) {
-      const auto row = std::find_if(kRoles.begin(), kRoles.end(), [&](const RoleRow& r) {
-        return r.group == group && r.name == key;
-      });
-      if (row == kRoles.end()) return {};
-      array.role = row->role;
-      known = row->name;
-      // Another writer's array of that name, which may have any type.
-      const std::string* const type = tag.find("type");
-      const bool text = type != nullptr && (*type == "String" || *type == "Bit");
-      if (text && group != "Cells") return {};
-    }
-    Result<DataArray> declared = declare_array(tag, known, scanner_);
+    const std::optional<KnownArray> known = known_array(group, key);
+    if (!known) return {};
+    // Another writer's array of that name may have any type.
+    const std::string* const type = tag.find("type");
+    const bool text = type != nullptr && (*type == "String" || *type == "Bit");
+    if (text && known->role == VtuRole::field) return {};
+    VtuArray array{known->role, {}};
+    Result<DataArray> declared = declare_array(tag, known->name, scanner_);
     if (!declared) return declared.error();
     array.data = *declared;
     if (tag.kind == XmlTag::Kind::open) array.data.text = scanner_.take_text();
@@ -228,10 +232,12 @@ class VtuScanner {
 
 }  // namespace
 
-const DataArray* VtuDeclaration::find(std::size_t piece, VtuRole role) const {
+const DataArray* VtuDeclaration::find(std::size_t piece, VtuRole role,
+                                      std::string_view field) const {
   const std::size_t end = piece + 1 < pieces.size() ? pieces[piece + 1].first_array : arrays.size();
   for (std::size_t i = pieces[piece].first_array; i < end; ++i) {
-    if (arrays[i].role == role) return &arrays[i].data;
+    if (arrays[i].role != role) continue;
+    if (role != VtuRole::field || arrays[i].data.name == field) return &arrays[i].data;
   }
   return nullptr;
 }

@@ -17,22 +17,11 @@
 
 namespace tetloft::io {
 
-enum class VtuRole : std::uint8_t {
-  points,
-  connectivity,
-  offsets,
-  types,
-  component,
-  slab,
-  kind,
-  section,
-  contour,
-  origin
-};
+enum class VtuRole : std::uint8_t { points, connectivity, offsets, types, field };
 
 struct VtuArray {
   VtuRole role = VtuRole::points;
-  DataArray data;
+  DataArray data;  ///< its name tells which field
 };
 
 struct VtuPiece {
@@ -48,7 +37,8 @@ struct VtuDeclaration {
   std::vector<VtuArray> arrays;
 
   /// The array of a piece, or null.
-  [[nodiscard]] const DataArray* find(std::size_t piece, VtuRole role) const;
+  [[nodiscard]] const DataArray* find(std::size_t piece, VtuRole role,
+                                      std::string_view field = {}) const;
 };
 
 /// Scans all tags. The scanner must outlive the result.

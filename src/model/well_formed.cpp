@@ -1,9 +1,8 @@
 #include "model/well_formed.hpp"
 
 #include <string>
-#include <tuple>
 
-#include "core/enums.hpp"
+#include "model/fields.hpp"
 
 namespace tetloft {
 
@@ -11,31 +10,25 @@ namespace {
 
 Error refusal(std::string message) { return {ErrorCode::invalid_input, std::move(message), {}}; }
 
-// The first value that is no enumerator.
-template <class Ids, class Enum>
-Result<void> check_values(const IdVector<Ids, Enum>& values, Enum last, const char* owner,
-                          const char* what) {
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const Enum value = values[Ids(i)];
-    if (is_enumerator(value, last)) continue;
-    return refusal(std::string(owner) + ' ' + std::to_string(i) + " has the " + what + ' ' +
-                   std::to_string(static_cast<int>(value)) + ", which there is not");
-  }
-  return {};
+template <class Field>
+Result<void> check_size(const Model& model, const Field& field) {
+  const std::size_t size = (model.*field.values).size();
+  const std::size_t due = Field::due(model);
+  if (size == 0 || size == due) return {};
+  return refusal("the model's array " + std::string(field.name) + " has " + std::to_string(size) +
+                 " values where " + std::to_string(due) + " are due");
 }
 
-Result<void> check_sizes(const Model& model) {
-  const std::size_t points = model.points.size();
-  const std::size_t tets = model.tets.size();
-  for (const auto& [name, size, expected] :
-       {std::tuple{"component", model.component.size(), tets},
-        std::tuple{"slab", model.slab.size(), tets}, std::tuple{"kind", model.kind.size(), tets},
-        std::tuple{"section", model.section.size(), points},
-        std::tuple{"contour", model.contour.size(), points},
-        std::tuple{"origin", model.origin.size(), points}}) {
-    if (size == 0 || size == expected) continue;
-    return refusal(std::string("the model's array ") + name + " has " + std::to_string(size) +
-                   " values where " + std::to_string(expected) + " are due");
+// The first value that is none.
+template <class Field>
+Result<void> check_values(const Model& model, const Field& field) {
+  const auto& values = (model.*field.values).raw();
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (Field::Stored::legal(values[i])) continue;
+    return refusal((Field::kOfPoints ? "vertex " : "tet ") + std::to_string(i) + " has the " +
+                   std::string(field.name) + ' ' +
+                   std::to_string(static_cast<int>(Field::Stored::store(values[i]))) +
+                   ", which there is not");
   }
   return {};
 }
@@ -56,9 +49,12 @@ Result<void> check_tets(std::size_t vertex_count, std::span<const TetVertices> t
 
 Result<void> check_well_formed(const Model& model) {
   Result<void> fine = check_tets(model.points.size(), model.tets.raw());
-  if (fine) fine = check_sizes(model);
-  if (fine) fine = check_values(model.kind, TetKind::prism, "tet", "kind");
-  if (fine) fine = check_values(model.origin, PointOrigin::projected, "vertex", "origin");
+  for_each_field([&](const auto& field) {
+    if (fine) fine = check_size(model, field);
+  });
+  for_each_field([&](const auto& field) {
+    if (fine) fine = check_values(model, field);
+  });
   return fine;
 }
 

@@ -4,7 +4,7 @@
 #include <tetloft/io.hpp>
 
 #include "cli/runner.hpp"
-#include "io/bytes.hpp"
+#include "core/little_endian.hpp"
 
 namespace tetloft {
 namespace {
@@ -37,7 +37,7 @@ TEST(DelaunayCommand, ReadsBinaryPointsAndWritesTets) {
   TempFolder folder;
   std::string bytes;
   for (const double value : {0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.}) {
-    io::append_little(bytes, value);
+    append_little(bytes, value);
   }
   test::put(folder.file("p.bin"), bytes);
   const JsonValue json = run_json({"delaunay", folder.file("p.bin"), "-o", folder.file("o.vtu")});

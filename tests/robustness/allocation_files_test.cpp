@@ -91,6 +91,25 @@ TEST(MemoryEnds, WhileReading) {
   }
 }
 
+TEST(MemoryEnds, WhileFormatting) {
+  const SectionStack stack = case_stack("fork");
+  const Model model = model_of(stack);
+  sweep("format_cnt", [&] { return ended(format_cnt(stack)); });
+  sweep("format_vtu", [&] { return ended(format_vtu(model)); });
+  sweep("format_vtu, mesh",
+        [&] { return ended(format_vtu(model.points.raw(), model.tets.raw())); });
+  for (const char* name : {"obj", "ply", "vtp", "stl"}) {
+    sweep(name, [&] { return ended(format_surface(model, {.format = name})); });
+  }
+  sweep("format_points",
+        [&] { return ended(format_points(model.points.raw(), {.format = "xyz"})); });
+  const WriteOptions unknown{.format = "a format that there is not"};
+  sweep("format_points, refused",
+        [&] { return ended(format_points(model.points.raw(), unknown)); });
+  sweep("parse_stack, refused",
+        [&] { return ended(parse_stack(std::string_view("\0", 1), "a name", {})); });
+}
+
 TEST(MemoryEnds, InTextsOfErrors) {
   Error error{ErrorCode::invalid_input, "a message that is longer than any string holds", {}};
   error.where.file = "a file name that is longer than any string holds in place";

@@ -273,20 +273,17 @@ TEST(StagedWriters, ShowNothingBeforeTheyAreCommitted) {
   const Model model = test::hard_model();
   const LineSet lines{{{{{0, 0, 0}, {1, 0, 0}}}}, {}};
   std::vector<PendingFile> files;
-  const auto keep = [&files](Result<PendingFile> file) {
-    ASSERT_TRUE(file.ok());
-    files.push_back(std::move(file.value()));
+  const auto keep = [&files](Result<Staged> staged) {
+    ASSERT_TRUE(staged.ok());
+    files.push_back(std::move(staged->file));
   };
-  keep(stage_vtu(folder.file("a.vtu"), model));
-  keep(stage_vtu(folder.file("b.vtu"), model.points.raw(), model.tets.raw()));
-  keep(stage_lines(folder.file("c.vtp"), lines));
+  keep(stage_model(folder.file("a.vtu"), model, {}));
+  keep(stage_lines(folder.file("c.vtp"), lines, {}));
   keep(stage_file(folder.file("d"), "text"));
-  auto surface = stage_surface(folder.file("e.ply"), model);
-  ASSERT_TRUE(surface.ok());
-  files.push_back(std::move(surface->file));
+  keep(stage_surface(folder.file("e.ply"), model, {}));
   EXPECT_TRUE(folder.names().empty());
   ASSERT_TRUE(commit_all(files).ok());
-  EXPECT_EQ(folder.names().size(), 5U);
+  EXPECT_EQ(folder.names().size(), 4U);
   ASSERT_TRUE(write_vtu(folder.file("direct.vtu"), model).ok());
   EXPECT_EQ(test::get(folder.file("a.vtu")), test::get(folder.file("direct.vtu")));
 }

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include <tetloft/io.hpp>
+#include <tetloft/formats.hpp>
 
 #include "io/files.hpp"
 #include "unit/io/io_support.hpp"

@@ -8,7 +8,7 @@
 
 #include <tetloft/io.hpp>
 
-#include "io/bytes.hpp"
+#include "core/little_endian.hpp"
 #include "unit/io/io_support.hpp"
 
 namespace tetloft {
@@ -121,14 +121,14 @@ Soup parse_ply(const std::string& bytes) {
   const char* at = bytes.data() + end + 11;
   EXPECT_EQ(bytes.size(), end + 11 + 5 * 24 + 6 * 13);
   for (int i = 0; i < 5; ++i, at += 24) {
-    soup.points.push_back({io::load_little<double>(at), io::load_little<double>(at + 8),
-                           io::load_little<double>(at + 16)});
+    soup.points.push_back(
+        {load_little<double>(at), load_little<double>(at + 8), load_little<double>(at + 16)});
   }
   for (int i = 0; i < 6; ++i, at += 13) {
     EXPECT_EQ(*at, 3);
-    soup.triangles.push_back({static_cast<std::size_t>(io::load_little<std::int32_t>(at + 1)),
-                              static_cast<std::size_t>(io::load_little<std::int32_t>(at + 5)),
-                              static_cast<std::size_t>(io::load_little<std::int32_t>(at + 9))});
+    soup.triangles.push_back({static_cast<std::size_t>(load_little<std::int32_t>(at + 1)),
+                              static_cast<std::size_t>(load_little<std::int32_t>(at + 5)),
+                              static_cast<std::size_t>(load_little<std::int32_t>(at + 9))});
   }
   return soup;
 }
@@ -169,12 +169,12 @@ TEST(WriteSurface, WritesVtp) {
 
 std::vector<std::array<float, 12>> parse_stl(const std::string& bytes) {
   EXPECT_NE(bytes.substr(0, 5), "solid");
-  const auto count = io::load_little<std::uint32_t>(bytes.data() + 80);
+  const auto count = load_little<std::uint32_t>(bytes.data() + 80);
   EXPECT_EQ(bytes.size(), 84 + 50 * std::size_t{count});
   std::vector<std::array<float, 12>> facets(count);
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t k = 0; k < 12; ++k) {
-      facets[i][k] = io::load_little<float>(bytes.data() + 84 + 50 * i + 4 * k);
+      facets[i][k] = load_little<float>(bytes.data() + 84 + 50 * i + 4 * k);
     }
   }
   return facets;

@@ -3,7 +3,7 @@
 
 #include <tetloft/io.hpp>
 
-#include "io/bytes.hpp"
+#include "core/little_endian.hpp"
 #include "unit/io/io_support.hpp"
 
 namespace tetloft {
@@ -30,7 +30,7 @@ std::string base64(const std::string& bytes) {
 template <class T>
 std::string packed(const std::vector<double>& values) {
   std::string bytes;
-  for (const double value : values) io::append_little(bytes, static_cast<T>(value));
+  for (const double value : values) append_little(bytes, static_cast<T>(value));
   return bytes;
 }
 

@@ -1,6 +1,5 @@
-// Binary and ASCII STL, and what its float32 does to a surface.
-#include "io/stl_write.hpp"
-
+// Boundary surfaces as binary and ASCII .stl. It holds float32 only: vertices that differ as
+// doubles may coincide there, and triangles lose their area.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,7 +7,8 @@
 #include <limits>
 #include <numeric>
 
-#include "io/bytes.hpp"
+#include "core/little_endian.hpp"
+#include "io/format.hpp"
 #include "io/numbers.hpp"
 
 namespace tetloft::io {
@@ -16,6 +16,10 @@ namespace tetloft::io {
 namespace {
 
 using FloatPoint = std::array<float, 3>;
+
+// Of binary files: the head with the count of triangles, and each triangle.
+constexpr std::size_t kHeadBytes = 84;
+constexpr std::size_t kTriangleBytes = 50;
 
 FloatPoint rounded(const Point3& p) {
   // Adding zero turns −0 into 0: STL readers merge vertices by their bits.
@@ -61,9 +65,8 @@ bool flat(const FloatPoint& a, const FloatPoint& b, const FloatPoint& c) {
   return collinear_in(a, b, c, 0, 1) && collinear_in(a, b, c, 1, 2) && collinear_in(a, b, c, 2, 0);
 }
 
-Warning warning_at(const std::string& path, const Point3& p, const std::string& message) {
+Warning float32_warning(const Point3& p, const std::string& message) {
   Warning warning{message + "; .ply and .vtp keep double precision", {}};
-  warning.where.file = path;
   warning.where.point = p;
   return warning;
 }
@@ -93,15 +96,15 @@ void append_triple(std::string& text, const FloatPoint& p) {
   text += '\n';
 }
 
-}  // namespace
-
-Result<std::vector<Warning>> check_float32(const SurfaceMesh& mesh, const std::string& path) {
+// What rounding to float32 breaks, decided exactly: one warning if distinct vertices merge and one
+// if triangles become flat, each naming the first place. An error where a coordinate is beyond
+// float32.
+Written check_float32(const SurfaceMesh& mesh) {
   for (const Point3& p : mesh.points) {
     if (fits(p)) continue;
     Error error{ErrorCode::invalid_input,
                 "a coordinate is beyond the float32 of STL; write .ply or .vtp",
                 {}};
-    error.where.file = path;
     error.where.point = p;
     return error;
   }
@@ -122,11 +125,10 @@ Result<std::vector<Warning>> check_float32(const SurfaceMesh& mesh, const std::s
     ++merged;
   }
   if (merged != 0) {
-    warnings.push_back(warning_at(path, mesh.points[first],
-                                  "rounding to the float32 of STL merges " +
-                                      std::to_string(merged) +
-                                      (merged == 1 ? " vertex" : " vertices") +
-                                      " with others; the surface may touch itself"));
+    warnings.push_back(float32_warning(
+        mesh.points[first], "rounding to the float32 of STL merges " + std::to_string(merged) +
+                                (merged == 1 ? " vertex" : " vertices") +
+                                " with others; the surface may touch itself"));
   }
 
   std::size_t flattened = 0;
@@ -136,21 +138,21 @@ Result<std::vector<Warning>> check_float32(const SurfaceMesh& mesh, const std::s
     if (flattened++ == 0) place = mesh.points[t[0]];
   }
   if (flattened != 0) {
-    warnings.push_back(warning_at(
-        path, place,
-        "rounding to the float32 of STL flattens " + std::to_string(flattened) +
-            (flattened == 1 ? " triangle" : " triangles") + "; the surface may not be valid"));
+    warnings.push_back(float32_warning(place, "rounding to the float32 of STL flattens " +
+                                                  std::to_string(flattened) +
+                                                  (flattened == 1 ? " triangle" : " triangles") +
+                                                  "; the surface may not be valid"));
   }
   return warnings;
 }
 
-void append_stl(PendingFile& file, const SurfaceMesh& mesh, Encoding encoding) {
-  constexpr std::size_t kPiece = std::size_t{1} << 16;
-  std::string piece;
+void append_stl(Sink& sink, const SurfaceMesh& mesh, Encoding encoding) {
+  Pieces pieces(sink);
+  std::string& piece = pieces.text();
   if (encoding == Encoding::binary) {
     // 80 bytes that must not begin with "solid", else readers take the file for ASCII.
     piece = "binary STL by tetloft";
-    piece.resize(80, ' ');
+    piece.resize(kHeadBytes - 4, ' ');
     append_little(piece, static_cast<std::uint32_t>(mesh.triangles.size()));
   } else {
     piece = "solid tetloft\n";
@@ -175,13 +177,33 @@ void append_stl(PendingFile& file, const SurfaceMesh& mesh, Encoding encoding) {
       }
       piece += "endloop\nendfacet\n";
     }
-    if (piece.size() >= kPiece) {
-      file.append(piece);
-      piece.clear();
-    }
+    pieces.next();
   }
   if (encoding == Encoding::ascii) piece += "endsolid tetloft\n";
-  file.append(piece);
+  pieces.finish();
 }
+
+Written write_stl(Sink& sink, const SurfaceMesh& mesh, const Model& /*model*/,
+                  const Target& target) {
+  Written warnings = check_float32(mesh);
+  if (warnings) append_stl(sink, mesh, target.options.encoding);
+  return warnings;
+}
+
+// Binary files have the size that their count of triangles asks for.
+bool is_stl(std::string_view bytes) {
+  if (bytes.substr(0, 6) == "solid ") return true;
+  if (bytes.size() < kHeadBytes) return false;
+  const auto triangles = load_little<std::uint32_t>(bytes.data() + kHeadBytes - 4);
+  return bytes.size() == kHeadBytes + std::uint64_t{triangles} * kTriangleBytes;
+}
+
+}  // namespace
+
+extern constinit const Format stl_format{.name = "stl",
+                                         .summary = "stereolithography, float32",
+                                         .extensions = {".stl"},
+                                         .recognise = is_stl,
+                                         .write_surface = write_stl};
 
 }  // namespace tetloft::io

@@ -1,0 +1,80 @@
+// Every reader of the table, and the choice between them: any bytes give values or a clean error
+// under each name of a format and under each extension; what was read survives writing.
+#include <string>
+
+#include <tetloft/formats.hpp>
+
+#include "fuzz/target.hpp"
+
+namespace {
+
+using namespace tetloft;
+using namespace tetloft::fuzz;
+
+template <class Read>
+bool fine(const Result<Read>& read) {
+  if (read) return true;
+  require_clean(read.error());
+  require(!read.error().where.file.empty(), "an error without the file's name");
+  return false;
+}
+
+void try_stack(std::string_view bytes, const std::string& name, const ReadOptions& options) {
+  const auto read = parse_stack(bytes, name, options);
+  if (!fine(read)) return;
+  require(validate(read->stack).ok(), "a reader hands out a stack that is not valid");
+  for (const FormatInfo& format : formats()) {
+    if (!format.reads.has(Contents::stack) || !format.writes.has(Contents::stack)) continue;
+    const std::string own(format.name);
+    const auto once = format_stack(read->stack, {.format = own});
+    require(once.ok(), "a stack that was read cannot be written");
+    const auto again = parse_stack(once->bytes, "again", {.format = own});
+    require(again.ok(), "a stack that was written cannot be read");
+    require(format_stack(again->stack, {.format = own})->bytes == once->bytes,
+            "a stack does not survive writing");
+  }
+}
+
+void try_model(std::string_view bytes, const std::string& name, const ReadOptions& options) {
+  const auto read = parse_model(bytes, name, options);
+  if (!fine(read)) return;
+  for (const FormatInfo& format : formats()) {
+    if (!format.reads.has(Contents::model) || !format.writes.has(Contents::model)) continue;
+    for (const Encoding encoding : {Encoding::binary, Encoding::ascii}) {
+      const auto once = format_model(read->model, {encoding, std::string(format.name)});
+      require(once.ok(), "a model that was read cannot be written");
+      const auto again = parse_model(once->bytes, "again");
+      require(again.ok() && again->model.points.size() == read->model.points.size() &&
+                  again->model.tets == read->model.tets,
+              "a model does not survive writing");
+    }
+  }
+}
+
+void try_points(std::string_view bytes, const std::string& name, const ReadOptions& options) {
+  const auto read = parse_points(bytes, name, options);
+  if (!fine(read)) return;
+  for (const char* own : {"xyz", "bin"}) {
+    const auto once = format_points(read->points, {.format = own});
+    require(once.ok(), "points that were read cannot be written");
+    const auto again = parse_points(once->bytes, "again", {.format = own});
+    require(again.ok() && format_points(again->points, {.format = own})->bytes == once->bytes,
+            "points do not survive writing");
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size == 0) return 0;
+  const std::string_view bytes = text_of(data + 1, size - 1);
+  const FormatInfo& format = formats()[data[0] / 2 % formats().size()];
+  // By name, or by what the contents and the extension tell.
+  const bool named = data[0] % 2 == 0;
+  const ReadOptions options{.format = named ? std::string(format.name) : std::string()};
+  const std::string name = "fuzz" + std::string(format.extensions.front());
+  if (!named || format.reads.has(Contents::stack)) try_stack(bytes, name, options);
+  if (!named || format.reads.has(Contents::model)) try_model(bytes, name, options);
+  if (!named || format.reads.has(Contents::points)) try_points(bytes, name, options);
+  return 0;
+}

@@ -1,0 +1,130 @@
+// Files of whichever format: the formats that there are, and readers and writers that find the
+// right one. A file is recognised by its contents, then by its extension; text that is neither is
+// taken for the format that has no mark of its own (.cnt of stacks, lines of points). An output's
+// format is that of its extension. Errors as in io.hpp; invalid_input where nothing recognises a
+// file, usage where an option, or an output's extension, names no format.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <tetloft/export.hpp>
+#include <tetloft/io.hpp>
+#include <tetloft/model.hpp>
+#include <tetloft/point.hpp>
+#include <tetloft/result.hpp>
+#include <tetloft/section_stack.hpp>
+
+namespace tetloft {
+
+/// What a file can hold.
+enum class Contents : std::uint8_t {
+  stack = 0,
+  model = 1,
+  surface = 2,  ///< the boundary of a model
+  points = 3,
+  labels = 4,  ///< of contours
+  lines = 5,   ///< in space
+};
+inline constexpr int kContents = 6;
+/// "stack", "model", …
+[[nodiscard]] TETLOFT_API const char* name_of(Contents contents);
+
+class ContentsSet {
+ public:
+  constexpr void add(Contents contents) {
+    bits_ = static_cast<std::uint8_t>(bits_ | 1U << static_cast<unsigned>(contents));
+  }
+  [[nodiscard]] constexpr bool has(Contents contents) const {
+    return (bits_ >> static_cast<unsigned>(contents) & 1U) != 0;
+  }
+
+ private:
+  std::uint8_t bits_ = 0;
+};
+
+struct FormatInfo {
+  std::string_view name;     ///< for ReadOptions, WriteOptions, and --format
+  std::string_view summary;  ///< a few words, for help
+  /// Lower case, with the dot; the first is the usual one.
+  std::span<const std::string_view> extensions;
+  ContentsSet reads;
+  ContentsSet writes;
+};
+
+/// All formats, in the order in which contents are looked at.
+[[nodiscard]] TETLOFT_API std::span<const FormatInfo> formats();
+
+struct ReadOptions {
+  Validity validity = Validity::required;  ///< of stacks
+  std::string format = {};                 ///< by name; empty: it is recognised
+};
+
+struct WriteOptions {
+  Encoding encoding = Encoding::binary;  ///< where the format has both
+  std::string format = {};               ///< by name; empty: as the extension says
+};
+
+struct ReadModel {
+  Model model;
+  std::vector<Warning> warnings;
+};
+
+struct ReadPoints {
+  std::vector<Point3> points;
+  std::vector<Warning> warnings;
+};
+
+/// A file's bytes, and the warnings that its writer would return.
+struct Formatted {
+  std::string bytes;
+  std::vector<Warning> warnings;
+};
+
+// Each: read_ from a file; parse_ from bytes, where `name` stands for the file in messages and
+// tells the extension; write_ to a file; format_ to bytes, in options.format, which is required.
+
+[[nodiscard]] TETLOFT_API Result<ReadStack> read_stack(const std::string& path,
+                                                       const ReadOptions& options = {});
+[[nodiscard]] TETLOFT_API Result<ReadStack> parse_stack(std::string_view bytes,
+                                                        const std::string& name,
+                                                        const ReadOptions& options = {});
+[[nodiscard]] TETLOFT_API Result<std::vector<Warning>> write_stack(
+    const std::string& path, const SectionStack& stack, const WriteOptions& options = {});
+[[nodiscard]] TETLOFT_API Result<Formatted> format_stack(const SectionStack& stack,
+                                                         const WriteOptions& options);
+
+/// Models are written where they are well formed, as write_vtu() asks.
+[[nodiscard]] TETLOFT_API Result<ReadModel> read_model(const std::string& path,
+                                                       const ReadOptions& options = {});
+[[nodiscard]] TETLOFT_API Result<ReadModel> parse_model(std::string_view bytes,
+                                                        const std::string& name,
+                                                        const ReadOptions& options = {});
+[[nodiscard]] TETLOFT_API Result<std::vector<Warning>> write_model(
+    const std::string& path, const Model& model, const WriteOptions& options = {});
+[[nodiscard]] TETLOFT_API Result<Formatted> format_model(const Model& model,
+                                                         const WriteOptions& options);
+
+/// The boundary of a model; contracts as of write_surface() in io.hpp.
+[[nodiscard]] TETLOFT_API Result<std::vector<Warning>> write_surface(const std::string& path,
+                                                                     const Model& model,
+                                                                     const WriteOptions& options);
+[[nodiscard]] TETLOFT_API Result<Formatted> format_surface(const Model& model,
+                                                           const WriteOptions& options);
+
+/// Text lines "x y z" (# comments), or little-endian float64 triples if the name ends in
+/// ".bin". All coordinates are finite.
+[[nodiscard]] TETLOFT_API Result<ReadPoints> read_points(const std::string& path,
+                                                         const ReadOptions& options = {});
+[[nodiscard]] TETLOFT_API Result<ReadPoints> parse_points(std::string_view bytes,
+                                                          const std::string& name,
+                                                          const ReadOptions& options = {});
+[[nodiscard]] TETLOFT_API Result<std::vector<Warning>> write_points(
+    const std::string& path, const std::vector<Point3>& points, const WriteOptions& options = {});
+[[nodiscard]] TETLOFT_API Result<Formatted> format_points(const std::vector<Point3>& points,
+                                                          const WriteOptions& options);
+
+}  // namespace tetloft

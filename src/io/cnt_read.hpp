@@ -1,0 +1,11 @@
+// Reading NUAGES .cnt.
+#pragma once
+
+#include "io/format.hpp"
+
+namespace tetloft::io {
+
+/// As read_cnt() in io.hpp.
+[[nodiscard]] Result<ReadStack> read_cnt_source(const Source& source, const ReadOptions& options);
+
+}  // namespace tetloft::io

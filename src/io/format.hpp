@@ -1,0 +1,60 @@
+// A format: one value, defined in a file of its own and listed in the table of formats.cpp.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <tetloft/formats.hpp>
+#include <tetloft/result.hpp>
+
+#include "io/sink.hpp"
+#include "io/surface.hpp"
+
+namespace tetloft::io {
+
+/// What a reader is handed.
+struct Source {
+  std::string_view bytes;
+  std::string name;    ///< of the file, for messages
+  std::string folder;  ///< of the file, for formats whose data may stand beside it; empty: none
+};
+
+/// What a writer is told beside the values. The encoding is one that there is.
+struct Target {
+  std::string name;  ///< of the file, for messages; empty where there is none
+  WriteOptions options;
+};
+
+using Written = Result<std::vector<Warning>>;
+
+/// A function that is null is something that the format cannot do. Readers trust no count of a
+/// file; their errors and warnings name source.name. Writers check before they append.
+struct Format {
+  std::string_view name;
+  std::string_view summary;
+  /// Lower case, with the dot, empty behind the last; several parts (".nii.gz") may be one.
+  std::array<std::string_view, 4> extensions = {};
+  /// Whether these bytes, a whole file, begin as its files do; looks at few of them. Null where
+  /// nothing tells.
+  bool (*recognise)(std::string_view bytes) = nullptr;
+  /// Takes text that nothing recognises.
+  bool takes_text = false;
+
+  Result<ReadStack> (*read_stack)(const Source&, const ReadOptions&) = nullptr;
+  Result<ReadModel> (*read_model)(const Source&, const ReadOptions&) = nullptr;
+  Result<ReadPoints> (*read_points)(const Source&, const ReadOptions&) = nullptr;
+  Result<std::vector<Label>> (*read_labels)(const Source&, const ReadOptions&) = nullptr;
+
+  Written (*write_stack)(Sink&, const SectionStack&, const Target&) = nullptr;
+  /// The model is well formed.
+  Written (*write_model)(Sink&, const Model&, const Target&) = nullptr;
+  /// The boundary of the model, which is well formed.
+  Written (*write_surface)(Sink&, const SurfaceMesh&, const Model&, const Target&) = nullptr;
+  Written (*write_points)(Sink&, const std::vector<Point3>&, const Target&) = nullptr;
+  Written (*write_labels)(Sink&, const std::vector<Label>&, const Target&) = nullptr;
+  Written (*write_lines)(Sink&, const LineSet&, const Target&) = nullptr;
+};
+
+}  // namespace tetloft::io

@@ -1,0 +1,208 @@
+// Writing files of whichever format, and their bytes.
+#include <functional>
+#include <string>
+#include <utility>
+
+#include <tetloft/formats.hpp>
+
+#include "core/check.hpp"
+#include "io/arguments.hpp"
+#include "io/formats.hpp"
+#include "io/stage.hpp"
+#include "model/well_formed.hpp"
+
+namespace tetloft {
+
+namespace {
+
+using io::Format;
+using io::Sink;
+using io::Target;
+using io::Written;
+
+/// Writes one value by the format that was chosen.
+using Body = std::function<Written(const Format&, Sink&, const Target&)>;
+
+// The format is chosen, the encoding checked, and what the writer tells gets the file's name.
+Written write_to(Sink& sink, Contents contents, const Target& target, const Body& body) {
+  const Result<const Format*> format =
+      io::choose_writer(io::format_table(), contents, target.name, target.options.format);
+  if (!format) return format.error();
+  Result<void> known = io::check_encoding(target.options.encoding);
+  if (!known) return known.error();
+  Written written = body(**format, sink, target);
+  if (!written) return io::at_file(target.name, written.error());
+  for (Warning& warning : *written) {
+    if (warning.where.file.empty()) warning.where.file = target.name;
+  }
+  return written;
+}
+
+Result<io::Staged> stage_as(Contents contents, const std::string& path, const WriteOptions& options,
+                            io::TemporaryWatcher* watcher, const Body& body) {
+  return guard_internal([&] {
+    return io::stage(path, watcher, [&](Sink& sink) {
+      return write_to(sink, contents, {path, options}, body);
+    });
+  });
+}
+
+Result<Formatted> format_as(Contents contents, const WriteOptions& options, const Body& body) {
+  return guard_internal([&]() -> Result<Formatted> {
+    io::StringSink sink;
+    Written warnings = write_to(sink, contents, {{}, options}, body);
+    if (!warnings) return warnings.error();
+    return Formatted{sink.take(), *std::move(warnings)};
+  });
+}
+
+Body stack_body(const SectionStack& stack) {
+  return [&stack](const Format& format, Sink& sink, const Target& target) {
+    return format.write_stack(sink, stack, target);
+  };
+}
+
+Body model_body(const Model& model) {
+  return [&model](const Format& format, Sink& sink, const Target& target) -> Written {
+    if (Result<void> formed = check_well_formed(model); !formed) return formed.error();
+    return format.write_model(sink, model, target);
+  };
+}
+
+Body surface_body(const Model& model) {
+  return [&model](const Format& format, Sink& sink, const Target& target) -> Written {
+    if (Result<void> formed = check_well_formed(model); !formed) return formed.error();
+    return format.write_surface(sink, io::surface_mesh(model), model, target);
+  };
+}
+
+Body points_body(const std::vector<Point3>& points) {
+  return [&points](const Format& format, Sink& sink, const Target& target) {
+    return format.write_points(sink, points, target);
+  };
+}
+
+Body labels_body(const std::vector<Label>& labels) {
+  return [&labels](const Format& format, Sink& sink, const Target& target) {
+    return format.write_labels(sink, labels, target);
+  };
+}
+
+Body lines_body(const LineSet& lines) {
+  return [&lines](const Format& format, Sink& sink, const Target& target) {
+    return format.write_lines(sink, lines, target);
+  };
+}
+
+// Of the functions of io.hpp, each for one format: what they ask for, and what they return.
+WriteOptions writing(const char* format, Encoding encoding = Encoding::binary) {
+  return {encoding, format};
+}
+
+Result<void> without_warnings(const Written& written) {
+  return guard_internal([&]() -> Result<void> {
+    if (!written) return written.error();
+    return {};
+  });
+}
+
+Result<std::string> bytes_of(Result<Formatted> formatted) {
+  return guard_internal([&]() -> Result<std::string> {
+    if (!formatted) return formatted.error();
+    return std::move(formatted->bytes);
+  });
+}
+
+}  // namespace
+
+Result<io::Staged> io::stage_model(const std::string& path, const Model& model,
+                                   const WriteOptions& options, TemporaryWatcher* watcher) {
+  return stage_as(Contents::model, path, options, watcher, model_body(model));
+}
+Result<io::Staged> io::stage_surface(const std::string& path, const Model& model,
+                                     const WriteOptions& options, TemporaryWatcher* watcher) {
+  return stage_as(Contents::surface, path, options, watcher, surface_body(model));
+}
+Result<io::Staged> io::stage_lines(const std::string& path, const LineSet& lines,
+                                   const WriteOptions& options, TemporaryWatcher* watcher) {
+  return stage_as(Contents::lines, path, options, watcher, lines_body(lines));
+}
+Result<io::Staged> io::stage_file(const std::string& path, std::string_view bytes,
+                                  TemporaryWatcher* watcher) {
+  return guard_internal([&] {
+    return stage(path, watcher, [bytes](Sink& sink) {
+      sink.append(bytes);
+      return std::vector<Warning>();
+    });
+  });
+}
+
+Result<std::vector<Warning>> write_stack(const std::string& path, const SectionStack& stack,
+                                         const WriteOptions& options) {
+  return io::committed(stage_as(Contents::stack, path, options, nullptr, stack_body(stack)));
+}
+Result<Formatted> format_stack(const SectionStack& stack, const WriteOptions& options) {
+  return format_as(Contents::stack, options, stack_body(stack));
+}
+Result<void> write_cnt(const std::string& path, const SectionStack& stack) {
+  return without_warnings(write_stack(path, stack, writing("cnt")));
+}
+Result<std::string> format_cnt(const SectionStack& stack) {
+  return bytes_of(format_stack(stack, writing("cnt")));
+}
+
+Result<std::vector<Warning>> write_model(const std::string& path, const Model& model,
+                                         const WriteOptions& options) {
+  return io::committed(io::stage_model(path, model, options));
+}
+Result<Formatted> format_model(const Model& model, const WriteOptions& options) {
+  return format_as(Contents::model, options, model_body(model));
+}
+Result<void> write_vtu(const std::string& path, const Model& model, Encoding encoding) {
+  return without_warnings(write_model(path, model, writing("vtu", encoding)));
+}
+Result<std::string> format_vtu(const Model& model, Encoding encoding) {
+  return bytes_of(format_model(model, writing("vtu", encoding)));
+}
+
+Result<std::vector<Warning>> write_surface(const std::string& path, const Model& model,
+                                           const WriteOptions& options) {
+  return io::committed(io::stage_surface(path, model, options));
+}
+Result<std::vector<Warning>> write_surface(const std::string& path, const Model& model,
+                                           Encoding encoding) {
+  return write_surface(path, model, WriteOptions{encoding, {}});
+}
+Result<Formatted> format_surface(const Model& model, const WriteOptions& options) {
+  return format_as(Contents::surface, options, surface_body(model));
+}
+
+Result<std::vector<Warning>> write_points(const std::string& path,
+                                          const std::vector<Point3>& points,
+                                          const WriteOptions& options) {
+  return io::committed(stage_as(Contents::points, path, options, nullptr, points_body(points)));
+}
+Result<Formatted> format_points(const std::vector<Point3>& points, const WriteOptions& options) {
+  return format_as(Contents::points, options, points_body(points));
+}
+
+Result<void> write_labels(const std::string& path, const std::vector<Label>& labels) {
+  return without_warnings(io::committed(
+      stage_as(Contents::labels, path, writing("labels"), nullptr, labels_body(labels))));
+}
+Result<std::string> format_labels(const std::vector<Label>& labels) {
+  return bytes_of(format_as(Contents::labels, writing("labels"), labels_body(labels)));
+}
+
+Result<void> write_lines(const std::string& path, const LineSet& lines, Encoding encoding) {
+  return without_warnings(io::committed(io::stage_lines(path, lines, writing("vtp", encoding))));
+}
+Result<std::string> format_lines(const LineSet& lines, Encoding encoding) {
+  return bytes_of(format_as(Contents::lines, writing("vtp", encoding), lines_body(lines)));
+}
+
+Result<void> write_file(const std::string& path, std::string_view bytes) {
+  return without_warnings(io::committed(io::stage_file(path, bytes)));
+}
+
+}  // namespace tetloft

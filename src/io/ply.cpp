@@ -1,0 +1,63 @@
+// Boundary surfaces as .ply (Turk 1994): doubles, binary or text.
+#include <cstdint>
+#include <string>
+
+#include "core/little_endian.hpp"
+#include "io/format.hpp"
+#include "io/numbers.hpp"
+
+namespace tetloft::io {
+
+namespace {
+
+bool is_ply(std::string_view bytes) {
+  return bytes.substr(0, 4) == "ply\n" || bytes.substr(0, 4) == "ply\r";
+}
+
+Written write_ply(Sink& sink, const SurfaceMesh& mesh, const Model& /*model*/,
+                  const Target& target) {
+  const bool ascii = target.options.encoding == Encoding::ascii;
+  Pieces pieces(sink);
+  std::string& text = pieces.text();
+  text = "ply\nformat ";
+  text += ascii ? "ascii" : "binary_little_endian";
+  text += " 1.0\nelement vertex " + std::to_string(mesh.points.size()) +
+          "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
+          std::to_string(mesh.triangles.size()) +
+          "\nproperty list uchar int vertex_indices\nend_header\n";
+  for (const Point3& p : mesh.points) {
+    if (ascii) {
+      append_point(text, p);
+      text += '\n';
+    } else {
+      for (const double c : {p.x, p.y, p.z}) append_little(text, c);
+    }
+    pieces.next();
+  }
+  for (const auto& triangle : mesh.triangles) {
+    if (ascii) {
+      text += '3';
+      for (const std::uint32_t v : triangle) {
+        text += ' ';
+        append_number(text, v);
+      }
+      text += '\n';
+    } else {
+      append_little(text, std::uint8_t{3});
+      for (const std::uint32_t v : triangle) append_little(text, v);
+    }
+    pieces.next();
+  }
+  pieces.finish();
+  return std::vector<Warning>();
+}
+
+}  // namespace
+
+extern constinit const Format ply_format{.name = "ply",
+                                         .summary = "Stanford polygons",
+                                         .extensions = {".ply"},
+                                         .recognise = is_ply,
+                                         .write_surface = write_ply};
+
+}  // namespace tetloft::io

@@ -1,0 +1,122 @@
+// Tetrahedral meshes as VTK XML unstructured grids (.vtu).
+#include <cstdint>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <tetloft/io.hpp>
+
+#include "core/check.hpp"
+#include "io/arguments.hpp"
+#include "io/format.hpp"
+#include "io/stage.hpp"
+#include "io/vtk_write.hpp"
+#include "io/vtu_read.hpp"
+#include "model/fields.hpp"
+#include "model/well_formed.hpp"
+
+namespace tetloft::io {
+
+namespace {
+
+VtkGroup cell_group(const std::vector<TetVertices>& tets) {
+  VtkGroup group{"Cells", {}};
+  group.arrays.push_back(vtk_array<std::int64_t>(
+      "connectivity", 1, 4 * tets.size(),
+      [&tets](std::size_t i) { return static_cast<std::int64_t>(tets[i / 4][i % 4].value()); }));
+  group.arrays.push_back(vtk_array<std::int64_t>("offsets", 1, tets.size(), [](std::size_t i) {
+    return static_cast<std::int64_t>(4 * (i + 1));
+  }));
+  group.arrays.push_back(
+      vtk_array<std::uint8_t>("types", 1, tets.size(), [](std::size_t) { return kVtkTetra; }));
+  return group;
+}
+
+// The fields of points or of tets; without values they are left out: a model need not have
+// provenance.
+VtkGroup field_group(const char* element, const Model& model, bool of_points) {
+  VtkGroup group{element, {}};
+  for_each_field([&](const auto& field) {
+    using Field = std::remove_cvref_t<decltype(field)>;
+    const auto& values = (model.*field.values).raw();
+    if (Field::kOfPoints != of_points || values.empty()) return;
+    group.arrays.push_back(vtk_array<typename Field::Stored::Type>(
+        std::string(field.name), 1, values.size(),
+        [&values](std::size_t i) { return Field::Stored::store(values[i]); }));
+  });
+  return group;
+}
+
+// `groups` are those of the data.
+void append_grid(Sink& sink, std::vector<VtkGroup> groups, const std::vector<Point3>& points,
+                 const std::vector<TetVertices>& tets, Encoding encoding) {
+  groups.push_back(
+      vtk_points(points.size(), [&points](std::size_t i) -> const Point3& { return points[i]; }));
+  groups.push_back(cell_group(tets));
+  append_vtk_file(sink, "UnstructuredGrid",
+                  "NumberOfPoints=\"" + std::to_string(points.size()) + "\" NumberOfCells=\"" +
+                      std::to_string(tets.size()) + '"',
+                  groups, encoding);
+}
+
+Written write_grid(Sink& sink, const Model& model, const Target& target) {
+  std::vector<VtkGroup> fields{field_group("PointData", model, true),
+                               field_group("CellData", model, false)};
+  // A mesh without any provenance has no element for it.
+  if (fields[0].arrays.empty() && fields[1].arrays.empty()) fields.clear();
+  append_grid(sink, std::move(fields), model.points.raw(), model.tets.raw(),
+              target.options.encoding);
+  return std::vector<Warning>();
+}
+
+// A mesh that is no model: checked as models are.
+Written write_mesh(Sink& sink, const std::vector<Point3>& points,
+                   const std::vector<TetVertices>& tets, Encoding encoding) {
+  if (Result<void> known = check_encoding(encoding); !known) return known.error();
+  if (Result<void> formed = check_tets(points.size(), tets); !formed) return formed.error();
+  append_grid(sink, {}, points, tets, encoding);
+  return std::vector<Warning>();
+}
+
+bool is_grid(std::string_view bytes) { return is_vtk_file(bytes, "UnstructuredGrid"); }
+
+}  // namespace
+
+extern constinit const Format vtu_format{.name = "vtu",
+                                         .summary = "VTK XML unstructured grid",
+                                         .extensions = {".vtu"},
+                                         .recognise = is_grid,
+                                         .read_model = read_vtu_source,
+                                         .write_model = write_grid};
+
+}  // namespace tetloft::io
+
+namespace tetloft {
+
+Result<void> write_vtu(const std::string& path, const std::vector<Point3>& points,
+                       const std::vector<TetVertices>& tets, Encoding encoding) {
+  return guard_internal([&]() -> Result<void> {
+    const io::Written written =
+        io::committed(io::stage(path, nullptr, [&](io::Sink& sink) -> io::Written {
+          io::Written done = io::write_mesh(sink, points, tets, encoding);
+          if (!done) return io::at_file(path, done.error());
+          return done;
+        }));
+    if (!written) return written.error();
+    return {};
+  });
+}
+
+Result<std::string> format_vtu(const std::vector<Point3>& points,
+                               const std::vector<TetVertices>& tets, Encoding encoding) {
+  return guard_internal([&]() -> Result<std::string> {
+    io::StringSink sink;
+    if (io::Written done = io::write_mesh(sink, points, tets, encoding); !done) {
+      return done.error();
+    }
+    return sink.take();
+  });
+}
+
+}  // namespace tetloft
