@@ -24,4 +24,8 @@ struct Execution {
   std::function<void(std::size_t done, std::size_t all)> progress = {};
 };
 
+/// Of the work limits that options have: no sane stack comes near it; what does is refused within
+/// seconds.
+inline constexpr double kDefaultWorkLimit = 128;
+
 }  // namespace tetloft

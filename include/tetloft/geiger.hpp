@@ -8,7 +8,6 @@
 #include <tetloft/execution.hpp>
 #include <tetloft/export.hpp>
 #include <tetloft/model.hpp>
-#include <tetloft/reconstruct.hpp>
 #include <tetloft/result.hpp>
 #include <tetloft/section_stack.hpp>
 

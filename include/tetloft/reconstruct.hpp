@@ -24,9 +24,6 @@ enum class Ends : std::uint8_t {
   half,  ///< half a gap beyond it: a prism over the section's region
 };
 
-/// No sane stack comes near it; what does is refused within seconds.
-inline constexpr double kDefaultWorkLimit = 128;
-
 struct ReconstructOptions {
   CorrespondenceOptions correspondence = {};
   Ends ends = Ends::flat;
