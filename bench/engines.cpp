@@ -21,6 +21,8 @@ namespace tetloft::bench {
 
 namespace {
 
+const Execution kUnwatched{.threads = 1};
+
 std::vector<Point3> sorted(std::span<const Point3> points) {
   std::vector<Point3> result;
   result.reserve(points.size());
@@ -46,7 +48,8 @@ Run incremental3(std::span<const Point3> points) {
     std::rotate(begin + static_cast<std::ptrdiff_t>(k), at, at + 1);
   }
   delaunay3_detail::Delaunay3Builder builder{IdVector<VertexId, Point3>(std::move(inserted))};
-  if (!builder.insert_all()) throw std::runtime_error("too many tets");
+  WatchedWork work(kUnwatched, 0);
+  if (!builder.insert_all(work)) throw std::runtime_error("too many tets");
   Run run{clock.seconds(), 0};
   for (const delaunay3_detail::TetSlot& slot : builder.slots()) {
     const VertexId first = slot.vertices[0];
@@ -62,21 +65,23 @@ Run slab3(std::span<const Point3> points) {
   for (const Point3& p : ranked) plane[p.z == ranked.front().z ? 0 : 1].push_back({p.x, p.y});
   const auto lower = delaunay2(plane[0]);
   const auto upper = delaunay2(plane[1]);
+  WatchedWork work(kUnwatched, 0);
   const std::vector<delaunay3_detail::TetSlot> slab =
-      delaunay3_detail::slab_overlay(*lower, *upper);
+      delaunay3_detail::slab_overlay(*lower, *upper, work);
   return {clock.seconds(), slab.size()};
 }
 
 Run whole_call3(std::span<const Point3> points) {
   const Clock clock;
-  const auto d = delaunay3(points);
+  const auto d = delaunay3(points, {.execution = kUnwatched});
   const double seconds = clock.seconds();
   return {seconds, d->mesh.tet_count()};
 }
 
 Run incremental2(std::span<const Point2> points) {
   const Clock clock;
-  const auto start = delaunay2_detail::triangulate(points);
+  WatchedWork work(kUnwatched, 0);
+  const auto start = delaunay2_detail::triangulate(points, work);
   const double seconds = clock.seconds();
   Run run{seconds, 0};
   if (!start.plane) return run;

@@ -80,8 +80,8 @@ TEST(MemoryEnds, InSections) {
   sweep("repair", [&] { return ended(repair(broken, {.execution = alone})); });
   sweep("snap", [&] { return ended(snap(stack, 3, alone)); });
   sweep("refine", [&] { return ended(refine(stack, 0.5, alone)); });
-  const IdVector<ContourId, bool> gabriel(section.contours.size(), true);
-  sweep("conform", [&] { return ended(conform(section, SectionId(0), {.gabriel = gabriel})); });
+  const ConformOptions gabriel{.gabriel = IdVector<ContourId, bool>(section.contours.size(), true)};
+  sweep("conform", [&] { return ended(conform(section, SectionId(0), gabriel)); });
   sweep("nest", [&] { return ended_throwing([&] { static_cast<void>(nest(section)); }); });
   const Nesting nesting = nest(section);
   sweep("outlines",
