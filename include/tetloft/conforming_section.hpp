@@ -27,7 +27,7 @@ enum class EdgeKind : std::uint8_t {
 /// the 3D Delaunay triangulation of either slab induces in the plane.
 struct TETLOFT_API ConformingSection {
   struct Edge {
-    VertexId a, b;  ///< a < b
+    PlaneVertexId a, b;  ///< a < b
     EdgeKind kind = EdgeKind::external;
     /// The triangles to the left and right of a → b; invalid on the convex hull.
     TriangleId left, right;
@@ -44,28 +44,28 @@ struct TETLOFT_API ConformingSection {
   /// first_edge[v] … first_edge[v + 1]: the edges whose lower end is v.
   std::vector<std::uint32_t> first_edge;
 
-  IdVector<VertexId, ContourId> contour;  ///< the contour a vertex lies on; invalid inside
-  IdVector<VertexId, RegionId> region;    ///< the region that this contour bounds, or around it
-  IdVector<VertexId, VertexId> next;      ///< along the contour, region on the left
-  IdVector<VertexId, VertexId> previous;
+  IdVector<PlaneVertexId, ContourId> contour;  ///< the contour a vertex lies on; invalid inside
+  IdVector<PlaneVertexId, RegionId> region;    ///< the region that this contour bounds, or around it
+  IdVector<PlaneVertexId, PlaneVertexId> next;      ///< along the contour, region on the left
+  IdVector<PlaneVertexId, PlaneVertexId> previous;
   /// Index of the vertex in its input contour; kNotInput for split vertices.
-  IdVector<VertexId, std::size_t> input_vertex;
+  IdVector<PlaneVertexId, std::size_t> input_vertex;
   /// For split vertices the input edge it lies on: from vertex edge_of to its successor in
   /// the input contour. For input vertices the vertex itself.
-  IdVector<VertexId, std::size_t> edge_of;
+  IdVector<PlaneVertexId, std::size_t> edge_of;
   Nesting nesting;
   /// The contours whose edges were refined until they were Gabriel; empty: none.
   IdVector<ContourId, bool> gabriel;
 
   [[nodiscard]] std::size_t vertex_count() const { return contour.size(); }
-  [[nodiscard]] const Point2& point(VertexId v) const { return triangulation.points[v]; }
-  [[nodiscard]] Point3 point3(VertexId v) const {
+  [[nodiscard]] const Point2& point(PlaneVertexId v) const { return triangulation.points[v]; }
+  [[nodiscard]] Point3 point3(PlaneVertexId v) const {
     return {triangulation.points[v].x, triangulation.points[v].y, z};
   }
   /// The edge between two vertices in either order, or invalid.
-  [[nodiscard]] EdgeId find_edge(VertexId u, VertexId v) const;
+  [[nodiscard]] EdgeId find_edge(PlaneVertexId u, PlaneVertexId v) const;
   /// The triangle of three vertices in any order, or invalid.
-  [[nodiscard]] TriangleId find_triangle(VertexId u, VertexId v, VertexId w) const;
+  [[nodiscard]] TriangleId find_triangle(PlaneVertexId u, PlaneVertexId v, PlaneVertexId w) const;
 };
 
 struct ConformOptions {

@@ -19,10 +19,10 @@ namespace tetloft {
 
 /// A triangulation of points in the plane with its Voronoi dual.
 struct Triangulation2 {
-  IdVector<VertexId, Point2> points;
+  IdVector<PlaneVertexId, Point2> points;
   /// Counter-clockwise, each starting at its lowest vertex, sorted. Empty if all points
   /// are collinear.
-  IdVector<TriangleId, TriangleVertices> triangles;
+  IdVector<TriangleId, PlaneTriangleVertices> triangles;
   /// neighbours[t][i] is the triangle across the edge opposite vertex i, or invalid on the
   /// convex hull.
   IdVector<TriangleId, std::array<TriangleId, 3>> neighbours;
@@ -34,7 +34,7 @@ struct Triangulation2 {
                                                            const Execution& execution = {});
 
 /// A segment to be respected, by the indices of its ends.
-using Segment = std::array<VertexId, 2>;
+using Segment = std::array<PlaneVertexId, 2>;
 
 /// What conforming_delaunay2 inserted.
 struct SplitVertex {
@@ -65,7 +65,7 @@ struct Conforming2 {
   /// split[i] describes point n + i, n the number of input points.
   std::vector<SplitVertex> split;
   /// chains[s]: the vertices of segment s from its first to its second end, both included.
-  std::vector<std::vector<VertexId>> chains;
+  std::vector<std::vector<PlaneVertexId>> chains;
 };
 
 /// Splits every segment that is not an edge of the Delaunay triangulation, all of one

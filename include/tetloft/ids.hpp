@@ -47,8 +47,10 @@ class Id {
   Value value_ = kInvalid;
 };
 
-/// A vertex of whatever the surrounding structure holds (mesh, plane, slab, model).
+/// A vertex of a mesh, and so of a model.
 using VertexId = Id<struct VertexTag>;
+/// A vertex of a triangulation of the plane, and so of a conforming section.
+using PlaneVertexId = Id<struct PlaneVertexTag>;
 /// A tetrahedron.
 using TetId = Id<struct TetTag>;
 /// A half-face: face i (opposite vertex i) of tet t, numbered 4 t + i.
@@ -70,6 +72,7 @@ using ComponentId = Id<struct ComponentTag>;
 
 using TetVertices = std::array<VertexId, 4>;
 using TriangleVertices = std::array<VertexId, 3>;
+using PlaneTriangleVertices = std::array<PlaneVertexId, 3>;
 /// The ids 0 … n − 1, for range-based loops.
 template <class IdType>
 class IdRange {

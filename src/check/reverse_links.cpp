@@ -60,7 +60,7 @@ Diagram make_diagram(ConformingSection section) {
   Diagram diagram{std::move(section), {}};
   const Triangulation2& triangulation = diagram.section.triangulation;
   std::vector<Box2> centre;
-  for (const TriangleVertices& t : triangulation.triangles) {
+  for (const PlaneTriangleVertices& t : triangulation.triangles) {
     centre.push_back(circumcentre_box(triangulation.points[t[0]], triangulation.points[t[1]],
                                       triangulation.points[t[2]]));
   }
@@ -92,7 +92,7 @@ std::vector<Point3> opposite_vertices(const ConformingSection& section,
   std::vector<Point3> opposite;
   for (const TriangleId t : {edge.left, edge.right}) {
     if (!t.valid()) continue;
-    for (const VertexId v : section.triangulation.triangles[t]) {
+    for (const PlaneVertexId v : section.triangulation.triangles[t]) {
       if (v != edge.a && v != edge.b) opposite.push_back(section.point3(v));
     }
   }

@@ -15,11 +15,11 @@ namespace tetloft {
 namespace {
 
 // Some vertex of every contour.
-IdVector<ContourId, VertexId> first_vertices(const ConformingSection& section) {
-  IdVector<ContourId, VertexId> first(section.nesting.region.size());
+IdVector<ContourId, PlaneVertexId> first_vertices(const ConformingSection& section) {
+  IdVector<ContourId, PlaneVertexId> first(section.nesting.region.size());
   for (std::size_t k = 0; k < section.vertex_count(); ++k) {
-    const ContourId c = section.contour[VertexId(k)];
-    if (c.valid() && !first[c].valid()) first[c] = VertexId(k);
+    const ContourId c = section.contour[PlaneVertexId(k)];
+    if (c.valid() && !first[c].valid()) first[c] = PlaneVertexId(k);
   }
   return first;
 }
@@ -28,7 +28,7 @@ IdVector<ContourId, VertexId> first_vertices(const ConformingSection& section) {
 bool is_outside(const ConformingSection& section, const Point2& p) {
   bool inside = false;
   for (std::size_t k = 0; k < section.vertex_count(); ++k) {
-    const VertexId v(k);
+    const PlaneVertexId v(k);
     if (!section.next[v].valid()) continue;
     const Point2& a = section.point(v);
     const Point2& b = section.point(section.next[v]);
@@ -72,8 +72,8 @@ ConformingSection with_exterior_vertices(const ConformingSection& section,
   result.z = section.z;
   result.nesting = section.nesting;
   result.gabriel = section.gabriel;
-  const IdVector<VertexId, VertexId> number = sections::adopt(*triangulation, result);
-  const auto renumbered = [&](VertexId v) { return v.valid() ? number[v] : VertexId(); };
+  const IdVector<PlaneVertexId, PlaneVertexId> number = sections::adopt(*triangulation, result);
+  const auto renumbered = [&](PlaneVertexId v) { return v.valid() ? number[v] : PlaneVertexId(); };
   result.contour.resize(points.size());
   result.region.resize(points.size());
   result.next.resize(points.size());
@@ -81,8 +81,8 @@ ConformingSection with_exterior_vertices(const ConformingSection& section,
   result.input_vertex.assign(points.size(), ConformingSection::kNotInput);
   result.edge_of.assign(points.size(), ConformingSection::kNotInput);
   for (std::size_t k = 0; k < n; ++k) {
-    const VertexId old(k);
-    const VertexId v = number[old];
+    const PlaneVertexId old(k);
+    const PlaneVertexId v = number[old];
     result.contour[v] = section.contour[old];
     result.region[v] = section.region[old];
     result.next[v] = renumbered(section.next[old]);
@@ -147,9 +147,9 @@ std::vector<ContourId> Pits::sealed_holes(const Slab& slab, const SlabClasses& c
         section.find_triangle(slab.in_section(a), slab.in_section(b), slab.in_section(c));
     open[parts.find(triangle.index())] = 1;
   }
-  const IdVector<ContourId, VertexId> first = first_vertices(section);
+  const IdVector<ContourId, PlaneVertexId> first = first_vertices(section);
   std::erase_if(holes, [&](ContourId c) {
-    const VertexId v = first[c];
+    const PlaneVertexId v = first[c];
     const ConformingSection::Edge& edge = section.edges[section.find_edge(v, section.next[v])];
     const TriangleId outside = edge.a == v ? edge.right : edge.left;
     return open[parts.find(outside.index())] != 0;
@@ -179,8 +179,8 @@ void Pits::open(ContourId hole, bool upper) {
   const std::size_t before = across.exterior.size();
   const ConformingSection& section = *side.section;
   for (std::size_t k = 0; k < section.vertex_count(); ++k) {
-    if (section.contour[VertexId(k)] != hole) continue;
-    const Point2& p = section.point(VertexId(k));
+    if (section.contour[PlaneVertexId(k)] != hole) continue;
+    const Point2& p = section.point(PlaneVertexId(k));
     if (!is_outside(*across.section, p) || in_internal_circle(*across.section, p)) continue;
     across.exterior.push_back(p);
   }

@@ -10,7 +10,7 @@ namespace {
 
 /// A real triangle. The second vertex tells it apart from all others with the same lowest one.
 struct Named {
-  VertexId second;
+  PlaneVertexId second;
   TriangleId triangle;
 };
 
@@ -32,11 +32,11 @@ void sort_by_second(std::span<Named> same_lowest) {
 
 /// The vertices of a triangle by name, and the corner of the lowest.
 struct Names {
-  std::array<VertexId, 3> name;
+  std::array<PlaneVertexId, 3> name;
   std::uint32_t lowest;
 
-  Names(const std::array<VertexId, 3>& v, std::span<const VertexId> name_of)
-      : name{name_of[v[0].index()], name_of[v[1].index()], name_of[v[2].index()]},
+  Names(const std::array<SiteId, 3>& v, const IdVector<SiteId, PlaneVertexId>& name_of)
+      : name{name_of[v[0]], name_of[v[1]], name_of[v[2]]},
         lowest(name[0] < name[1] ? (name[0] < name[2] ? 0U : 2U) : (name[1] < name[2] ? 1U : 2U)) {}
 };
 
@@ -46,7 +46,7 @@ constexpr std::array<std::uint32_t, 5> kCorner{0, 1, 2, 0, 1};
 
 // Triangles are visited in the order of `plane`, where neighbours are near in memory: what is
 // scattered is only written.
-Triangulation2 canonical_triangulation(const Incremental2& plane, std::span<const VertexId> name_of,
+Triangulation2 canonical_triangulation(const Incremental2& plane, const IdVector<SiteId, PlaneVertexId>& name_of,
                                        std::vector<Point2> points) {
   const std::size_t count = plane.triangle_count();
 
@@ -81,14 +81,14 @@ Triangulation2 canonical_triangulation(const Incremental2& plane, std::span<cons
   }
 
   Triangulation2 result;
-  result.points = IdVector<VertexId, Point2>(std::move(points));
+  result.points = IdVector<PlaneVertexId, Point2>(std::move(points));
   result.triangles.resize(real);
   result.neighbours.resize(real);
   for (std::uint32_t t = 0; t < count; ++t) {
     const TriangleId n = number[t];
     if (!n.valid()) continue;
     const Names names(plane.vertices(TriangleId(t)), name_of);
-    TriangleVertices& vertices = result.triangles[n];
+    PlaneTriangleVertices& vertices = result.triangles[n];
     std::array<TriangleId, 3>& neighbours = result.neighbours[n];
     for (std::uint32_t k = 0; k < 3; ++k) {
       const std::uint32_t i = kCorner[names.lowest + k];

@@ -17,7 +17,7 @@ namespace tetloft::delaunay2_detail {
 /// each rotated to start at its lowest vertex, sorted, with their neighbours. `points` are
 /// by new name. Linear but for sorting the triangles that share their lowest vertex.
 [[nodiscard]] Triangulation2 canonical_triangulation(const Incremental2& plane,
-                                                     std::span<const VertexId> name_of,
+                                                     const IdVector<SiteId, PlaneVertexId>& name_of,
                                                      std::vector<Point2> points);
 
 }  // namespace tetloft::delaunay2_detail

@@ -30,8 +30,8 @@ enum class Rule : std::uint8_t {
 };
 
 struct Subsegment {
-  VertexId from;  // vertices of the plane, in the direction of the segment
-  VertexId to;
+  SiteId from;  // vertices of the plane, in the direction of the segment
+  SiteId to;
   SubsegmentId next;  // along the segment; invalid at its end
   std::uint32_t segment;
   Rule rule;
@@ -85,11 +85,11 @@ class Conformer {
       std::vector<Split> round = splits_of_round();
       if (Result<void> possible = verify(round); !possible) return possible.error();
       for (const Split& split : round) {
-        const VertexId at = subsegments_[split.subsegment].from;
-        const VertexId v = plane_.insert(split.point, at);
+        const SiteId at = subsegments_[split.subsegment].from;
+        const SiteId v = plane_.insert(split.point, at);
         // Only subsegments closer than doubles resolve can meet in a point.
         if (v.index() != start_.input_of.size()) return no_room(split, "meets another vertex");
-        start_.input_of.emplace_back(input_.size() + inserted_.size());
+        start_.input_of.push_back(PlaneVertexId(input_.size() + inserted_.size()));
         inserted_.push_back(split.subsegment);
         divide(split, v);
       }
@@ -105,8 +105,8 @@ class Conformer {
     subsegments_.reserve(2 * segments_.size());
     for (std::size_t s = 0; s < segments_.size(); ++s) {
       Subsegment sub{};
-      sub.from = start_.vertex_of[segments_[s][0].index()];
-      sub.to = start_.vertex_of[segments_[s][1].index()];
+      sub.from = start_.site_of[segments_[s][0]];
+      sub.to = start_.site_of[segments_[s][1]];
       sub.segment = static_cast<std::uint32_t>(s);
       sub.rule = acute[s][0] && acute[s][1] ? Rule::first_middle : Rule::midpoint;
       const SubsegmentId id = subsegments_.push_back(sub);
@@ -116,9 +116,9 @@ class Conformer {
   }
 
   /// From now on the subsegment is split on shells around its end `corner`.
-  void measure_from(SubsegmentId id, VertexId corner) {
+  void measure_from(SubsegmentId id, SiteId corner) {
     Subsegment& sub = subsegments_[id];
-    const VertexId far = corner == sub.from ? sub.to : sub.from;
+    const SiteId far = corner == sub.from ? sub.to : sub.from;
     sub.rule = Rule::shells;
     sub.ray = rays_.push_back(Ray(plane_.point(corner), plane_.point(far)));
     sub.from_radius = corner == sub.from ? 0 : rays_[sub.ray].length();
@@ -166,7 +166,7 @@ class Conformer {
     const Point2& a = plane_.point(plane_.origin(edge));
     const Point2& b = plane_.point(plane_.destination(edge));
     for (const HalfEdgeId side : {edge, plane_.opposite(edge)}) {
-      const VertexId v = plane_.apex(side);
+      const SiteId v = plane_.apex(side);
       if (v != Incremental2::kGhost && in_diametral_circle(a, b, plane_.point(v))) return false;
     }
     return true;
@@ -192,13 +192,13 @@ class Conformer {
   /// A missing subsegment that only others hide from its obstacles waits for them.
   std::vector<Split> splits_at_feet(const std::vector<SubsegmentId>& missing,
                                     const std::vector<SubsegmentId>& encroached) {
-    std::vector<std::array<VertexId, 2>> ends;
+    std::vector<std::array<SiteId, 2>> ends;
     for (const SubsegmentId s : missing) ends.push_back({subsegments_[s].from, subsegments_[s].to});
     const Sight sight = look(plane_, ends);
     crossings_ += sight.crossings;
     std::vector<Split> splits;
     for (std::size_t k = 0; k < missing.size(); ++k) {
-      if (const VertexId obstacle = widest(missing[k], sight.vertices[k]); obstacle.valid()) {
+      if (const SiteId obstacle = widest(missing[k], sight.vertices[k]); obstacle.valid()) {
         splits.push_back(foot_of(obstacle, missing[k]));
       } else {
         enqueue(missing[k]);
@@ -206,12 +206,12 @@ class Conformer {
     }
     for (const SubsegmentId s : encroached) {
       const HalfEdgeId edge = plane_.find_edge(subsegments_[s].from, subsegments_[s].to);
-      const VertexId apexes[] = {plane_.apex(edge), plane_.apex(plane_.opposite(edge))};
+      const SiteId apexes[] = {plane_.apex(edge), plane_.apex(plane_.opposite(edge))};
       splits.push_back(foot_of(widest(s, apexes), s));
     }
     if (!splits.empty()) return splits;
     for (std::size_t k = 0; k < missing.size(); ++k) {
-      const VertexId obstacle = widest(missing[k], vertices_around(plane_, ends[k]));
+      const SiteId obstacle = widest(missing[k], vertices_around(plane_, ends[k]));
       TETLOFT_CHECK(obstacle.valid());
       splits.push_back(foot_of(obstacle, missing[k]));
     }
@@ -219,12 +219,12 @@ class Conformer {
   }
 
   /// The vertex in the diametral circle that sees the subsegment under the widest angle, if any.
-  [[nodiscard]] VertexId widest(SubsegmentId s, std::span<const VertexId> vertices) const {
+  [[nodiscard]] SiteId widest(SubsegmentId s, std::span<const SiteId> vertices) const {
     const Point2& a = plane_.point(subsegments_[s].from);
     const Point2& b = plane_.point(subsegments_[s].to);
-    VertexId best;
+    SiteId best;
     double best_width = 0;
-    for (const VertexId v : vertices) {
+    for (const SiteId v : vertices) {
       if (v == Incremental2::kGhost || v == subsegments_[s].from || v == subsegments_[s].to) {
         continue;
       }
@@ -240,7 +240,7 @@ class Conformer {
     return best;
   }
 
-  [[nodiscard]] Split foot_of(VertexId obstacle, SubsegmentId s) const {
+  [[nodiscard]] Split foot_of(SiteId obstacle, SubsegmentId s) const {
     const Subsegment& sub = subsegments_[s];
     const Segment& whole = segments_[sub.segment];
     const Piece piece{input_[whole[0].index()], input_[whole[1].index()], plane_.point(sub.from),
@@ -251,13 +251,13 @@ class Conformer {
   }
 
   /// Does v lie on a segment that ends at the input point `corner`?
-  [[nodiscard]] bool is_joined(VertexId v, VertexId corner) const {
-    const std::size_t point = start_.input_of[v.index()].index();
-    if (point >= input_.size()) {
-      const Segment& t = segments_[subsegments_[inserted_[point - input_.size()]].segment];
+  [[nodiscard]] bool is_joined(SiteId v, PlaneVertexId corner) const {
+    const PlaneVertexId point = start_.input_of[v];
+    if (point.index() >= input_.size()) {
+      const Segment& t = segments_[subsegments_[inserted_[point.index() - input_.size()]].segment];
       return t[0] == corner || t[1] == corner;
     }
-    const auto [low, high] = std::minmax({VertexId(point), corner});
+    const auto [low, high] = std::minmax({point, corner});
     return std::binary_search(neighbours_.begin(), neighbours_.end(), Segment{low, high});
   }
 
@@ -307,7 +307,7 @@ class Conformer {
   }
 
   /// Divides a subsegment at the new vertex v: the first part keeps its id.
-  void divide(const Split& split, VertexId v) {
+  void divide(const Split& split, SiteId v) {
     Subsegment first = subsegments_[split.subsegment];
     Subsegment second = first;
     first.to = second.from = v;
@@ -329,10 +329,10 @@ class Conformer {
     result.split.resize(inserted_.size());
     result.chains.resize(segments_.size());
     for (std::size_t s = 0; s < segments_.size(); ++s) {
-      std::vector<VertexId>& chain = result.chains[s];
+      std::vector<PlaneVertexId>& chain = result.chains[s];
       chain.push_back(segments_[s][0]);
       for (SubsegmentId sub(s); sub.valid(); sub = subsegments_[sub].next) {
-        chain.push_back(start_.input_of[subsegments_[sub].to.index()]);
+        chain.push_back(start_.input_of[subsegments_[sub].to]);
       }
       for (std::size_t i = 1; i + 1 < chain.size(); ++i) {
         result.split[chain[i].index() - input_.size()] = {s, i - 1};
@@ -340,8 +340,9 @@ class Conformer {
     }
     std::vector<Point2> points(input_.begin(), input_.end());
     points.resize(input_.size() + inserted_.size());
-    for (std::size_t v = 1; v < start_.input_of.size(); ++v) {
-      points[start_.input_of[v].index()] = plane_.point(VertexId(v));
+    for (const SiteId v : start_.input_of.ids()) {
+      if (v == Incremental2::kGhost) continue;
+      points[start_.input_of[v].index()] = plane_.point(v);
     }
     result.triangulation = canonical_triangulation(plane_, start_.input_of, std::move(points));
     return result;

@@ -32,7 +32,7 @@ std::vector<std::array<bool, 2>> acute_ends(std::span<const Point2> points,
   // Segment ends by vertex: those at v are ends[first[v]] … ends[first[v + 1] − 1].
   std::vector<std::uint32_t> first(points.size() + 2);
   for (const Segment& segment : segments) {
-    for (const VertexId v : segment) ++first[v.index() + 2];
+    for (const PlaneVertexId v : segment) ++first[v.index() + 2];
   }
   for (std::size_t v = 2; v < first.size(); ++v) first[v] += first[v - 1];
   std::vector<SegmentEnd> ends(2 * segments.size());

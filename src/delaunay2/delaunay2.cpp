@@ -42,7 +42,7 @@ Result<void> verify_points(std::span<const Point2> points) {
 }
 
 Result<void> verify_distinct(std::span<const Point2> points,
-                             const std::vector<VertexId>& representative) {
+                             const std::vector<PlaneVertexId>& representative) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (representative[i].index() == i) continue;
     return refuse("same point as vertex " + std::to_string(representative[i].value()), points, i);
@@ -53,7 +53,7 @@ Result<void> verify_distinct(std::span<const Point2> points,
 Result<void> verify_segments(std::span<const Point2> points, std::span<const Segment> segments) {
   const auto name = [](std::size_t s) { return "segment " + std::to_string(s); };
   for (std::size_t s = 0; s < segments.size(); ++s) {
-    for (const VertexId v : segments[s]) {
+    for (const PlaneVertexId v : segments[s]) {
       if (v.index() >= points.size()) {
         return Error{ErrorCode::invalid_input, name(s) + " has an end that is no vertex", {}};
       }
@@ -96,16 +96,16 @@ Result<Conforming2> conform_collinear(std::span<const Point2> points,
     return points[a] == points[b] ? a < b : canonical_less(points[a], points[b]);
   });
   std::vector<std::size_t> rank(points.size());
-  std::vector<VertexId> representative(points.size());
+  std::vector<PlaneVertexId> representative(points.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
     const bool is_duplicate = i > 0 && points[order[i - 1]] == points[order[i]];
-    representative[order[i]] = is_duplicate ? representative[order[i - 1]] : VertexId(order[i]);
+    representative[order[i]] = is_duplicate ? representative[order[i - 1]] : PlaneVertexId(order[i]);
     rank[order[i]] = i;
   }
   if (Result<void> valid = verify_distinct(points, representative); !valid) return valid.error();
   Conforming2 result;
   result.triangulation.points =
-      IdVector<VertexId, Point2>(std::vector<Point2>(points.begin(), points.end()));
+      IdVector<PlaneVertexId, Point2>(std::vector<Point2>(points.begin(), points.end()));
   for (std::size_t s = 0; s < segments.size(); ++s) {
     const auto [low, high] =
         std::minmax({rank[segments[s][0].index()], rank[segments[s][1].index()]});
@@ -128,7 +128,7 @@ Result<Triangulation2> delaunay2(std::span<const Point2> points, const Execution
     const delaunay2_detail::Start start = delaunay2_detail::triangulate(points, work);
     std::vector<Point2> copy(points.begin(), points.end());
     if (!start.plane) {
-      return Triangulation2{IdVector<VertexId, Point2>(std::move(copy)), {}, {}};
+      return Triangulation2{IdVector<PlaneVertexId, Point2>(std::move(copy)), {}, {}};
     }
     Triangulation2 result =
         delaunay2_detail::canonical_triangulation(*start.plane, start.input_of, std::move(copy));
@@ -150,9 +150,9 @@ Result<Conforming2> conforming_delaunay2(std::span<const Point2> points,
     work.go_on();
     delaunay2_detail::Start start = delaunay2_detail::triangulate(points, work);
     if (!start.plane) return conform_collinear(points, segments);
-    std::vector<VertexId> representative(points.size());
+    std::vector<PlaneVertexId> representative(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
-      representative[i] = start.input_of[start.vertex_of[i].index()];
+      representative[i] = start.input_of[start.site_of[PlaneVertexId(i)]];
     }
     if (Result<void> valid = verify_distinct(points, representative); !valid) return valid.error();
     if (Result<void> valid = verify_range(points); !valid) return valid.error();

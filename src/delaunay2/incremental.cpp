@@ -14,7 +14,7 @@ Incremental2::Incremental2(const Point2& a, const Point2& b, const Point2& c, st
   out_.reserve(expected + 1);
   triangles_.reserve(2 * expected);
   point_ = {Point2{nan, nan}, a, b, c};
-  const VertexId v[] = {VertexId(1), VertexId(2), VertexId(3)};
+  const SiteId v[] = {SiteId(1), SiteId(2), SiteId(3)};
   // Vertex i of triangle 0 has ghost triangle i + 1 across.
   triangles_.resize(4);
   triangles_[0].apex = {v[0], v[1], v[2]};
@@ -31,12 +31,12 @@ Incremental2::Incremental2(const Point2& a, const Point2& b, const Point2& c, st
   for (const Point2& p : {a, b, c}) filter_.admit(p);
 }
 
-VertexId Incremental2::insert(const Point2& p, TriangleId hint) {
+SiteId Incremental2::insert(const Point2& p, TriangleId hint) {
   filter_.admit(p);
   const TriangleId at = locate(p, hint);
-  if (const VertexId same = vertex_at(p, at); same.valid()) return same;
+  if (const SiteId same = vertex_at(p, at); same.valid()) return same;
   TETLOFT_CHECK(point_.size() < kMostVertices);
-  const VertexId v(point_.size());
+  const SiteId v(point_.size());
   point_.push_back(p);
   out_.emplace_back();
   collect_conflict_zone(p, at);
@@ -44,7 +44,7 @@ VertexId Incremental2::insert(const Point2& p, TriangleId hint) {
   return v;
 }
 
-inline bool Incremental2::is_right_of(const Point2& p, VertexId from, VertexId to) const {
+inline bool Incremental2::is_right_of(const Point2& p, SiteId from, SiteId to) const {
   const int s = filter_.orient2d(point(from), point(to), p);
   if (s != 0) [[likely]]
     return s < 0;
@@ -53,7 +53,7 @@ inline bool Incremental2::is_right_of(const Point2& p, VertexId from, VertexId t
 
 /// Where the filter does not answer. No point is to the right of an edge at the ghost: walks end
 /// in ghost triangles.
-bool Incremental2::decide_right_of(const Point2& p, VertexId from, VertexId to) const {
+bool Incremental2::decide_right_of(const Point2& p, SiteId from, SiteId to) const {
   if (filter_.is_exact() || from == kGhost || to == kGhost) return false;
   return orient2d(point(from), point(to), p) == Sign::negative;
 }
@@ -72,9 +72,9 @@ TriangleId Incremental2::locate(const Point2& p, TriangleId hint) const {
     const Triangle& t = at(entry);
     const HalfEdgeId second = next(entry);
     const HalfEdgeId third = previous(entry);
-    const VertexId from = t.apex[second.value() & 3U];
-    const VertexId to = t.apex[third.value() & 3U];
-    const VertexId apex = t.apex[entry.value() & 3U];
+    const SiteId from = t.apex[second.value() & 3U];
+    const SiteId to = t.apex[third.value() & 3U];
+    const SiteId apex = t.apex[entry.value() & 3U];
     if (is_right_of(p, to, apex)) {
       entry = t.opposite[second.value() & 3U];
     } else if (is_right_of(p, apex, from)) {
@@ -85,15 +85,15 @@ TriangleId Incremental2::locate(const Point2& p, TriangleId hint) const {
   }
 }
 
-VertexId Incremental2::vertex_at(const Point2& p, TriangleId t) const {
-  for (const VertexId v : vertices(t)) {
+SiteId Incremental2::vertex_at(const Point2& p, TriangleId t) const {
+  for (const SiteId v : vertices(t)) {
     if (point(v) == p) return v;  // the ghost's NaN equals nothing
   }
   return {};
 }
 
 inline bool Incremental2::in_conflict(TriangleId t, const Point2& p) const {
-  const std::array<VertexId, 3>& v = vertices(t);
+  const std::array<SiteId, 3>& v = vertices(t);
   const int s = filter_.incircle(point(v[0]), point(v[1]), point(v[2]), p);
   if (s != 0) [[likely]]
     return s > 0;
@@ -102,7 +102,7 @@ inline bool Incremental2::in_conflict(TriangleId t, const Point2& p) const {
 
 /// Where the filter does not answer.
 bool Incremental2::decide_conflict(TriangleId t, const Point2& p) const {
-  const std::array<VertexId, 3>& v = vertices(t);
+  const std::array<SiteId, 3>& v = vertices(t);
   for (std::uint32_t i = 0; i < 3; ++i) {
     if (v[i] != kGhost) continue;
     // The circle of a ghost triangle is the half-plane outside its hull edge, closed by the
@@ -144,7 +144,7 @@ void Incremental2::collect_conflict_zone(const Point2& p, TriangleId first) {
   TETLOFT_CHECK(horizon_.size() == zone_.size() + 2);
 }
 
-void Incremental2::star_cavity(VertexId v) {
+void Incremental2::star_cavity(SiteId v) {
   const std::size_t first = triangles_.size();
   zone_.emplace_back(first);
   zone_.emplace_back(first + 1);
@@ -169,7 +169,7 @@ void Incremental2::star_cavity(VertexId v) {
   out_[v.index()] = half_edge(preceding, 2);
 }
 
-HalfEdgeId Incremental2::find_edge(VertexId a, VertexId b) const {
+HalfEdgeId Incremental2::find_edge(SiteId a, SiteId b) const {
   const HalfEdgeId first_a = out_[a.index()];
   const HalfEdgeId first_b = out_[b.index()];
   HalfEdgeId at_a = first_a;

@@ -28,13 +28,15 @@
 
 namespace tetloft::delaunay2_detail {
 
+/// A vertex of the triangulation under insertion: the ghost, then in order of insertion.
+using SiteId = Id<struct SiteTag>;
 using HalfEdgeId = Id<struct HalfEdgeTag>;
 /// What the owner attaches to an edge: an index into its own array.
 using LabelId = Id<struct LabelTag>;
 
 class Incremental2 {
  public:
-  static constexpr VertexId kGhost{0};
+  static constexpr SiteId kGhost{0};
   /// 2 n triangles of four ids each.
   static constexpr std::size_t kMostVertices = std::size_t{1} << 29;
 
@@ -46,29 +48,29 @@ class Incremental2 {
 
   /// Inserts p; walks there from a triangle at `hint`. Returns its vertex, a new one, or that
   /// which has the same point already. Ids are given in order of insertion.
-  VertexId insert(const Point2& p, VertexId hint) {
+  SiteId insert(const Point2& p, SiteId hint) {
     return insert(p, triangle(out_[hint.index()]));
   }
   /// The same from the triangle made last: for points near the one inserted before.
-  VertexId insert_nearby(const Point2& p) { return insert(p, last_); }
+  SiteId insert_nearby(const Point2& p) { return insert(p, last_); }
 
   /// All vertices, the ghost included.
   [[nodiscard]] std::size_t vertex_count() const { return point_.size(); }
   /// All triangles, ghost triangles included.
   [[nodiscard]] std::size_t triangle_count() const { return triangles_.size(); }
-  [[nodiscard]] const Point2& point(VertexId v) const { return point_[v.index()]; }
+  [[nodiscard]] const Point2& point(SiteId v) const { return point_[v.index()]; }
   [[nodiscard]] static TriangleId triangle(HalfEdgeId h) { return TriangleId(h.value() / 4); }
   [[nodiscard]] static HalfEdgeId half_edge(TriangleId t, std::uint32_t i) {
     return HalfEdgeId(4 * t.value() + i);
   }
   /// The vertices of t, counter-clockwise.
-  [[nodiscard]] const std::array<VertexId, 3>& vertices(TriangleId t) const {
+  [[nodiscard]] const std::array<SiteId, 3>& vertices(TriangleId t) const {
     return triangles_[t.index()].apex;
   }
   /// The vertex opposite half-edge h in its triangle.
-  [[nodiscard]] VertexId apex(HalfEdgeId h) const { return at(h).apex[h.value() & 3U]; }
-  [[nodiscard]] VertexId origin(HalfEdgeId h) const { return apex(next(h)); }
-  [[nodiscard]] VertexId destination(HalfEdgeId h) const { return apex(previous(h)); }
+  [[nodiscard]] SiteId apex(HalfEdgeId h) const { return at(h).apex[h.value() & 3U]; }
+  [[nodiscard]] SiteId origin(HalfEdgeId h) const { return apex(next(h)); }
+  [[nodiscard]] SiteId destination(HalfEdgeId h) const { return apex(previous(h)); }
   /// The same edge in the other triangle.
   [[nodiscard]] HalfEdgeId opposite(HalfEdgeId h) const { return at(h).opposite[h.value() & 3U]; }
   /// The following and the preceding edge of its triangle.
@@ -79,16 +81,16 @@ class Incremental2 {
     return HalfEdgeId((h.value() & 3U) == 0 ? h.value() + 2 : h.value() - 1);
   }
   /// Some half-edge that starts at v.
-  [[nodiscard]] HalfEdgeId out(VertexId v) const { return out_[v.index()]; }
+  [[nodiscard]] HalfEdgeId out(SiteId v) const { return out_[v.index()]; }
   /// The next half-edge with the same origin, counter-clockwise.
   [[nodiscard]] HalfEdgeId rotate(HalfEdgeId h) const { return opposite(previous(h)); }
   [[nodiscard]] bool is_ghost(TriangleId t) const {
-    const std::array<VertexId, 3>& v = vertices(t);
+    const std::array<SiteId, 3>& v = vertices(t);
     return v[0] == kGhost || v[1] == kGhost || v[2] == kGhost;
   }
 
   /// The half-edge from a to b, or invalid. O(smaller degree).
-  [[nodiscard]] HalfEdgeId find_edge(VertexId a, VertexId b) const;
+  [[nodiscard]] HalfEdgeId find_edge(SiteId a, SiteId b) const;
 
   /// Labels the edge, on both sides. A label stays while its edge does.
   void set_label(HalfEdgeId h, LabelId label);
@@ -98,12 +100,12 @@ class Incremental2 {
 
  private:
   struct alignas(32) Triangle {
-    std::array<VertexId, 3> apex;        // the vertex that half-edge i is opposite to
+    std::array<SiteId, 3> apex;        // the vertex that half-edge i is opposite to
     std::array<HalfEdgeId, 3> opposite;  // the other side of half-edge i
   };
   struct HorizonEdge {
-    VertexId from;  // directed counter-clockwise around the cavity
-    VertexId to;
+    SiteId from;  // directed counter-clockwise around the cavity
+    SiteId to;
     HalfEdgeId outer;  // the edge's side that stays
     LabelId label;
   };
@@ -113,15 +115,15 @@ class Incremental2 {
     triangles_[triangle(h).index()].opposite[h.value() & 3U] = other;
   }
 
-  VertexId insert(const Point2& p, TriangleId hint);
-  [[nodiscard]] bool is_right_of(const Point2& p, VertexId from, VertexId to) const;
-  [[nodiscard]] bool decide_right_of(const Point2& p, VertexId from, VertexId to) const;
+  SiteId insert(const Point2& p, TriangleId hint);
+  [[nodiscard]] bool is_right_of(const Point2& p, SiteId from, SiteId to) const;
+  [[nodiscard]] bool decide_right_of(const Point2& p, SiteId from, SiteId to) const;
   [[nodiscard]] TriangleId locate(const Point2& p, TriangleId hint) const;
-  [[nodiscard]] VertexId vertex_at(const Point2& p, TriangleId t) const;
+  [[nodiscard]] SiteId vertex_at(const Point2& p, TriangleId t) const;
   [[nodiscard]] bool in_conflict(TriangleId t, const Point2& p) const;
   [[nodiscard]] bool decide_conflict(TriangleId t, const Point2& p) const;
   void collect_conflict_zone(const Point2& p, TriangleId first);
-  void star_cavity(VertexId v);
+  void star_cavity(SiteId v);
   [[nodiscard]] LabelId label(HalfEdgeId h) const {
     return label_.empty() ? LabelId() : label_[h.index()];
   }

@@ -11,7 +11,7 @@ namespace tetloft::delaunay2_detail {
 
 namespace {
 
-using Ends = std::array<VertexId, 2>;
+using Ends = std::array<SiteId, 2>;
 
 /// Does a b pass through u?
 bool passes_through(const Point2& a, const Point2& u, const Point2& b) {
@@ -22,14 +22,14 @@ bool passes_through(const Point2& a, const Point2& u, const Point2& b) {
 
 /// The half-edge opposite a in the triangle that a b enters at a, or that begins at the vertex
 /// it passes through along the first edge.
-HalfEdgeId first_crossed(const Incremental2& plane, VertexId a, VertexId b) {
+HalfEdgeId first_crossed(const Incremental2& plane, SiteId a, SiteId b) {
   const Point2& from = plane.point(a);
   const Point2& to = plane.point(b);
   const HalfEdgeId first = plane.out(a);
   HalfEdgeId h = first;
   do {
-    const VertexId u = plane.destination(h);
-    const VertexId w = plane.apex(h);
+    const SiteId u = plane.destination(h);
+    const SiteId w = plane.apex(h);
     // On the convex hull there may be no triangle to the left of it.
     if (u != Incremental2::kGhost && passes_through(from, plane.point(u), to)) {
       return Incremental2::next(h);
@@ -47,7 +47,7 @@ HalfEdgeId first_crossed(const Incremental2& plane, VertexId a, VertexId b) {
 
 /// The edges that a b crosses, from the right of it to its left; a vertex on it comes as an
 /// edge of equal ends, the last.
-std::vector<Ends> crossed_edges(const Incremental2& plane, VertexId a, VertexId b) {
+std::vector<Ends> crossed_edges(const Incremental2& plane, SiteId a, SiteId b) {
   const Point2& from = plane.point(a);
   const Point2& to = plane.point(b);
   std::vector<Ends> crossed;
@@ -58,7 +58,7 @@ std::vector<Ends> crossed_edges(const Incremental2& plane, VertexId a, VertexId 
   for (;;) {
     crossed.push_back({plane.origin(h), plane.destination(h)});
     const HalfEdgeId other = plane.opposite(h);
-    const VertexId v = plane.apex(other);
+    const SiteId v = plane.apex(other);
     if (v == b) return crossed;
     TETLOFT_CHECK(v != Incremental2::kGhost);
     const Sign side = orient2d(from, to, plane.point(v));
@@ -95,14 +95,14 @@ bool is_nearer(const Incremental2& plane, std::span<const Ends> segments, const 
   return place_of_s != Sign::zero ? place_of_s == Sign::positive : place(s, t) == Sign::negative;
 }
 
-void sort_unique(std::vector<VertexId>& vertices) {
+void sort_unique(std::vector<SiteId>& vertices) {
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
 }
 
 }  // namespace
 
-Sight look(const Incremental2& plane, std::span<const std::array<VertexId, 2>> segments) {
+Sight look(const Incremental2& plane, std::span<const std::array<SiteId, 2>> segments) {
   std::vector<Crossing> crossings;
   for (std::size_t s = 0; s < segments.size(); ++s) {
     for (const Ends& edge : crossed_edges(plane, segments[s][0], segments[s][1])) {
@@ -117,7 +117,7 @@ Sight look(const Incremental2& plane, std::span<const std::array<VertexId, 2>> s
   std::sort(crossings.begin(), crossings.end(), [](const Crossing& a, const Crossing& b) {
     return std::tie(a.edge, a.segment) < std::tie(b.edge, b.segment);
   });
-  Sight sight{std::vector<std::vector<VertexId>>(segments.size()), crossings.size()};
+  Sight sight{std::vector<std::vector<SiteId>>(segments.size()), crossings.size()};
   for (std::size_t first = 0; first < crossings.size();) {
     const Ends edge = crossings[first].edge;
     std::size_t last = first;
@@ -131,13 +131,13 @@ Sight look(const Incremental2& plane, std::span<const std::array<VertexId, 2>> s
     }
     first = last;
   }
-  for (std::vector<VertexId>& vertices : sight.vertices) sort_unique(vertices);
+  for (std::vector<SiteId>& vertices : sight.vertices) sort_unique(vertices);
   return sight;
 }
 
-std::vector<VertexId> vertices_around(const Incremental2& plane,
-                                      const std::array<VertexId, 2>& segment) {
-  std::vector<VertexId> vertices;
+std::vector<SiteId> vertices_around(const Incremental2& plane,
+                                      const std::array<SiteId, 2>& segment) {
+  std::vector<SiteId> vertices;
   for (const Ends& edge : crossed_edges(plane, segment[0], segment[1])) {
     vertices.insert(vertices.end(), edge.begin(), edge.end());
   }

@@ -16,18 +16,18 @@ namespace tetloft::delaunay2_detail {
 
 struct Sight {
   /// By segment: the vertices of the edges it crosses that see it along one of them, sorted.
-  std::vector<std::vector<VertexId>> vertices;
+  std::vector<std::vector<SiteId>> vertices;
   std::size_t crossings = 0;  // of segments and edges: what it cost
 };
 
 /// Requires segments that are no edges, between vertices, and do not cross each other. Where a
 /// segment passes through a vertex, that vertex sees it, and what lies behind is left out.
 [[nodiscard]] Sight look(const Incremental2& plane,
-                         std::span<const std::array<VertexId, 2>> segments);
+                         std::span<const std::array<SiteId, 2>> segments);
 
 /// The vertices of all edges that the segment crosses, sorted: those that other segments hide,
 /// too.
-[[nodiscard]] std::vector<VertexId> vertices_around(const Incremental2& plane,
-                                                    const std::array<VertexId, 2>& segment);
+[[nodiscard]] std::vector<SiteId> vertices_around(const Incremental2& plane,
+                                                    const std::array<SiteId, 2>& segment);
 
 }  // namespace tetloft::delaunay2_detail

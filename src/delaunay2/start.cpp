@@ -44,13 +44,13 @@ Start triangulate(std::span<const Point2> points, WatchedWork& work) {
   for (std::size_t i = 0; i < order.size(); ++i) ordered[i] = points[order[i]];
   start.plane.emplace(ordered[0], ordered[1], ordered[2], points.size(),
                       predicates::PlaneFilter(points));
-  start.input_of.assign(1, VertexId());
+  start.input_of.push_back({});
   start.input_of.reserve(points.size() + 1);
-  start.vertex_of.resize(points.size());
+  start.site_of.resize(points.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
-    const VertexId v = i < 3 ? VertexId(i + 1) : start.plane->insert_nearby(ordered[i]);
-    if (v.index() == start.input_of.size()) start.input_of.emplace_back(order[i]);
-    start.vertex_of[order[i]] = v;
+    const SiteId v = i < 3 ? SiteId(i + 1) : start.plane->insert_nearby(ordered[i]);
+    if (v.index() == start.input_of.size()) start.input_of.push_back(PlaneVertexId(order[i]));
+    start.site_of[PlaneVertexId(order[i])] = v;
     if ((i + 1) % kPointsOfStep == 0) work.step_done_go_on();
   }
   return start;

@@ -14,16 +14,16 @@
 
 namespace tetloft::delaunay2_detail {
 
-/// An incremental triangulation, which numbers vertices in order of insertion, and the
-/// numbering of its owner: indices of input points.
+/// An incremental triangulation, which numbers vertices in order of insertion, and how that becomes
+/// the numbering of its owner: indices of input points.
 struct Start {
   /// Nothing if all points are collinear.
   std::optional<Incremental2> plane;
-  /// By vertex of `plane`: the lowest index of an input point with its coordinates; invalid
+  /// The lowest index of an input point with its coordinates; invalid
   /// for the ghost.
-  std::vector<VertexId> input_of;
-  /// By input point: its vertex of `plane`; duplicates have the same.
-  std::vector<VertexId> vertex_of;
+  IdVector<SiteId, PlaneVertexId> input_of;
+  /// Duplicates have the same.
+  IdVector<PlaneVertexId, SiteId> site_of;
 };
 
 /// A step of the work: so many points.

@@ -214,7 +214,7 @@ Result<Delaunay3> triangulate(std::span<const Point3> points, const Delaunay3Opt
 
 Result<void> check_flat_points(const Triangulation2& plane) {
   for (std::size_t i = 0; i < plane.points.size(); ++i) {
-    const Point2& p = plane.points[VertexId(i)];
+    const Point2& p = plane.points[PlaneVertexId(i)];
     if (std::isfinite(p.x) && std::isfinite(p.y)) continue;
     Error error{ErrorCode::invalid_input, "a coordinate is not finite", {}};
     error.where.vertex = i;
@@ -229,7 +229,7 @@ Result<void> check_triangles(const Triangulation2& plane) {
     return Error{ErrorCode::invalid_input, "triangle " + std::to_string(t) + why, {}};
   };
   for (std::size_t t = 0; t < plane.triangles.size(); ++t) {
-    const TriangleVertices& v = plane.triangles[TriangleId(t)];
+    const PlaneTriangleVertices& v = plane.triangles[TriangleId(t)];
     for (std::size_t i = 0; i < 3; ++i) {
       if (v[i].index() >= plane.points.size()) return refused(t, " has a corner that is no point");
     }
@@ -241,7 +241,7 @@ Result<void> check_triangles(const Triangulation2& plane) {
       }
       bool mutual = false;
       for (std::size_t j = 0; j < 3; ++j) {
-        const TriangleVertices& w = plane.triangles[n];
+        const PlaneTriangleVertices& w = plane.triangles[n];
         mutual = mutual || (plane.neighbours[n][j] == TriangleId(t) &&
                             w[(j + 1) % 3] == v[(i + 2) % 3] && w[(j + 2) % 3] == v[(i + 1) % 3]);
       }
@@ -266,8 +266,8 @@ Result<void> check_planes(const Triangulation2& lower, const Triangulation2& upp
     if (Result<void> fine = check_triangles(*plane); !fine) return fine;
     if (Result<void> fine = check_flat_points(*plane); !fine) return fine;
     for (std::size_t i = 1; i < plane->points.size(); ++i) {
-      const VertexId v(i);
-      if (canonical_less(plane->points[VertexId(i - 1)], plane->points[v])) continue;
+      const PlaneVertexId v(i);
+      if (canonical_less(plane->points[PlaneVertexId(i - 1)], plane->points[v])) continue;
       Error error{ErrorCode::invalid_input, "points are not in canonical order", {}};
       error.where.vertex = i;
       return error;

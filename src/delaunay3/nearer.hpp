@@ -28,7 +28,7 @@ struct CentresAndSites {
 /// The line of points equally near to two sites p ≠ q.
 class Bisector {
  public:
-  Bisector(const CentresAndSites& planes, VertexId p, VertexId q)
+  Bisector(const CentresAndSites& planes, PlaneVertexId p, PlaneVertexId q)
       : planes_(&planes),
         p_(p),
         q_(q),
@@ -67,8 +67,8 @@ class Bisector {
   [[nodiscard]] bool decide_ghost(TriangleId t) const;
 
   const CentresAndSites* planes_;
-  VertexId p_;
-  VertexId q_;
+  PlaneVertexId p_;
+  PlaneVertexId q_;
   Point2 a_;
   Point2 b_;
   double ex_;

@@ -83,7 +83,7 @@ IdVector<TriangleId, TriangleId> near_in_memory(const Triangulation2& plane) {
 
   const auto side = static_cast<std::size_t>(std::sqrt(static_cast<double>(n) / kVerticesInCell));
   const auto cell_of = [&](TriangleId t) {
-    const VertexId v = plane.triangles[t][0];
+    const PlaneVertexId v = plane.triangles[t][0];
     const std::size_t column = v.index() * side / n;
     const double height = (plane.points[v].y - low) / extent;
     const auto row =
@@ -115,7 +115,7 @@ PlaneDiagram::PlaneDiagram(const Triangulation2& triangulation)
 
   triangles_.reserve(triangles.size() + triangles.size() / 16 + 16);
   for (const TriangleId t : input_of) {
-    const TriangleVertices& v = triangles[t];
+    const PlaneTriangleVertices& v = triangles[t];
     triangles_.push_back({v, {}, circumcentre_with_bound(point(v[0]), point(v[1]), point(v[2]))});
   }
   for (std::size_t k = 0; k < triangles.size(); ++k) {
@@ -130,7 +130,7 @@ PlaneDiagram::PlaneDiagram(const Triangulation2& triangulation)
   }
 
   // Each vertex of the hull has one hull edge that leaves it: the convex hull is one cycle.
-  IdVector<VertexId, HalfEdgeId> to_ghost(points_->size());
+  IdVector<PlaneVertexId, HalfEdgeId> to_ghost(points_->size());
   for (std::size_t k = 0; k < triangles.size(); ++k) {
     for (std::uint32_t i = 0; i < 3; ++i) {
       const HalfEdgeId h = half_edge(TriangleId(k), i);

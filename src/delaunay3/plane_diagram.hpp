@@ -33,7 +33,7 @@ struct Circumcentre {
 
 class PlaneDiagram {
  public:
-  static constexpr VertexId kGhostVertex{0xFFFFFFFEU};
+  static constexpr PlaneVertexId kGhostVertex{0xFFFFFFFEU};
 
   /// Triangles get numbers of their own. Requires a triangle at least, vertices in canonical order,
   /// and fewer than 2^29 of them. Keeps a reference to the points.
@@ -52,7 +52,7 @@ class PlaneDiagram {
   /// Half-edges and the unused ids between them.
   [[nodiscard]] std::size_t half_edge_slots() const { return 4 * triangles_.size(); }
   [[nodiscard]] bool is_ghost(TriangleId t) const { return t.index() >= finite_count_; }
-  [[nodiscard]] const Point2& point(VertexId v) const { return (*points_)[v]; }
+  [[nodiscard]] const Point2& point(PlaneVertexId v) const { return (*points_)[v]; }
   /// Of a ghost: nothing, with an infinite radius.
   [[nodiscard]] const Circumcentre& centre(TriangleId t) const { return triangles_[t].centre; }
 
@@ -67,9 +67,9 @@ class PlaneDiagram {
     return HalfEdgeId((h.value() & 3U) == 0 ? h.value() + 2 : h.value() - 1);
   }
   [[nodiscard]] HalfEdgeId opposite(HalfEdgeId h) const { return at(h).opposite[h.value() & 3U]; }
-  [[nodiscard]] VertexId apex(HalfEdgeId h) const { return at(h).apex[h.value() & 3U]; }
-  [[nodiscard]] VertexId origin(HalfEdgeId h) const { return apex(next(h)); }
-  [[nodiscard]] VertexId destination(HalfEdgeId h) const { return apex(previous(h)); }
+  [[nodiscard]] PlaneVertexId apex(HalfEdgeId h) const { return at(h).apex[h.value() & 3U]; }
+  [[nodiscard]] PlaneVertexId origin(HalfEdgeId h) const { return apex(next(h)); }
+  [[nodiscard]] PlaneVertexId destination(HalfEdgeId h) const { return apex(previous(h)); }
   [[nodiscard]] TriangleId left(HalfEdgeId h) const { return triangle(h); }
   [[nodiscard]] TriangleId right(HalfEdgeId h) const { return triangle(opposite(h)); }
   /// The next half-edge with the same origin, counter-clockwise and clockwise.
@@ -79,7 +79,7 @@ class PlaneDiagram {
  private:
   // Fills a cache line: walks touch one for each triangle.
   struct alignas(64) Triangle {
-    std::array<VertexId, 3> apex;        // the vertex that half-edge i is opposite to
+    std::array<PlaneVertexId, 3> apex;        // the vertex that half-edge i is opposite to
     std::array<HalfEdgeId, 3> opposite;  // the other side of half-edge i
     Circumcentre centre;
   };
@@ -93,7 +93,7 @@ class PlaneDiagram {
     set_opposite(b, a);
   }
 
-  const IdVector<VertexId, Point2>* points_;
+  const IdVector<PlaneVertexId, Point2>* points_;
   std::size_t finite_count_;
   IdVector<TriangleId, Triangle> triangles_;
 };

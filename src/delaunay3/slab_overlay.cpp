@@ -69,8 +69,13 @@ class SlabOverlay {
     const std::uint32_t begin = edge.index() == 0 ? 0 : end_on_edge_[HalfEdgeId(edge.index() - 1)];
     return std::span(on_edge_).subspan(begin, end_on_edge_[edge] - begin);
   }
-  [[nodiscard]] VertexId upper_vertex(VertexId v) const {
+  // The vertices of the mesh: the lower plane's, then the upper's.
+  [[nodiscard]] static VertexId lower_vertex(PlaneVertexId v) { return VertexId(v.value()); }
+  [[nodiscard]] VertexId upper_vertex(PlaneVertexId v) const {
     return VertexId(lower_.vertex_count() + v.index());
+  }
+  [[nodiscard]] PlaneVertexId in_upper_plane(VertexId v) const {
+    return PlaneVertexId(v.index() - lower_.vertex_count());
   }
   void glue(HalfFaceId a, HalfFaceId b) {
     opposite(a) = b;
@@ -104,7 +109,7 @@ class SlabOverlay {
   void fetch(std::size_t place) const;
   void chain(HalfEdgeId edge);
   void settle_lower_triangles();
-  void settle(HalfEdgeId side, HalfFaceId face, VertexId nearest_above);
+  void settle(HalfEdgeId side, HalfFaceId face, PlaneVertexId nearest_above);
 
   const WatchedWork& work_;
   std::size_t most_tets_;
@@ -129,7 +134,7 @@ class SlabOverlay {
     HalfEdgeId edge;
     TetId tet;
   };
-  IdVector<VertexId, Cell> cells_;
+  IdVector<PlaneVertexId, Cell> cells_;
 };
 
 // Type-1 tets in their places, apexes still invalid: below {s0, s1, s2, apex}, above
@@ -146,7 +151,7 @@ void SlabOverlay::start_type1() {
   for (std::size_t k = 0; k < lower_.finite_count(); ++k) {
     const TriangleId t(k);
     for (std::uint32_t i = 0; i < 3; ++i) {
-      tet(tet_below(t))[i] = lower_.apex(PlaneDiagram::half_edge(t, i));
+      tet(tet_below(t))[i] = lower_vertex(lower_.apex(PlaneDiagram::half_edge(t, i)));
     }
   }
   for (std::size_t k = 0; k < upper_.finite_count(); ++k) {
@@ -182,7 +187,7 @@ bool SlabOverlay::trace_upper_edges() {
 HalfEdgeId SlabOverlay::cell_from(HalfEdgeId start, TriangleId t) const {
   HalfEdgeId h = start;
   for (HalfEdgeId at = h;;) {
-    const VertexId to = lower_.destination(at);
+    const PlaneVertexId to = lower_.destination(at);
     if (to != PlaneDiagram::kGhostVertex &&
         Bisector(upper_centres_, to, lower_.origin(at)).nearer_to_first(t)) {
       h = at = lower_.opposite(at);
@@ -195,7 +200,7 @@ HalfEdgeId SlabOverlay::cell_from(HalfEdgeId start, TriangleId t) const {
 
 void SlabOverlay::enter(TriangleId t, HalfEdgeId cell) {
   cell_of_[t] = cell;
-  tet(tet_above(t))[0] = lower_.origin(cell);
+  tet(tet_above(t))[0] = lower_vertex(lower_.origin(cell));
 }
 
 // The edge by which an upper Voronoi edge, on the line between the site to its left and that to
@@ -225,22 +230,23 @@ HalfEdgeId SlabOverlay::first_exit(HalfEdgeId lower, const Bisector& line) const
 // Follows the Voronoi edge dual to `upper` from its triangle's circumcentre to that of the
 // triangle across, or to infinity. False at too many tets.
 bool SlabOverlay::trace(HalfEdgeId upper) {
-  const VertexId left = upper_.destination(upper);
-  const VertexId right = upper_.origin(upper);
+  const PlaneVertexId left = upper_.destination(upper);
+  const PlaneVertexId right = upper_.origin(upper);
   const TriangleId target = upper_.right(upper);
   const bool is_ray = upper_.is_ghost(target);
   const Bisector line(lower_centres_, left, right);
   HalfFaceId last = face_above(upper);
   HalfEdgeId exit = first_exit(cell_of_[upper_.left(upper)], line);
   for (;;) {
-    const VertexId behind = lower_.origin(exit);
-    const VertexId ahead = lower_.destination(exit);
+    const PlaneVertexId behind = lower_.origin(exit);
+    const PlaneVertexId ahead = lower_.destination(exit);
     const bool leaves = ahead != PlaneDiagram::kGhostVertex &&
                         (is_ray || Bisector(upper_centres_, ahead, behind).nearer_to_first(target));
     if (!leaves) break;
     if (slots_.size() == most_tets_) return false;
     const TetId t(slots_.size());
-    slots_.push_back({{behind, ahead, upper_vertex(left), upper_vertex(right)}, {}});
+    slots_.push_back(
+        {{lower_vertex(behind), lower_vertex(ahead), upper_vertex(left), upper_vertex(right)}, {}});
     glue(last, half_face(t, kBehind));
     last = half_face(t, kAhead);
     edge_of_.push_back(representative(exit));
@@ -290,12 +296,12 @@ void SlabOverlay::fetch(std::size_t place) const {
 void SlabOverlay::chain(HalfEdgeId edge) {
   const std::span<const TetId> tets = tets_on(edge);
   // Seen along `edge`, which a tet's upper edge may cross either way.
-  const VertexId origin = lower_.origin(edge);
+  const VertexId origin = lower_vertex(lower_.origin(edge));
   const auto left_face = [&](TetId t) { return tet(t)[0] == origin ? kLeft : kRight; };
   const auto upper_of_face = [&](TetId t, std::uint32_t face) {
     // Opposite the vertex to one side, the face holds that to the other.
     const VertexId v = tet(t)[face == kLeft ? 2 : 3];
-    return VertexId(v.index() - lower_.vertex_count());
+    return in_upper_plane(v);
   };
   const auto begin = static_cast<std::size_t>(tets.data() - on_edge_.data());
   for (std::size_t i = 0; i < tets.size(); ++i) {
@@ -304,7 +310,7 @@ void SlabOverlay::chain(HalfEdgeId edge) {
   }
   for (const TetId t : tets) {
     const std::uint32_t face = left_face(t) == kLeft ? kRight : kLeft;
-    const VertexId cell = upper_of_face(t, face);
+    const PlaneVertexId cell = upper_of_face(t, face);
     if (cells_[cell].edge == edge) {
       const TetId following = cells_[cell].tet;
       glue(half_face(t, face), half_face(following, left_face(following)));
@@ -322,7 +328,7 @@ void SlabOverlay::chain(HalfEdgeId edge) {
 
 // Glues `face` to the type-1 tet of the triangle to the left of `side`, whose circumcentre then
 // lies in the cell of `nearest_above`.
-void SlabOverlay::settle(HalfEdgeId side, HalfFaceId face, VertexId nearest_above) {
+void SlabOverlay::settle(HalfEdgeId side, HalfFaceId face, PlaneVertexId nearest_above) {
   const TriangleId t = lower_.left(side);
   if (lower_.is_ghost(t)) return;
   glue(face, face_below(side));
@@ -340,7 +346,7 @@ void SlabOverlay::settle_lower_triangles() {
   while (!settled_.empty()) {
     const TriangleId t = settled_.back();
     settled_.pop_back();
-    const VertexId nearest_above(tet(tet_below(t))[3].index() - lower_.vertex_count());
+    const PlaneVertexId nearest_above = in_upper_plane(tet(tet_below(t))[3]);
     for (std::uint32_t i = 0; i < 3; ++i) {
       const HalfEdgeId h = PlaneDiagram::half_edge(t, i);
       if (!tets_on(representative(h)).empty()) continue;

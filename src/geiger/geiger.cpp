@@ -186,7 +186,7 @@ class Geiger {
     for (std::size_t s = 0; s < size(); ++s) {
       const std::map<std::pair<double, double>, bool> input = input_points(s);
       std::vector<bool> seen(stack_.sections[SectionId(s)].contours.size(), false);
-      for (const VertexId v : sections_[s].contour.ids()) {
+      for (const PlaneVertexId v : sections_[s].contour.ids()) {
         const ContourId contour = sections_[s].contour[v];
         const Point3 p = sections_[s].point3(v);
         const bool is_input = input.contains({p.x, p.y});

@@ -25,15 +25,15 @@ bool foot_of(const Point2& a, const Point2& b, const Point2& c, Point2& foot) {
 }
 
 // Contour edges below obtuse corners, from their first vertex along the contour, with the foot.
-std::map<VertexId, Point2> feet_of(const ConformingSection& section) {
-  std::map<VertexId, Point2> feet;
+std::map<PlaneVertexId, Point2> feet_of(const ConformingSection& section) {
+  std::map<PlaneVertexId, Point2> feet;
   const auto& triangles = section.triangulation.triangles;
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     if (section.internal[TriangleId(t)] == 0) continue;
-    const TriangleVertices& v = triangles[TriangleId(t)];
+    const PlaneTriangleVertices& v = triangles[TriangleId(t)];
     for (std::size_t i = 0; i < 3; ++i) {
-      const VertexId a = v[(i + 1) % 3];
-      const VertexId b = v[(i + 2) % 3];
+      const PlaneVertexId a = v[(i + 1) % 3];
+      const PlaneVertexId b = v[(i + 2) % 3];
       // Triangles inside are to the left of their contour edges.
       if (section.next[a] != b) continue;
       Point2 foot;
@@ -44,17 +44,17 @@ std::map<VertexId, Point2> feet_of(const ConformingSection& section) {
 }
 
 Section rebuilt(const Section& section, const ConformingSection& conforming,
-                const std::map<VertexId, Point2>& feet) {
+                const std::map<PlaneVertexId, Point2>& feet) {
   Section result;
   result.z = section.z;
   result.contours.resize(section.contours.size());
   std::vector<bool> done(section.contours.size(), false);
   for (std::size_t v = 0; v < conforming.vertex_count(); ++v) {
-    const VertexId start(v);
+    const PlaneVertexId start(v);
     const ContourId c = conforming.contour[start];
     if (done[c.index()]) continue;
     done[c.index()] = true;
-    VertexId at = start;
+    PlaneVertexId at = start;
     do {
       result.contours[c].vertices.push_back(conforming.point(at));
       if (const auto foot = feet.find(at); foot != feet.end()) {
@@ -76,7 +76,7 @@ Result<Section> with_feet(const Section& section, SectionId id, std::size_t& fee
       if (round == 0) return conforming.error();
       break;
     }
-    const std::map<VertexId, Point2> found = feet_of(*conforming);
+    const std::map<PlaneVertexId, Point2> found = feet_of(*conforming);
     if (found.empty()) break;
     SectionStack next;
     next.sections.push_back(rebuilt(current, *conforming, found));

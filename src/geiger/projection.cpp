@@ -25,7 +25,7 @@ class EdgeRows {
   explicit EdgeRows(const ConformingSection& section) : section_(section) {
     double sum = 0;
     std::size_t edges = 0;
-    low_ = high_ = section.point(VertexId(0)).y;
+    low_ = high_ = section.point(PlaneVertexId(0)).y;
     for_each_edge([&](const Point2& a, const Point2& b) {
       sum += std::hypot(b.x - a.x, b.y - a.y);
       ++edges;
@@ -70,8 +70,8 @@ class EdgeRows {
   template <class Visit>
   void for_each_edge(const Visit& visit) const {
     for (std::size_t v = 0; v < section_.vertex_count(); ++v) {
-      const VertexId next = section_.next[VertexId(v)];
-      if (next.valid()) visit(section_.point(VertexId(v)), section_.point(next));
+      const PlaneVertexId next = section_.next[PlaneVertexId(v)];
+      if (next.valid()) visit(section_.point(PlaneVertexId(v)), section_.point(next));
     }
   }
 
@@ -94,7 +94,7 @@ std::vector<Point2> external_skeleton_vertices(const ConformingSection& section)
   const auto& triangles = section.triangulation.triangles;
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     if (section.internal[TriangleId(t)] != 0) continue;
-    const TriangleVertices& v = triangles[TriangleId(t)];
+    const PlaneTriangleVertices& v = triangles[TriangleId(t)];
     const Point2 p = circumcentre(section.point(v[0]), section.point(v[1]), section.point(v[2]));
     if (std::isfinite(p.x) && std::isfinite(p.y)) result.push_back(p);
   }

@@ -31,7 +31,7 @@ class Gluing {
  private:
   void add_section(SectionId s, const ConformingSection& section) {
     vertices_.add_section(section.vertex_count());
-    for (const VertexId v : section.contour.ids()) {
+    for (const PlaneVertexId v : section.contour.ids()) {
       const bool input = section.input_vertex[v] != ConformingSection::kNotInput;
       add_point(section.point3(v), s, section.contour[v],
                 input ? PointOrigin::input : PointOrigin::contour_split);

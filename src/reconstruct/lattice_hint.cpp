@@ -11,8 +11,8 @@ int merging_bits(const ConformingSection& lower, const ConformingSection& upper)
   std::vector<double> y;
   for (const ConformingSection* section : {&lower, &upper}) {
     for (std::size_t k = 0; k < section->vertex_count(); ++k) {
-      x.push_back(section->point(VertexId(k)).x);
-      y.push_back(section->point(VertexId(k)).y);
+      x.push_back(section->point(PlaneVertexId(k)).x);
+      y.push_back(section->point(PlaneVertexId(k)).y);
     }
   }
   double extent = 0;

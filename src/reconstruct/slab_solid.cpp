@@ -222,7 +222,7 @@ SlabSolid build_end(const ConformingSection& section, double z) {
     const PrismNodes prism{solid.vertices, upper, solid.nodes(), CapId(solid.constructed.size())};
     extrude(section, triangles[r], vertices[r], solid.regions.in_slab(upper, r), prism,
             solid.pieces);
-    for (const VertexId v : vertices[r]) {
+    for (const PlaneVertexId v : vertices[r]) {
       const Point2& p = section.point(v);
       solid.constructed.push_back({p.x, p.y, z});
       solid.origin.push_back(PointOrigin::cap);

@@ -41,7 +41,7 @@ Flat flatten(const Section& section, std::span<const Point2> interior) {
     const std::size_t first = flat.points.size();
     for (std::size_t v = 0; v < vertices.size(); ++v) {
       flat.points.push_back(vertices[v]);
-      flat.segments.push_back({VertexId(first + v), VertexId(first + (v + 1) % vertices.size())});
+      flat.segments.push_back({PlaneVertexId(first + v), PlaneVertexId(first + (v + 1) % vertices.size())});
       flat.contour.emplace_back(c);
       flat.vertex.push_back(v);
     }
@@ -105,7 +105,7 @@ class Conformer {
     return error;
   }
 
-  [[nodiscard]] Error unrepresentable(VertexId v, const char* reason) const {
+  [[nodiscard]] Error unrepresentable(PlaneVertexId v, const char* reason) const {
     Error error{ErrorCode::unrepresentable, reason, {}};
     error.where.section = id_.index();
     if (result_.contour[v].valid()) {
@@ -118,7 +118,7 @@ class Conformer {
 
   // Enters every chain into contour, next, input_vertex and edge_of, and marks its edges.
   // Fails where points coincide; the chains then share no vertex and leave none out.
-  Result<void> walk_chains(const std::vector<std::vector<VertexId>>& chains) {
+  Result<void> walk_chains(const std::vector<std::vector<PlaneVertexId>>& chains) {
     const std::size_t n = result_.triangulation.points.size();
     result_.contour.resize(n);
     result_.region.resize(n);
@@ -129,11 +129,11 @@ class Conformer {
     contour_of_edge_.resize(result_.edges.size());
     TETLOFT_CHECK(chains.size() == flat_.segments.size());
     for (std::size_t s = 0; s < chains.size(); ++s) {
-      const std::vector<VertexId>& chain = chains[s];
+      const std::vector<PlaneVertexId>& chain = chains[s];
       TETLOFT_CHECK(chain.size() >= 2);
       for (std::size_t k = 0; k + 1 < chain.size(); ++k) {
-        const VertexId from = number_[chain[k]];
-        const VertexId to = number_[chain[k + 1]];
+        const PlaneVertexId from = number_[chain[k]];
+        const PlaneVertexId to = number_[chain[k + 1]];
         TETLOFT_CHECK(!result_.contour[from].valid());
         result_.contour[from] = flat_.contour[s];
         result_.next[from] = to;
@@ -141,12 +141,12 @@ class Conformer {
         if (k == 0) result_.input_vertex[from] = flat_.vertex[s];
       }
     }
-    IdVector<VertexId, std::uint8_t> interior(n, 0);
+    IdVector<PlaneVertexId, std::uint8_t> interior(n, 0);
     for (std::size_t k = flat_.segments.size(); k < flat_.points.size(); ++k) {
-      interior[number_[VertexId(k)]] = 1;
+      interior[number_[PlaneVertexId(k)]] = 1;
     }
     for (std::size_t v = 0; v < n; ++v) {
-      const VertexId from(v);
+      const PlaneVertexId from(v);
       if (interior[from] != 0) continue;
       const EdgeId edge =
           result_.contour[from].valid() ? result_.find_edge(from, result_.next[from]) : EdgeId();
@@ -183,7 +183,7 @@ class Conformer {
     while (!front.empty()) {
       const TriangleId triangle = front.back();
       front.pop_back();
-      const TriangleVertices& v = t.triangles[triangle];
+      const PlaneTriangleVertices& v = t.triangles[triangle];
       for (std::size_t i = 0; i < 3; ++i) {
         const EdgeId edge = result_.find_edge(v[(i + 1) % 3], v[(i + 2) % 3]);
         reach(t.neighbours[triangle][i], around_[triangle], contour_of_edge_[edge]);
@@ -231,10 +231,10 @@ class Conformer {
         edge.kind = EdgeKind::internal;
       }
     }
-    const IdVector<VertexId, VertexId> along = result_.next;
+    const IdVector<PlaneVertexId, PlaneVertexId> along = result_.next;
     for (std::size_t v = 0; v < along.size(); ++v) {
-      const VertexId a(v);
-      const VertexId b = along[a];
+      const PlaneVertexId a(v);
+      const PlaneVertexId b = along[a];
       if (!b.valid()) continue;
       result_.region[a] = result_.nesting.region[result_.contour[a]];
       const ConformingSection::Edge& edge = result_.edges[result_.find_edge(a, b)];
@@ -248,7 +248,7 @@ class Conformer {
   // Vertices of the interior have the region of their triangles, all of which must be inside.
   Result<void> label_interior() {
     for (std::size_t k = 0; k < around_.size(); ++k) {
-      for (const VertexId v : result_.triangulation.triangles[TriangleId(k)]) {
+      for (const PlaneVertexId v : result_.triangulation.triangles[TriangleId(k)]) {
         if (result_.contour[v].valid()) continue;
         if (result_.internal[TriangleId(k)] == 0) {
           Error error{ErrorCode::invalid_input, "a vertex of the interior is not inside", {}};
@@ -265,7 +265,7 @@ class Conformer {
   const Section& section_;
   SectionId id_;
   Flat flat_;
-  IdVector<VertexId, VertexId> number_;          // of the triangulation's vertices
+  IdVector<PlaneVertexId, PlaneVertexId> number_;          // of the triangulation's vertices
   IdVector<EdgeId, ContourId> contour_of_edge_;  // invalid: not on a contour
   IdVector<TriangleId, ContourId> around_;       // the innermost contour around it
   ConformingSection result_;

@@ -16,32 +16,32 @@ namespace {
 
 // A side of a triangle, seen from the lower end of its edge.
 struct Side {
-  VertexId a, b;  // a < b
+  PlaneVertexId a, b;  // a < b
   TriangleId triangle;
   std::uint8_t opposite;  // the triangle's vertex that is not on the edge
   bool left;              // the triangle lies to the left of a → b
 };
 
-IdVector<VertexId, VertexId> canonical_numbers(const IdVector<VertexId, Point2>& points) {
-  std::vector<VertexId> order(points.size());
-  for (std::size_t v = 0; v < order.size(); ++v) order[v] = VertexId(v);
-  std::sort(order.begin(), order.end(), [&](VertexId u, VertexId v) {
+IdVector<PlaneVertexId, PlaneVertexId> canonical_numbers(const IdVector<PlaneVertexId, Point2>& points) {
+  std::vector<PlaneVertexId> order(points.size());
+  for (std::size_t v = 0; v < order.size(); ++v) order[v] = PlaneVertexId(v);
+  std::sort(order.begin(), order.end(), [&](PlaneVertexId u, PlaneVertexId v) {
     const Point2& p = points[u];
     const Point2& q = points[v];
     return p == q ? u < v : canonical_less(p, q);
   });
-  IdVector<VertexId, VertexId> number(points.size());
-  for (std::size_t k = 0; k < order.size(); ++k) number[order[k]] = VertexId(k);
+  IdVector<PlaneVertexId, PlaneVertexId> number(points.size());
+  for (std::size_t k = 0; k < order.size(); ++k) number[order[k]] = PlaneVertexId(k);
   return number;
 }
 
 // Triangles in new numbers, each from its lowest vertex, sorted.
-IdVector<TriangleId, TriangleVertices> canonical_triangles(
-    const IdVector<TriangleId, TriangleVertices>& triangles,
-    const IdVector<VertexId, VertexId>& number) {
-  IdVector<TriangleId, TriangleVertices> result = triangles;
-  for (TriangleVertices& t : result) {
-    for (VertexId& v : t) v = number[v];
+IdVector<TriangleId, PlaneTriangleVertices> canonical_triangles(
+    const IdVector<TriangleId, PlaneTriangleVertices>& triangles,
+    const IdVector<PlaneVertexId, PlaneVertexId>& number) {
+  IdVector<TriangleId, PlaneTriangleVertices> result = triangles;
+  for (PlaneTriangleVertices& t : result) {
+    for (PlaneVertexId& v : t) v = number[v];
     std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
   }
   std::sort(result.begin(), result.end());
@@ -49,10 +49,10 @@ IdVector<TriangleId, TriangleVertices> canonical_triangles(
 }
 
 // All sides sorted by edge, the left side of an edge first.
-std::vector<Side> sorted_sides(const IdVector<TriangleId, TriangleVertices>& triangles,
+std::vector<Side> sorted_sides(const IdVector<TriangleId, PlaneTriangleVertices>& triangles,
                                std::size_t vertices) {
   std::vector<std::uint32_t> first(vertices + 1, 0);
-  for (const TriangleVertices& t : triangles) {
+  for (const PlaneTriangleVertices& t : triangles) {
     for (std::size_t i = 0; i < 3; ++i) {
       ++first[std::min(t[(i + 1) % 3], t[(i + 2) % 3]).index() + 1];
     }
@@ -61,12 +61,12 @@ std::vector<Side> sorted_sides(const IdVector<TriangleId, TriangleVertices>& tri
   std::vector<Side> sides(first.back());
   std::vector<std::uint32_t> end(first.begin(), first.end() - 1);
   for (std::size_t t = 0; t < triangles.size(); ++t) {
-    const TriangleVertices& v = triangles[TriangleId(t)];
+    const PlaneTriangleVertices& v = triangles[TriangleId(t)];
     for (std::uint8_t i = 0; i < 3; ++i) {
-      const VertexId from = v[(i + 1U) % 3];
-      const VertexId to = v[(i + 2U) % 3];
+      const PlaneVertexId from = v[(i + 1U) % 3];
+      const PlaneVertexId to = v[(i + 2U) % 3];
       const bool left = from < to;
-      const VertexId low = left ? from : to;
+      const PlaneVertexId low = left ? from : to;
       sides[end[low.index()]++] = {low, left ? to : from, TriangleId(t), i, left};
     }
   }
@@ -80,14 +80,14 @@ std::vector<Side> sorted_sides(const IdVector<TriangleId, TriangleVertices>& tri
 
 }  // namespace
 
-IdVector<VertexId, VertexId> sections::adopt(const Triangulation2& triangulation,
+IdVector<PlaneVertexId, PlaneVertexId> sections::adopt(const Triangulation2& triangulation,
                                              ConformingSection& section) {
   const std::size_t n = triangulation.points.size();
-  IdVector<VertexId, VertexId> number = canonical_numbers(triangulation.points);
+  IdVector<PlaneVertexId, PlaneVertexId> number = canonical_numbers(triangulation.points);
   Triangulation2& own = section.triangulation;
   own.points.resize(n);
   for (std::size_t v = 0; v < n; ++v) {
-    own.points[number[VertexId(v)]] = triangulation.points[VertexId(v)];
+    own.points[number[PlaneVertexId(v)]] = triangulation.points[PlaneVertexId(v)];
   }
   own.triangles = canonical_triangles(triangulation.triangles, number);
   own.neighbours.resize(own.triangles.size());
@@ -136,7 +136,7 @@ void sections::require_consistent(const ConformingSection& section) {
           section.contour.begin(), section.contour.end(),
           [&](ContourId c) { return !c.valid() || c.index() < section.nesting.parent.size(); }) &&
       std::all_of(section.triangulation.triangles.begin(), section.triangulation.triangles.end(),
-                  [&](const TriangleVertices& t) {
+                  [&](const PlaneTriangleVertices& t) {
                     return std::max({t[0], t[1], t[2]}).index() < vertices;
                   }) &&
       std::all_of(
@@ -148,26 +148,26 @@ void sections::require_consistent(const ConformingSection& section) {
   require_fit(fit, "no section as conform() makes it");
 }
 
-EdgeId ConformingSection::find_edge(VertexId u, VertexId v) const {
-  const VertexId a = std::min(u, v);
-  const VertexId b = std::max(u, v);
+EdgeId ConformingSection::find_edge(PlaneVertexId u, PlaneVertexId v) const {
+  const PlaneVertexId a = std::min(u, v);
+  const PlaneVertexId b = std::max(u, v);
   if (b.index() >= vertex_count()) return {};
   const auto first = edges.begin() + first_edge[a.index()];
   const auto last = edges.begin() + first_edge[a.index() + 1];
   const auto found =
-      std::lower_bound(first, last, b, [](const Edge& e, VertexId end) { return e.b < end; });
+      std::lower_bound(first, last, b, [](const Edge& e, PlaneVertexId end) { return e.b < end; });
   if (found == last || found->b != b) return {};
   return EdgeId(found - edges.begin());
 }
 
-TriangleId ConformingSection::find_triangle(VertexId u, VertexId v, VertexId w) const {
-  std::array<VertexId, 3> sorted{u, v, w};
+TriangleId ConformingSection::find_triangle(PlaneVertexId u, PlaneVertexId v, PlaneVertexId w) const {
+  std::array<PlaneVertexId, 3> sorted{u, v, w};
   std::sort(sorted.begin(), sorted.end());
   const EdgeId id = find_edge(sorted[0], sorted[1]);
   if (!id.valid()) return {};
   for (const TriangleId t : {edges[id].left, edges[id].right}) {
     if (!t.valid()) continue;
-    const TriangleVertices& corners = triangulation.triangles[t];
+    const PlaneTriangleVertices& corners = triangulation.triangles[t];
     if (std::find(corners.begin(), corners.end(), sorted[2]) != corners.end()) return t;
   }
   return {};

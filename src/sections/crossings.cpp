@@ -87,7 +87,7 @@ class Skeletons {
   Skeletons(const ConformingSection& section, int exponent)
       : section_(section), exponent_(exponent) {
     centre_.reserve(section.triangulation.triangles.size());
-    for (const TriangleVertices& v : section.triangulation.triangles) {
+    for (const PlaneTriangleVertices& v : section.triangulation.triangles) {
       centre_.push_back(circumcentre_range(scaled(v[0]), scaled(v[1]), scaled(v[2])));
     }
   }
@@ -104,7 +104,7 @@ class Skeletons {
   }
 
  private:
-  [[nodiscard]] Point2 scaled(VertexId v) const {
+  [[nodiscard]] Point2 scaled(PlaneVertexId v) const {
     const Point2& p = section_.point(v);
     return {std::ldexp(p.x, -exponent_), std::ldexp(p.y, -exponent_)};
   }
@@ -140,14 +140,14 @@ struct Dual {
 };
 
 Dual dual_of(const ConformingSection& section, EdgeId id, double height) {
-  const auto lifted = [&](VertexId v) {
+  const auto lifted = [&](PlaneVertexId v) {
     return Point3{section.point(v).x, section.point(v).y, height};
   };
   const ConformingSection::Edge& edge = section.edges[id];
   Dual dual{lifted(edge.a), lifted(edge.b), {}, 0};
   for (const TriangleId t : {edge.left, edge.right}) {
     if (!t.valid()) continue;
-    for (const VertexId v : section.triangulation.triangles[t]) {
+    for (const PlaneVertexId v : section.triangulation.triangles[t]) {
       if (v != edge.a && v != edge.b) dual.apex[dual.apexes++] = lifted(v);
     }
   }
@@ -244,8 +244,8 @@ std::vector<WellPositioned> well_positioned(const ConformingSection& below,
   for (const SkeletonCrossing& crossing : skeleton_crossings(below, above)) {
     const ConformingSection::Edge& lower = below.edges[crossing.below];
     const ConformingSection::Edge& upper = above.edges[crossing.above];
-    for (const VertexId v : {lower.a, lower.b}) {
-      for (const VertexId w : {upper.a, upper.b}) {
+    for (const PlaneVertexId v : {lower.a, lower.b}) {
+      for (const PlaneVertexId w : {upper.a, upper.b}) {
         const ContourId c = below.contour[v];
         const ContourId d = above.contour[w];
         if (c.valid() && d.valid()) result.push_back({c, d, crossing.proper});

@@ -31,7 +31,7 @@ IdVector<IdType, T> get_vector(RecordReader& in) {
 }
 
 // Indices of vertices in their contour, or kNotInput.
-using Indices = IdVector<VertexId, std::size_t>;
+using Indices = IdVector<PlaneVertexId, std::size_t>;
 
 void put_indices(const Indices& indices, RecordWriter& out) {
   out.put_count(indices.size());
@@ -85,10 +85,10 @@ Triangulation2 get_triangulation(RecordReader& in) {
                                 }) == points.end(),
              "has vertices out of order");
   result.triangles.resize(in.get_count(3 * sizeof(std::uint32_t)));
-  std::vector<std::array<VertexId, 2>> sides;
-  for (TriangleVertices& t : result.triangles) {
-    for (VertexId& v : t) {
-      v = in.get<VertexId>();
+  std::vector<std::array<PlaneVertexId, 2>> sides;
+  for (PlaneTriangleVertices& t : result.triangles) {
+    for (PlaneVertexId& v : t) {
+      v = in.get<PlaneVertexId>();
       in.require(v.index() < points.size(), "names a vertex it lacks");
     }
     if (in.refused()) return result;
@@ -110,10 +110,10 @@ Triangulation2 get_triangulation(RecordReader& in) {
 // What is told by vertex, and of triangles.
 void get_labels(RecordReader& in, ConformingSection& section) {
   section.internal = get_vector<TriangleId, std::uint8_t>(in);
-  section.contour = get_vector<VertexId, ContourId>(in);
-  section.region = get_vector<VertexId, RegionId>(in);
-  section.next = get_vector<VertexId, VertexId>(in);
-  section.previous = get_vector<VertexId, VertexId>(in);
+  section.contour = get_vector<PlaneVertexId, ContourId>(in);
+  section.region = get_vector<PlaneVertexId, RegionId>(in);
+  section.next = get_vector<PlaneVertexId, PlaneVertexId>(in);
+  section.previous = get_vector<PlaneVertexId, PlaneVertexId>(in);
   section.input_vertex = get_indices(in);
   section.edge_of = get_indices(in);
   section.gabriel.raw().resize(in.get_count(1));
@@ -128,20 +128,20 @@ void get_labels(RecordReader& in, ConformingSection& section) {
   in.require(section.gabriel.empty() || section.gabriel.size() == nesting.region.size(),
              "refines some of its contours");
   if (in.refused()) return;
-  for (const VertexId v : section.contour.ids()) {
+  for (const PlaneVertexId v : section.contour.ids()) {
     const ContourId contour = section.contour[v];
     in.require(section.region[v].index() < nesting.outer.size(), "names a region it lacks");
     in.require(!contour.valid() || contour.index() < nesting.region.size(),
                "names a contour it lacks");
-    const VertexId next = section.next[v];
-    const VertexId previous = section.previous[v];
+    const PlaneVertexId next = section.next[v];
+    const PlaneVertexId previous = section.previous[v];
     in.require(contour.valid() == next.valid() && contour.valid() == previous.valid() &&
                    (!next.valid() || (next.index() < n && previous.index() < n)),
                "has a contour that does not close");
   }
   if (in.refused()) return;
-  for (const VertexId v : section.next.ids()) {
-    const VertexId next = section.next[v];
+  for (const PlaneVertexId v : section.next.ids()) {
+    const PlaneVertexId next = section.next[v];
     in.require(!next.valid() || section.previous[next] == v, "has a contour that does not close");
   }
 }
@@ -158,8 +158,8 @@ std::string to_record(const ConformingSection& section) {
     out.put(p.y);
   }
   out.put_count(section.triangulation.triangles.size());
-  for (const TriangleVertices& t : section.triangulation.triangles) {
-    for (const VertexId v : t) out.put(v);
+  for (const PlaneTriangleVertices& t : section.triangulation.triangles) {
+    for (const PlaneVertexId v : t) out.put(v);
   }
   out.put_all(section.internal);
   out.put_all(section.contour);

@@ -13,7 +13,7 @@ namespace tetloft {
 namespace {
 
 Point2 dual_vertex(const ConformingSection& section, TriangleId t) {
-  const TriangleVertices& v = section.triangulation.triangles[t];
+  const PlaneTriangleVertices& v = section.triangulation.triangles[t];
   return circumcentre(section.point(v[0]), section.point(v[1]), section.point(v[2]));
 }
 

@@ -16,7 +16,7 @@ Error too_much_work(SlabId id, const ConformingSection& lower, const ConformingS
   Place place;
   place.slab = id.index();
   const bool below = lower.vertex_count() >= upper.vertex_count();
-  place.point = (below ? lower : upper).point3(VertexId(0));
+  place.point = (below ? lower : upper).point3(PlaneVertexId(0));
   return {ErrorCode::work_limit,
           "the Delaunay triangulation of " +
               std::to_string(lower.vertex_count() + upper.vertex_count()) +
@@ -34,9 +34,9 @@ Result<TetMesh> delaunay_of(const ConformingSection& lower, const ConformingSect
   std::vector<Point3> points;
   points.reserve(lower.vertex_count() + upper.vertex_count());
   for (std::size_t i = 0; i < lower.vertex_count(); ++i)
-    points.push_back(lower.point3(VertexId(i)));
+    points.push_back(lower.point3(PlaneVertexId(i)));
   for (std::size_t i = 0; i < upper.vertex_count(); ++i)
-    points.push_back(upper.point3(VertexId(i)));
+    points.push_back(upper.point3(PlaneVertexId(i)));
   Result<Delaunay3> d = delaunay3(points, {.engine = engine, .most_tets = most_tets});
   if (!d) return d.error();
   TETLOFT_CHECK(d->dimension == 3 && d->duplicates == 0);

@@ -47,7 +47,7 @@ class SlabNumbering {
   std::size_t size_ = 0;
 };
 
-using SlabVertices = SlabNumbering<VertexId, SlabVertexId>;
+using SlabVertices = SlabNumbering<PlaneVertexId, SlabVertexId>;
 using SlabRegions = SlabNumbering<RegionId, SlabRegionId>;
 
 /// The vertices of sections in one sequence, as a model numbers them.
@@ -55,7 +55,7 @@ class StackVertices {
  public:
   void add_section(std::size_t vertices) { first_.push_back(first_.back() + vertices); }
   [[nodiscard]] std::size_t size() const { return first_.back(); }
-  [[nodiscard]] VertexId of(SectionId section, VertexId vertex) const {
+  [[nodiscard]] VertexId of(SectionId section, PlaneVertexId vertex) const {
     return VertexId(first_[section.index()] + vertex.index());
   }
 

@@ -40,7 +40,7 @@ class Slab {
   [[nodiscard]] const ConformingSection& section_of(SlabVertexId v) const {
     return section(is_upper(v));
   }
-  [[nodiscard]] VertexId in_section(SlabVertexId v) const { return numbering_.in_section(v); }
+  [[nodiscard]] PlaneVertexId in_section(SlabVertexId v) const { return numbering_.in_section(v); }
   [[nodiscard]] Point3 point(SlabVertexId v) const { return section_of(v).point3(in_section(v)); }
 
   /// D's adjacency; stars, rings and vertices of its tets in terms of the slab follow.
@@ -87,9 +87,9 @@ class Slab {
   void classify_tets();
   // The corners of a tet in one plane.
   struct Corners {
-    std::array<VertexId, 4> id;
+    std::array<PlaneVertexId, 4> id;
     std::size_t count = 0;
-    void add(VertexId v) { id[count++] = v; }
+    void add(PlaneVertexId v) { id[count++] = v; }
   };
   [[nodiscard]] TetKind classify_type1(TetId t, const Corners& corners, bool above);
   [[nodiscard]] TetKind classify_type2(const Corners& lower, const Corners& upper) const;

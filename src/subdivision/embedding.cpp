@@ -56,7 +56,7 @@ void Embedding::add_prisms() {
       const RegionId r = classes_.regions().in_section(region);
       extrude(section, triangles[r], vertices[r], region,
               {slab_.numbering(), upper, nodes_, caps_.end_id()}, pieces_);
-      for (const VertexId v : vertices[r])
+      for (const PlaneVertexId v : vertices[r])
         caps_.push_back({slab_.numbering().in_slab(upper, v), k});
     }
   }

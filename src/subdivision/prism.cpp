@@ -13,9 +13,9 @@ IdVector<RegionId, std::vector<TriangleId>> triangles_by_region(const Conforming
   return result;
 }
 
-IdVector<RegionId, std::vector<VertexId>> vertices_by_region(const ConformingSection& section) {
-  IdVector<RegionId, std::vector<VertexId>> result(section.nesting.outer.size());
-  for (const VertexId v : section.region.ids()) {
+IdVector<RegionId, std::vector<PlaneVertexId>> vertices_by_region(const ConformingSection& section) {
+  IdVector<RegionId, std::vector<PlaneVertexId>> result(section.nesting.outer.size());
+  for (const PlaneVertexId v : section.region.ids()) {
     const RegionId r = section.region[v];
     if (r.valid()) result[r].push_back(v);
   }
@@ -23,10 +23,10 @@ IdVector<RegionId, std::vector<VertexId>> vertices_by_region(const ConformingSec
 }
 
 void extrude(const ConformingSection& section, const std::vector<TriangleId>& triangles,
-             const std::vector<VertexId>& vertices, SlabRegionId region, const PrismNodes& prism,
+             const std::vector<PlaneVertexId>& vertices, SlabRegionId region, const PrismNodes& prism,
              std::vector<Piece>& pieces) {
-  const auto base = [&](VertexId v) { return Nodes::of(prism.slab.in_slab(prism.upper, v)); };
-  const auto cap = [&](VertexId v) {
+  const auto base = [&](PlaneVertexId v) { return Nodes::of(prism.slab.in_slab(prism.upper, v)); };
+  const auto cap = [&](PlaneVertexId v) {
     const auto at = std::lower_bound(vertices.begin(), vertices.end(), v);
     return prism.nodes.of(
         CapId(prism.first_cap.index() + static_cast<std::size_t>(at - vertices.begin())));

@@ -18,7 +18,7 @@ namespace tetloft {
     const ConformingSection& section);
 
 /// The vertices of each region of a section, by id.
-[[nodiscard]] IdVector<RegionId, std::vector<VertexId>> vertices_by_region(
+[[nodiscard]] IdVector<RegionId, std::vector<PlaneVertexId>> vertices_by_region(
     const ConformingSection& section);
 
 /// What a prism over a region is made of.
@@ -32,7 +32,7 @@ struct PrismNodes {
 /// Extrudes one region from its section into the slab. Pieces are positive if the caps lie on the
 /// slab's side of the section.
 void extrude(const ConformingSection& section, const std::vector<TriangleId>& triangles,
-             const std::vector<VertexId>& vertices, SlabRegionId region, const PrismNodes& prism,
+             const std::vector<PlaneVertexId>& vertices, SlabRegionId region, const PrismNodes& prism,
              std::vector<Piece>& pieces);
 
 }  // namespace tetloft

@@ -24,7 +24,7 @@ double magnitude(const Point2& p) { return std::max(std::abs(p.x), std::abs(p.y)
 RegionDistance::RegionDistance(const ConformingSection& section) : tree_({}) {
   std::vector<sections::Box> boxes;
   for (std::size_t k = 0; k < section.vertex_count(); ++k) {
-    const VertexId v(k);
+    const PlaneVertexId v(k);
     if (!section.next[v].valid()) continue;
     const Edge edge{section.point(v), section.point(section.next[v])};
     edges_.push_back(edge);
