@@ -6,8 +6,8 @@
 #include <limits>
 #include <vector>
 
-#include "support/stacks/shapes.hpp"
 #include "support/slabs/cases.hpp"
+#include "support/stacks/shapes.hpp"
 
 namespace tetloft::testing {
 namespace {
