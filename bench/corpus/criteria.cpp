@@ -20,7 +20,9 @@
 
 #include "core/union_find.hpp"
 #include "corpus/solids.hpp"
-#include "correspondence/correspondence.hpp"
+#include "correspondence/reverse_links.hpp"
+#include "slab/delaunay.hpp"
+#include "slab/slab.hpp"
 #include "words.hpp"
 
 namespace {

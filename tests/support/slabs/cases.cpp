@@ -7,7 +7,8 @@
 
 #include <tetloft/io.hpp>
 
-#include "correspondence/correspondence.hpp"
+#include "correspondence/overlap_links.hpp"
+#include "slab/delaunay.hpp"
 
 namespace tetloft::testing {
 

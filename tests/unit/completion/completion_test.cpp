@@ -14,17 +14,17 @@
 namespace tetloft::testing {
 namespace {
 
-using Triangle = std::set<VertexId>;
-using Edge = std::set<VertexId>;
+using Triangle = std::set<SlabVertexId>;
+using Edge = std::set<SlabVertexId>;
 
 // Empty if the triangles form a disc, else what is wrong.
 std::string not_a_disc(const std::vector<Triangle>& triangles) {
   if (triangles.empty()) return "no triangle";
   std::map<Edge, std::vector<std::size_t>> on_edge;
-  std::set<VertexId> vertices;
+  std::set<SlabVertexId> vertices;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     vertices.insert(triangles[i].begin(), triangles[i].end());
-    for (const VertexId v : triangles[i]) {
+    for (const SlabVertexId v : triangles[i]) {
       Edge edge = triangles[i];
       edge.erase(v);
       on_edge[edge].push_back(i);
@@ -32,11 +32,11 @@ std::string not_a_disc(const std::vector<Triangle>& triangles) {
   }
   std::vector<std::size_t> sheet(triangles.size());
   for (std::size_t i = 0; i < sheet.size(); ++i) sheet[i] = i;
-  std::map<VertexId, std::vector<VertexId>> along_boundary;
+  std::map<SlabVertexId, std::vector<SlabVertexId>> along_boundary;
   for (const auto& [edge, at] : on_edge) {
     if (at.size() > 2) return "an edge of three triangles";
-    const VertexId u = *edge.begin();
-    const VertexId v = *edge.rbegin();
+    const SlabVertexId u = *edge.begin();
+    const SlabVertexId v = *edge.rbegin();
     if (at.size() == 1) {
       along_boundary[u].push_back(v);
       along_boundary[v].push_back(u);
@@ -51,20 +51,20 @@ std::string not_a_disc(const std::vector<Triangle>& triangles) {
   for (const auto& [v, next] : along_boundary) {
     if (next.size() != 2) return "a pinched boundary";
   }
-  std::set<VertexId> walked;
-  std::vector<VertexId> todo{along_boundary.begin()->first};
+  std::set<SlabVertexId> walked;
+  std::vector<SlabVertexId> todo{along_boundary.begin()->first};
   while (!todo.empty()) {
-    const VertexId v = todo.back();
+    const SlabVertexId v = todo.back();
     todo.pop_back();
     if (!walked.insert(v).second) continue;
-    for (const VertexId w : along_boundary[v]) todo.push_back(w);
+    for (const SlabVertexId w : along_boundary[v]) todo.push_back(w);
   }
   return walked.size() == along_boundary.size() ? "" : "several boundary cycles";
 }
 
 TEST(DiscOracle, TellsDiscsFromWhatIsNone) {
   const auto t = [](int a, int b, int c) {
-    return Triangle{VertexId(a), VertexId(b), VertexId(c)};
+    return Triangle{SlabVertexId(a), SlabVertexId(b), SlabVertexId(c)};
   };
   EXPECT_EQ(not_a_disc({t(0, 1, 2), t(1, 2, 3)}), "");
   EXPECT_NE(not_a_disc({}), "");
@@ -79,7 +79,7 @@ TEST(DiscOracle, TellsDiscsFromWhatIsNone) {
 struct Completed {
   Complex seed;
   Complex complex;
-  std::vector<Unconnectable> unconnectable;
+  std::vector<LeftApart> unconnectable;
   IdVector<ClassId, std::uint8_t> active;
 };
 
@@ -123,7 +123,7 @@ TEST(Completion, KeptBitsAreEqualAmongCornersOfAClassAndCoverAttachedBits) {
       EXPECT_EQ(c.complex.attached[t] & ~c.complex.kept[t], 0);
       std::map<ClassId, std::set<bool>> kept;
       for (int i = 0; i < 4; ++i) {
-        const ClassId id = s.classes->of(s.slab->mesh().vertex(t, i));
+        const ClassId id = s.classes->of(s.slab->vertex(t, i));
         kept[id].insert(c.complex.keeps(t, i));
         if (c.active[id] == 0) {
           EXPECT_FALSE(c.complex.keeps(t, i));
@@ -138,11 +138,11 @@ TEST(Completion, AttachedTetsAtEveryVertexHaveADiscAsLink) {
   std::size_t discs = 0;
   for_each_completion(202, [&](const SlabCase& s, const Completed& c) {
     for (std::size_t k = 0; k < s.slab->vertex_count(); ++k) {
-      const VertexId v(k);
+      const SlabVertexId v(k);
       if (c.active[s.classes->of(v)] == 0) continue;
       std::vector<Triangle> link;
-      for (std::size_t i = 0; i < s.slab->mesh().tet_slots(); ++i) {
-        const TetVertices& corner = s.slab->mesh().vertices(TetId(i));
+      for (std::size_t i = 0; i < s.slab->tet_count(); ++i) {
+        const auto corner = s.slab->vertices(TetId(i));
         const auto at = std::find(corner.begin(), corner.end(), v);
         if (at == corner.end()) continue;
         if (!c.complex.is_attached(TetId(i), static_cast<int>(at - corner.begin()))) continue;
@@ -162,12 +162,12 @@ TEST(Completion, AttachedSetsOfBothEndsOfAnOwnEdgeAreEqualOrDisjoint) {
     struct Sets {
       std::set<TetId> low, high;
     };
-    std::map<std::pair<VertexId, VertexId>, Sets> at_edge;
+    std::map<std::pair<SlabVertexId, SlabVertexId>, Sets> at_edge;
     for (std::size_t k = 0; k < c.complex.kept.size(); ++k) {
       const TetId t(k);
       for (const auto& [i, j] : kEdgeVertex) {
-        const VertexId u = s.slab->mesh().vertex(t, i);
-        const VertexId v = s.slab->mesh().vertex(t, j);
+        const SlabVertexId u = s.slab->vertex(t, i);
+        const SlabVertexId v = s.slab->vertex(t, j);
         if (s.classes->of(u) != s.classes->of(v)) continue;
         Sets& sets = at_edge[std::minmax(u, v)];
         if (c.complex.is_attached(t, u < v ? i : j)) sets.low.insert(t);
@@ -189,8 +189,8 @@ TEST(Completion, EveryActiveClassIsConnectedThroughAttachedCorners) {
     for (std::size_t k = 0; k < c.complex.kept.size(); ++k) {
       const TetId t(k);
       for (const auto& [i, j] : kEdgeVertex) {
-        const VertexId u = s.slab->mesh().vertex(t, i);
-        const VertexId v = s.slab->mesh().vertex(t, j);
+        const SlabVertexId u = s.slab->vertex(t, i);
+        const SlabVertexId v = s.slab->vertex(t, j);
         if (s.classes->of(u) == s.classes->of(v) && c.complex.is_attached(t, i) &&
             c.complex.is_attached(t, j)) {
           sets.unite(u.index(), v.index());
@@ -199,7 +199,7 @@ TEST(Completion, EveryActiveClassIsConnectedThroughAttachedCorners) {
     }
     std::map<ClassId, std::set<std::size_t>> bodies;
     for (std::size_t v = 0; v < s.slab->vertex_count(); ++v) {
-      bodies[s.classes->of(VertexId(v))].insert(sets.find(v));
+      bodies[s.classes->of(SlabVertexId(v))].insert(sets.find(v));
     }
     for (const auto& [id, parts] : bodies) {
       if (c.active[id] == 0) continue;
@@ -208,26 +208,6 @@ TEST(Completion, EveryActiveClassIsConnectedThroughAttachedCorners) {
     }
   });
   EXPECT_GT(connected, 20U);
-}
-
-TEST(SlabClasses, AreTheUnionsOfLinksNumberedByFirstRegion) {
-  const auto c =
-      slab_case(stack_of_boxes({{box(0, 0, 1, 1), box(2, 0, 3, 1), box(4, 0, 5, 1)},
-                                {box(0, 0, 1, 1), box(2, 0, 3, 1)}}),
-                0, {{SlabId(0), RegionId(2), RegionId(0)}, {SlabId(0), RegionId(2), RegionId(1)}});
-  const SlabClasses& classes = *c->classes;
-  ASSERT_EQ(classes.class_count(), 3U);
-  EXPECT_TRUE(classes.is_lone(ClassId(0)));
-  EXPECT_TRUE(classes.is_lone(ClassId(1)));
-  EXPECT_EQ(classes.regions(ClassId(2)),
-            (std::vector<SlabRegionId>{SlabRegionId(2), SlabRegionId(3), SlabRegionId(4)}));
-  EXPECT_TRUE(classes.is_upper(SlabRegionId(3)));
-  EXPECT_EQ(classes.in_section(SlabRegionId(4)), RegionId(1));
-  for (std::size_t v = 0; v < c->slab->vertex_count(); ++v) {
-    const Point3 p = c->slab->point(VertexId(v));
-    const std::size_t column = p.x < 1.5 ? 0 : p.x < 3.5 ? 1 : 2;
-    EXPECT_EQ(classes.region(VertexId(v)), SlabRegionId(p.z == 0 ? column : 3 + column));
-  }
 }
 
 }  // namespace

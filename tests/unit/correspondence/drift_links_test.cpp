@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "correspondence/overlap_links.hpp"
 #include "support/guarantee_oracle.hpp"
 #include "support/slabs/cases.hpp"
 

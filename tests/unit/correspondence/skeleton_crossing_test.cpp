@@ -13,6 +13,7 @@
 
 #include "core/union_find.hpp"
 #include "correspondence/correspondence.hpp"
+#include "correspondence/reverse_links.hpp"
 #include "support/slabs/cases.hpp"
 #include "support/voronoi_crossings.hpp"
 
@@ -26,11 +27,11 @@ using ContourPair = std::pair<ContourId, ContourId>;
 // The edges below and above of all reverse tets.
 std::set<EdgePair> reverse_tets(const Slab& slab) {
   std::set<EdgePair> result;
-  for (std::size_t k = 0; k < slab.mesh().tet_slots(); ++k) {
+  for (std::size_t k = 0; k < slab.tet_count(); ++k) {
     const TetId t(k);
     if (slab.kind(t) != TetKind::ii && slab.kind(t) != TetKind::ie) continue;
     std::vector<VertexId> low, high;
-    for (const VertexId v : slab.mesh().vertices(t)) {
+    for (const SlabVertexId v : slab.vertices(t)) {
       (slab.is_upper(v) ? high : low).push_back(slab.in_section(v));
     }
     result.emplace(slab.lower().find_edge(low[0], low[1]),

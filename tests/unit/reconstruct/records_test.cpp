@@ -56,7 +56,7 @@ std::string slab_file(SlabId s) { return "slab" + std::to_string(s.value()); }
 // Phase 1 on one machine; the slabs are built here only to learn which contours have to be refined.
 std::optional<Error> plan_into(const Folder& folder, const SectionStack& stack,
                                const ReconstructOptions& options) {
-  WatchedWork work(options.stop, options.progress, 0);
+  WatchedWork work(options.execution, 0);
   Result<PreparedStack> prepared = prepare(stack, Unit::of_the_stack, options, work);
   if (!prepared) return prepared.error();
   Plan plan;

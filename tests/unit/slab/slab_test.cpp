@@ -33,9 +33,9 @@ EdgeKind kind_by_triangles(const ConformingSection& section, VertexId u, VertexI
 TetKind kind_by_definition(const SlabCase& c, TetId t) {
   std::vector<VertexId> low;
   std::vector<VertexId> high;
-  for (const VertexId v : c.slab->mesh().vertices(t)) {
+  for (const SlabVertexId v : c.slab->vertices(t)) {
     if (v.index() < c.lower.vertex_count()) {
-      low.push_back(v);
+      low.push_back(VertexId(v.index()));
     } else {
       high.push_back(VertexId(v.index() - c.lower.vertex_count()));
     }
@@ -63,7 +63,7 @@ TEST(Slab, TypesOfTetsFollowTheirInPlaneTrianglesAndEdges) {
   for (const NamedSlab& s : generated_slabs(100, 1)) {
     SCOPED_TRACE(s.name);
     const Slab& slab = *s.built->slab;
-    for (std::size_t k = 0; k < slab.mesh().tet_slots(); ++k) {
+    for (std::size_t k = 0; k < slab.tet_count(); ++k) {
       ASSERT_EQ(slab.kind(TetId(k)), kind_by_definition(*s.built, TetId(k))) << k;
       met.insert(slab.kind(TetId(k)));
     }
@@ -75,11 +75,11 @@ TEST(Slab, EveryInPlaneTriangleHasExactlyOneTypeOneTet) {
   for (const NamedSlab& s : generated_slabs(101, 1)) {
     SCOPED_TRACE(s.name);
     const Slab& slab = *s.built->slab;
-    std::map<std::set<VertexId>, int> tets_on;
-    for (std::size_t k = 0; k < slab.mesh().tet_slots(); ++k) {
+    std::map<std::set<SlabVertexId>, int> tets_on;
+    for (std::size_t k = 0; k < slab.tet_count(); ++k) {
       for (const bool upper : {false, true}) {
-        std::set<VertexId> corners;
-        for (const VertexId v : slab.mesh().vertices(TetId(k))) {
+        std::set<SlabVertexId> corners;
+        for (const SlabVertexId v : slab.vertices(TetId(k))) {
           if (slab.is_upper(v) == upper) corners.insert(v);
         }
         if (corners.size() == 3) ++tets_on[corners];
@@ -97,16 +97,22 @@ TEST(Slab, StarsHoldTheTetsOfTheMeshById) {
     SCOPED_TRACE(s.name);
     const Slab& slab = *s.built->slab;
     std::size_t corners = 0;
+    // By a search of all tets.
+    std::vector<std::vector<TetId>> expected(slab.vertex_count());
+    for (std::size_t k = 0; k < slab.tet_count(); ++k) {
+      for (const SlabVertexId v : slab.vertices(TetId(k))) expected[v.index()].push_back(TetId(k));
+    }
     for (std::size_t v = 0; v < slab.vertex_count(); ++v) {
       std::vector<TetId> tets;
-      for (const Slab::StarEntry& entry : slab.star(VertexId(v))) {
-        EXPECT_EQ(slab.mesh().vertex(entry.tet, entry.corner), VertexId(v));
-        tets.push_back(entry.tet);
+      for (const HalfFaceId corner : slab.corners(SlabVertexId(v))) {
+        const TetId t = TetMesh::tet_of(corner);
+        EXPECT_EQ(slab.vertex(t, TetMesh::face_of(corner)), SlabVertexId(v));
+        tets.push_back(t);
       }
-      ASSERT_EQ(tets, slab.mesh().star(VertexId(v)));
+      ASSERT_EQ(tets, expected[v]);
       corners += tets.size();
     }
-    EXPECT_EQ(corners, 4 * slab.mesh().tet_slots());
+    EXPECT_EQ(corners, 4 * slab.tet_count());
   }
 }
 
@@ -124,12 +130,12 @@ TEST(Slab, RingsAgreeWithThoseOfTheMesh) {
     SCOPED_TRACE(s.name);
     const Slab& slab = *s.built->slab;
     std::vector<TetId> ring;
-    for (std::size_t k = 0; k < slab.mesh().tet_slots(); ++k) {
+    for (std::size_t k = 0; k < slab.tet_count(); ++k) {
       const TetId t(k);
       for (const auto& [i, j] : kEdgeVertex) {
         const VertexId p = slab.mesh().vertex(t, i);
         const VertexId q = slab.mesh().vertex(t, j);
-        const bool cycle = slab.ring(t, p, q, ring);
+        const bool cycle = slab.ring(slab.vertex(t, i), slab.vertex(t, j), t, ring);
         ++(cycle ? cycles : paths);
         ASSERT_TRUE(same_ring(ring, slab.mesh().ring(p, q, t), cycle));
         ASSERT_EQ(cycle, slab.mesh().classify_link(p, q) == LinkKind::sphere);
@@ -150,8 +156,8 @@ TEST(Slab, FindsATetAtEveryInPlaneEdge) {
       for (std::size_t e = 0; e < section.edges.size(); ++e) {
         const TetId t = slab.tet_at_edge(upper, EdgeId(e));
         const auto& edge = section.edges[EdgeId(e)];
-        EXPECT_GE(slab.mesh().index_in(t, VertexId(edge.a.index() + offset)), 0);
-        EXPECT_GE(slab.mesh().index_in(t, VertexId(edge.b.index() + offset)), 0);
+        EXPECT_GE(slab.index_in(t, SlabVertexId(edge.a.index() + offset)), 0);
+        EXPECT_GE(slab.index_in(t, SlabVertexId(edge.b.index() + offset)), 0);
       }
     }
   }
@@ -164,9 +170,10 @@ TEST(Slab, NoTwoFacesOfItsTriangulationAreInContact) {
     SCOPED_TRACE(s.name);
     const Slab& slab = *s.built->slab;
     std::vector<Point3> points;
-    for (std::size_t v = 0; v < slab.vertex_count(); ++v) points.push_back(slab.point(VertexId(v)));
+    for (std::size_t v = 0; v < slab.vertex_count(); ++v)
+      points.push_back(slab.point(SlabVertexId(v)));
     std::set<TriangleVertices> faces;
-    for (std::size_t k = 0; k < slab.mesh().tet_slots(); ++k) {
+    for (std::size_t k = 0; k < slab.tet_count(); ++k) {
       const auto& v = slab.mesh().vertices(TetId(k));
       ASSERT_EQ(orient3d(points[v[0].index()], points[v[1].index()], points[v[2].index()],
                          points[v[3].index()]),

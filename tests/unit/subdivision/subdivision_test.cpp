@@ -33,9 +33,16 @@ Subdivided subdivide_case(const SlabCase& c) {
 }
 
 // Where a node lies before it is lifted.
-Point3 unlifted(const SlabCase& c, const Subdivision& subdivision, VertexId node) {
+Point3 unlifted(const SlabCase& c, const Subdivision& subdivision, NodeId node) {
   const std::size_t n = c.slab->vertex_count();
-  return node.index() < n ? c.slab->point(node) : subdivision.lifted[node.index() - n].base;
+  return node.index() < n ? c.slab->point(SlabVertexId(node.index()))
+                          : subdivision.lifted[LiftedId(node.index() - n)].base;
+}
+
+std::array<NodeId, 4> as_nodes(const std::array<SlabVertexId, 4>& corners) {
+  std::array<NodeId, 4> nodes;
+  for (std::size_t i = 0; i < 4; ++i) nodes[i] = NodeId(corners[i].index());
+  return nodes;
 }
 
 std::map<TetId, std::vector<Child>> children_by_parent(const Subdivision& subdivision) {
@@ -69,7 +76,7 @@ TEST(Subdivision, UnliftedChildrenTileTheirParent) {
     const Subdivided result = subdivide_case(c);
     const Subdivision& subdivision = result.subdivision;
     for (const auto& [parent, children] : children_by_parent(subdivision)) {
-      const auto volume_of = [&](const std::array<VertexId, 4>& node) {
+      const auto volume_of = [&](const std::array<NodeId, 4>& node) {
         std::array<Point3, 4> p;
         for (std::size_t i = 0; i < 4; ++i) p[i] = unlifted(c, subdivision, node[i]);
         EXPECT_EQ(orient3d(p[0], p[1], p[2], p[3]), Sign::positive);
@@ -77,7 +84,7 @@ TEST(Subdivision, UnliftedChildrenTileTheirParent) {
       };
       long double sum = 0;
       for (const Child& child : children) sum += volume_of(child.node);
-      const long double whole = volume_of(c.slab->mesh().vertices(parent));
+      const long double whole = volume_of(as_nodes(c.slab->vertices(parent)));
       EXPECT_NEAR(static_cast<double>(sum / whole), 1, 1e-12);
       ++parents;
     }
@@ -92,18 +99,19 @@ TEST(Subdivision, SplitsExactlyExternalEdgesThatHaveAnAttachedEnd) {
     SCOPED_TRACE(s.name);
     const SlabCase& c = *s.built;
     const Subdivided result = subdivide_case(c);
-    const auto attached_at = [&](TetId t, VertexId v) {
-      const int i = c.slab->mesh().index_in(t, v);
+    const auto attached_at = [&](TetId t, SlabVertexId v) {
+      const int i = c.slab->index_in(t, v);
       return i >= 0 && result.complex.is_attached(t, i);
     };
-    const auto has_midpoint = [&](VertexId u, VertexId v) {
+    const auto has_midpoint = [&](SlabVertexId u, SlabVertexId v) {
       if (c.slab->edge_kind(u, v) != EdgeKind::external) return false;
-      const std::vector<TetId> around = c.slab->mesh().star(u, v);
+      const std::vector<TetId> around =
+          c.slab->mesh().star(VertexId(u.index()), VertexId(v.index()));
       return std::any_of(around.begin(), around.end(),
                          [&](TetId t) { return attached_at(t, u) || attached_at(t, v); });
     };
     const auto children = children_by_parent(result.subdivision);
-    for (std::size_t k = 0; k < c.slab->mesh().tet_slots(); ++k) {
+    for (std::size_t k = 0; k < c.slab->tet_count(); ++k) {
       const TetId t(k);
       if (result.complex.attached[t] == 0) {
         EXPECT_FALSE(children.contains(t));
@@ -112,8 +120,8 @@ TEST(Subdivision, SplitsExactlyExternalEdgesThatHaveAnAttachedEnd) {
       std::size_t low = 0;
       std::size_t high = 0;
       for (const auto& [i, j] : kEdgeVertex) {
-        const VertexId u = c.slab->mesh().vertex(t, i);
-        if (!c.slab->same_plane(t, i, j) || !has_midpoint(u, c.slab->mesh().vertex(t, j))) continue;
+        const SlabVertexId u = c.slab->vertex(t, i);
+        if (!c.slab->same_plane(t, i, j) || !has_midpoint(u, c.slab->vertex(t, j))) continue;
         ++(c.slab->is_upper(u) ? high : low);
       }
       const std::size_t count = children.at(t).size();
@@ -143,18 +151,18 @@ TEST(Subdivision, MeanOfNamesTheParentsCornersOfANode) {
     const Subdivided result = subdivide_case(c);
     for (const Child& child : result.subdivision.children) {
       for (std::size_t i = 0; i < 4; ++i) {
-        std::set<VertexId> named;
+        std::set<SlabVertexId> named;
         for (int corner = 0; corner < 4; ++corner) {
           if (has_corner(child.mean_of[i], corner)) {
-            named.insert(c.slab->mesh().vertex(child.parent, corner));
+            named.insert(c.slab->vertex(child.parent, corner));
           }
         }
-        std::set<VertexId> expected{child.node[i]};
-        if (child.node[i].index() >= c.slab->vertex_count()) {
-          const auto& of =
-              result.subdivision.lifted[child.node[i].index() - c.slab->vertex_count()].of;
+        const std::size_t node = child.node[i].index();
+        std::set<SlabVertexId> expected{SlabVertexId(node)};
+        if (node >= c.slab->vertex_count()) {
+          const auto& of = result.subdivision.lifted[LiftedId(node - c.slab->vertex_count())].of;
           expected = {of.begin(), of.end()};
-          expected.erase(VertexId());
+          expected.erase(SlabVertexId());
         }
         EXPECT_EQ(named, expected);
       }

@@ -27,10 +27,10 @@ TEST(SplitPrism, YieldsThreePositiveTetsThatFillItForEveryOrderOfIds) {
   int orders = 0;
   do {
     ++orders;
-    std::array<VertexId, 6> prism;
-    std::map<VertexId, Point3> point;
+    std::array<NodeId, 6> prism;
+    std::map<NodeId, Point3> point;
     for (std::size_t i = 0; i < 6; ++i) {
-      prism[i] = VertexId(id[i]);
+      prism[i] = NodeId(id[i]);
       point[prism[i]] = kPrism[i];
     }
     long double sum = 0;
@@ -47,9 +47,9 @@ TEST(SplitPrism, YieldsThreePositiveTetsThatFillItForEveryOrderOfIds) {
 TEST(SplitPrism, DiagonalsOfQuadsStartAtTheirLowestIds) {
   std::array<std::size_t, 6> id{0, 1, 2, 3, 4, 5};
   do {
-    std::array<VertexId, 6> prism;
-    for (std::size_t i = 0; i < 6; ++i) prism[i] = VertexId(id[i]);
-    std::set<std::set<VertexId>> edges;
+    std::array<NodeId, 6> prism;
+    for (std::size_t i = 0; i < 6; ++i) prism[i] = NodeId(id[i]);
+    std::set<std::set<NodeId>> edges;
     for (const auto& tet : split_prism(prism)) {
       for (const auto& [i, j] : kEdgeVertex) {
         edges.insert({tet.at(static_cast<std::size_t>(i)), tet.at(static_cast<std::size_t>(j))});
@@ -57,7 +57,7 @@ TEST(SplitPrism, DiagonalsOfQuadsStartAtTheirLowestIds) {
     }
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t j = (i + 1) % 3;
-      const std::array<VertexId, 4> quad{prism[i], prism[j], prism[j + 3], prism[i + 3]};
+      const std::array<NodeId, 4> quad{prism[i], prism[j], prism[j + 3], prism[i + 3]};
       const auto lowest =
           static_cast<std::size_t>(std::min_element(quad.begin(), quad.end()) - quad.begin());
       EXPECT_TRUE(edges.contains({quad[lowest], quad[(lowest + 2) % 4]}));
@@ -122,17 +122,17 @@ TEST(Truncation, PiecesOfTwoClassesInOneTetAreDisjoint) {
   const Subdivision subdivision = subdivide(*c->slab, complex, rules);
   Lifting lifting(*c->slab, subdivision);
   ASSERT_TRUE(lifting.settle(rules));
-  const Truncation truncation = truncate(*c->slab, *c->classes, complex, subdivision,
-                                         std::vector<std::uint8_t>(subdivision.lifted.size(), 0));
-  std::vector<Point3> points = lifting.points();
+  const Truncation truncation =
+      truncate(*c->slab, *c->classes, complex, subdivision,
+               IdVector<LiftedId, std::uint8_t>(subdivision.lifted.size(), 0));
+  IdVector<NodeId, Point3> points = lifting.points();
   for (const Cut& cut : truncation.cuts) {
-    points.push_back(
-        place_cut(cut, points[cut.kept.index()], points[cut.away.index()], c->slab->gap()));
+    points.push_back(place_cut(cut, points[cut.kept], points[cut.away], c->slab->gap()));
   }
   std::map<ClassId, std::vector<std::array<Point3, 4>>> pieces;
   for (const Piece& piece : truncation.pieces) {
     std::array<Point3, 4> tet;
-    for (std::size_t i = 0; i < 4; ++i) tet[i] = points[piece.node[i].index()];
+    for (std::size_t i = 0; i < 4; ++i) tet[i] = points[piece.node[i]];
     EXPECT_GT(volume6(tet[0], tet[1], tet[2], tet[3]), 0);
     pieces[c->classes->of_region(piece.region)].push_back(tet);
   }
@@ -145,12 +145,12 @@ TEST(Truncation, PiecesOfTwoClassesInOneTetAreDisjoint) {
 TEST(PlaceCut, TwoClassesOnOneEdgeEndAnEighthOfItsLengthApart) {
   // Weights 9/16 from either end; from the middle of an edge, of weight 1/2, an eighth of the way
   // back is left.
-  const Cut up{VertexId(0), VertexId(1), false, false, 1};
-  const Cut down{VertexId(1), VertexId(0), false, false, 1};
+  const Cut up{NodeId(0), NodeId(1), false, false, 1};
+  const Cut down{NodeId(1), NodeId(0), false, false, 1};
   const Point3 low{2, 3, 0}, high{2, 3, 1};
   EXPECT_EQ(place_cut(up, low, high, 1), (Point3{2, 3, 0.4375}));
   EXPECT_EQ(place_cut(down, high, low, 1), (Point3{2, 3, 0.5625}));
-  const Cut to_middle{VertexId(0), VertexId(2), true, false, 1};
+  const Cut to_middle{NodeId(0), NodeId(2), true, false, 1};
   EXPECT_EQ(place_cut(to_middle, low, {2, 3, 0.5}, 1), (Point3{2, 3, 0.4375}));
 }
 
@@ -158,11 +158,11 @@ TEST(PlaceCut, LiesNearerToTheKeptEnd) {
   for (const bool half : {false, true}) {
     for (const bool lifted : {false, true}) {
       const Point3 at =
-          place_cut({VertexId(0), VertexId(1), half, lifted, 1}, {0, 0, 0}, {8, 0, 0.5}, 1);
+          place_cut({NodeId(0), NodeId(1), half, lifted, 1}, {0, 0, 0}, {8, 0, 0.5}, 1);
       EXPECT_GT(at.x, 0);
       EXPECT_LE(at.x, kLargestLean);
       const Point3 steep =
-          place_cut({VertexId(0), VertexId(1), half, lifted, 1}, {0, 0, 0}, {0, 0, 1}, 1);
+          place_cut({NodeId(0), NodeId(1), half, lifted, 1}, {0, 0, 0}, {0, 0, 1}, 1);
       // Weight above 1/2 of what the far end has.
       EXPECT_EQ(steep.z, half ? 1 - 2 * kSeparation : 0.5 - kSeparation);
     }
