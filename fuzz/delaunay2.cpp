@@ -13,7 +13,7 @@ namespace {
 
 std::vector<std::array<Point2, 3>> corners(const Triangulation2& t) {
   std::vector<std::array<Point2, 3>> all;
-  for (const TriangleVertices& v : t.triangles) {
+  for (const PlaneTriangleVertices& v : t.triangles) {
     std::array<Point2, 3> points{t.points[v[0]], t.points[v[1]], t.points[v[2]]};
     std::rotate(points.begin(),
                 std::min_element(points.begin(), points.end(),
@@ -48,7 +48,7 @@ void check_triangulation(const Triangulation2& t, const std::vector<Point2>& dis
   std::size_t hull = 0;
   for (std::size_t k = 0; k < t.triangles.size(); ++k) {
     const TriangleId id(k);
-    const TriangleVertices& v = t.triangles[id];
+    const PlaneTriangleVertices& v = t.triangles[id];
     const Point2& a = t.points[v[0]];
     const Point2& b = t.points[v[1]];
     const Point2& c = t.points[v[2]];
@@ -80,7 +80,7 @@ void check_conforming(const std::vector<Point2>& points, Bytes& bytes) {
   std::vector<Segment> segments;
   for (std::size_t k = bytes.below(8); k > 0; --k) {
     const std::size_t a = bytes.below(points.size());
-    segments.push_back({VertexId(a), VertexId(bytes.below(points.size()))});
+    segments.push_back({PlaneVertexId(a), PlaneVertexId(bytes.below(points.size()))});
   }
   ConformingOptions options;
   options.most_inserted = 200;
@@ -92,7 +92,7 @@ void check_conforming(const std::vector<Point2>& points, Bytes& bytes) {
     const auto& chain = conforming->chains[s];
     require(chain.front() == segments[s][0] && chain.back() == segments[s][1], "ends of a chain");
     for (std::size_t i = 1; i < chain.size(); ++i) {
-      const auto holds = [&](const TriangleVertices& v) {
+      const auto holds = [&](const PlaneTriangleVertices& v) {
         return std::count(v.begin(), v.end(), chain[i - 1]) == 1 &&
                std::count(v.begin(), v.end(), chain[i]) == 1;
       };

@@ -12,7 +12,7 @@ Rational cross(const Point2Q& u, const Point2Q& v) { return u.x * v.y - u.y * v.
 Point2Q difference(const Point2Q& u, const Point2Q& v) { return {u.x - v.x, u.y - v.y}; }
 
 Point2Q circumcentre_of(const ConformingSection& section, TriangleId t) {
-  const TriangleVertices& v = section.triangulation.triangles[t];
+  const PlaneTriangleVertices& v = section.triangulation.triangles[t];
   const Point2Q a = exactly(section.point(v[0]));
   const Point2Q b = difference(exactly(section.point(v[1])), a);
   const Point2Q c = difference(exactly(section.point(v[2])), a);

@@ -111,16 +111,16 @@ TEST(ExteriorVertices, LeaveTheRegionAndItsLabelsAsTheyAre) {
   ASSERT_EQ(after.vertex_count(), before.vertex_count() + exterior.size());
 
   // Numbers without the exterior vertices are those of before.
-  std::vector<VertexId> old;
+  std::vector<PlaneVertexId> old;
   std::size_t next = 0;
   for (std::size_t k = 0; k < after.vertex_count(); ++k) {
-    const VertexId v(k);
+    const PlaneVertexId v(k);
     const bool added =
         std::find(exterior.begin(), exterior.end(), after.point(v)) != exterior.end();
     EXPECT_EQ(after.region[v].valid(), !added);
     EXPECT_EQ(after.contour[v].valid(), !added);
     EXPECT_EQ(after.next[v].valid(), !added);
-    old.push_back(added ? VertexId() : VertexId(next++));
+    old.push_back(added ? PlaneVertexId() : PlaneVertexId(next++));
     if (added) continue;
     EXPECT_EQ(after.point(v), before.point(old[k]));
     EXPECT_EQ(after.contour[v], before.contour[old[k]]);
@@ -138,8 +138,8 @@ TEST(ExteriorVertices, LeaveTheRegionAndItsLabelsAsTheyAre) {
   EXPECT_EQ(internal, static_cast<std::size_t>(
                           std::count(before.internal.begin(), before.internal.end(), 1)));
   for (const ConformingSection::Edge& edge : after.edges) {
-    const VertexId a = old[edge.a.index()];
-    const VertexId b = old[edge.b.index()];
+    const PlaneVertexId a = old[edge.a.index()];
+    const PlaneVertexId b = old[edge.b.index()];
     const EdgeId e = a.valid() && b.valid() ? before.find_edge(a, b) : EdgeId();
     EXPECT_EQ(edge.kind, e.valid() ? before.edges[e].kind : EdgeKind::external);
   }

@@ -14,10 +14,10 @@ namespace tetloft::testing {
 namespace {
 
 // By triangles: both incident ones in the region, or none (and the edge off the contours).
-EdgeKind edge_by_triangles(const ConformingSection& section, VertexId u, VertexId v) {
+EdgeKind edge_by_triangles(const ConformingSection& section, PlaneVertexId u, PlaneVertexId v) {
   std::size_t inside = 0;
   for (std::size_t k = 0; k < section.triangulation.triangles.size(); ++k) {
-    const TriangleVertices& t = section.triangulation.triangles[TriangleId(k)];
+    const PlaneTriangleVertices& t = section.triangulation.triangles[TriangleId(k)];
     const bool on = std::count(t.begin(), t.end(), u) + std::count(t.begin(), t.end(), v) == 2;
     if (on && section.internal[TriangleId(k)] != 0) ++inside;
   }
@@ -31,8 +31,8 @@ TEST(ReverseLinks, JoinTheRegionsOfTetsWithAnInternalEdgeAndNoContourEdge) {
     const Slab& slab = *s.built->slab;
     std::set<std::pair<RegionId, RegionId>> expected;
     for (std::size_t k = 0; k < slab.tet_count(); ++k) {
-      std::vector<VertexId> low;
-      std::vector<VertexId> high;
+      std::vector<PlaneVertexId> low;
+      std::vector<PlaneVertexId> high;
       for (const SlabVertexId v : slab.vertices(TetId(k))) {
         (slab.is_upper(v) ? high : low).push_back(slab.in_section(v));
       }
@@ -40,8 +40,8 @@ TEST(ReverseLinks, JoinTheRegionsOfTetsWithAnInternalEdgeAndNoContourEdge) {
       const std::set<EdgeKind> kinds{edge_by_triangles(s.built->lower, low[0], low[1]),
                                      edge_by_triangles(s.built->upper, high[0], high[1])};
       if (!kinds.contains(EdgeKind::internal) || kinds.contains(EdgeKind::contour)) continue;
-      for (const VertexId v : low) {
-        for (const VertexId w : high) {
+      for (const PlaneVertexId v : low) {
+        for (const PlaneVertexId w : high) {
           expected.emplace(s.built->lower.region[v], s.built->upper.region[w]);
         }
       }

@@ -9,7 +9,7 @@
 namespace tetloft::test {
 namespace {
 
-Segment segment(int a, int b) { return {VertexId(a), VertexId(b)}; }
+Segment segment(int a, int b) { return {PlaneVertexId(a), PlaneVertexId(b)}; }
 
 TEST(Delaunay2Api, FewerThanThreePointsMakeNoTriangles) {
   for (std::size_t n = 0; n < 3; ++n) {
@@ -46,7 +46,7 @@ TEST(Delaunay2Api, SignedZerosAreOnePoint) {
   const Points points{{0.0, 0.0}, {1, 0}, {0, 1}, {-0.0, 0.0}, {-0.0, -0.0}};
   const Triangulation2 t = triangulate(points);
   EXPECT_EQ(t.triangles.raw(),
-            (std::vector<TriangleVertices>{{VertexId(0), VertexId(1), VertexId(2)}}));
+            (std::vector<PlaneTriangleVertices>{{PlaneVertexId(0), PlaneVertexId(1), PlaneVertexId(2)}}));
 }
 
 TEST(ConformingApi, RepeatedPointsAreRefusedNamingTheSecond) {
@@ -96,8 +96,8 @@ TEST(ConformingApi, SegmentsOfCollinearPointsAreTheirOwnChains) {
   ASSERT_TRUE(result.ok());
   EXPECT_TRUE(result->triangulation.triangles.empty());
   EXPECT_EQ(result->triangulation.points.raw(), points);
-  EXPECT_EQ(result->chains[0], (std::vector<VertexId>{VertexId(0), VertexId(3)}));
-  EXPECT_EQ(result->chains[1], (std::vector<VertexId>{VertexId(1), VertexId(2)}));
+  EXPECT_EQ(result->chains[0], (std::vector<PlaneVertexId>{PlaneVertexId(0), PlaneVertexId(3)}));
+  EXPECT_EQ(result->chains[1], (std::vector<PlaneVertexId>{PlaneVertexId(1), PlaneVertexId(2)}));
   const Result<Conforming2> through = conforming_delaunay2(points, std::vector{segment(2, 0)});
   ASSERT_FALSE(through.ok());
   EXPECT_EQ(through.error().where.vertex, 3U);

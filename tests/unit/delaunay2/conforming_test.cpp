@@ -18,7 +18,7 @@ Conforming2 expect_conforming(const Graph& graph, Trust trust = Trust::library) 
 }
 
 Graph bar_among(Points others) {
-  Graph graph{{{0, 0}, {1, 0}}, {{VertexId(0), VertexId(1)}}};
+  Graph graph{{{0, 0}, {1, 0}}, {{PlaneVertexId(0), PlaneVertexId(1)}}};
   graph.points.insert(graph.points.end(), others.begin(), others.end());
   return graph;
 }
@@ -27,7 +27,7 @@ TEST(Conforming, SegmentsThatAreEdgesAreNotSplit) {
   Prng prng(1);
   Graph graph{uniform(300, prng), {}};
   const Triangulation2 t = triangulate(graph.points);
-  for (const TriangleVertices& v : t.triangles) {
+  for (const PlaneTriangleVertices& v : t.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
       if (v[k] < v[(k + 1) % 3]) graph.segments.push_back({v[k], v[(k + 1) % 3]});
     }
@@ -47,29 +47,29 @@ TEST(Conforming, AMissingSegmentIsSplitAtItsMidpoint) {
   const Graph graph = bar_among({{0.5, 0.1}, {0.5, -0.1}});
   const Conforming2 c = expect_conforming(graph, Trust::definition);
   EXPECT_EQ(inserted(c, graph), (Points{{0.5, 0}}));
-  EXPECT_EQ(c.chains[0], (std::vector<VertexId>{VertexId(0), VertexId(4), VertexId(1)}));
+  EXPECT_EQ(c.chains[0], (std::vector<PlaneVertexId>{PlaneVertexId(0), PlaneVertexId(4), PlaneVertexId(1)}));
 }
 
 TEST(Conforming, AtAnAcuteCornerTheFirstSplitIsAPowerOfTwoAway) {
   Graph graph = bar_among({{0.7, 0.1}, {0.4, 0.05}, {0.4, -0.05}});
   graph.points[1].x = 0.9;
-  graph.segments.push_back({VertexId(0), VertexId(2)});
+  graph.segments.push_back({PlaneVertexId(0), PlaneVertexId(2)});
   graph.points[3] = {0.5, 0.02};
   graph.points[4] = {0.5, -0.02};
   const Conforming2 c = expect_conforming(graph, Trust::definition);
   ASSERT_GE(c.chains[0].size(), 3U);
   bool has_half = false;
-  for (const VertexId v : c.chains[0]) has_half |= c.triangulation.points[v] == Point2{0.5, 0};
+  for (const PlaneVertexId v : c.chains[0]) has_half |= c.triangulation.points[v] == Point2{0.5, 0};
   EXPECT_TRUE(has_half);
 }
 
 TEST(Conforming, ASegmentWithTwoAcuteEndsIsFirstSplitInTheMiddle) {
   // A thin Z: the bar has an acute corner at both ends.
   Graph graph{{{0, 0}, {0.9, 0}, {0.6, 0.2}, {0.3, -0.2}, {0.45, 0.05}, {0.45, -0.05}},
-              {{VertexId(0), VertexId(1)}, {VertexId(0), VertexId(2)}, {VertexId(1), VertexId(3)}}};
+              {{PlaneVertexId(0), PlaneVertexId(1)}, {PlaneVertexId(0), PlaneVertexId(2)}, {PlaneVertexId(1), PlaneVertexId(3)}}};
   const Conforming2 c = expect_conforming(graph, Trust::definition);
   bool has_middle = false;
-  for (const VertexId v : c.chains[0]) has_middle |= c.triangulation.points[v] == Point2{0.45, 0};
+  for (const PlaneVertexId v : c.chains[0]) has_middle |= c.triangulation.points[v] == Point2{0.45, 0};
   EXPECT_TRUE(has_middle);
 }
 
@@ -118,7 +118,7 @@ TEST(Conforming, TwoSegmentsSideBySideNeedFewSplits) {
   for (const double gap : {1e-2, 1e-5, 1e-9}) {
     Graph graph{
         {{0, 0}, {1, 0}, {0.3, gap}, {1.3, gap}, {0.2, -gap}, {1.7, -gap}},
-        {{VertexId(0), VertexId(1)}, {VertexId(2), VertexId(3)}, {VertexId(4), VertexId(5)}}};
+        {{PlaneVertexId(0), PlaneVertexId(1)}, {PlaneVertexId(2), PlaneVertexId(3)}, {PlaneVertexId(4), PlaneVertexId(5)}}};
     const Conforming2 c = expect_conforming(graph);
     EXPECT_LT(c.split.size(), 400U) << gap;
   }
@@ -159,7 +159,7 @@ TEST(Conforming, PolygonsOfTwentyThousandVertices) {
     const Conforming2 c = conform(graph);
     EXPECT_TRUE(is_locally_delaunay(c.triangulation, Trust::library));
     std::size_t vertices = 0;
-    for (const std::vector<VertexId>& chain : c.chains) vertices += chain.size() - 2;
+    for (const std::vector<PlaneVertexId>& chain : c.chains) vertices += chain.size() - 2;
     EXPECT_EQ(vertices, c.split.size());
   }
 }
@@ -179,7 +179,7 @@ TEST(Conforming, InsertedPointsDoNotDependOnTheOrderOfTheInput) {
   Prng prng(11);
   const Graph graphs[] = {
       skyline(30, 20, prng), star_polygon(40, 0.1, prng), fan(20, 1, prng),
-      fan(30, 6.28, prng) + Graph{{{2, 2}, {3, 3}}, {{VertexId(0), VertexId(1)}}}};
+      fan(30, 6.28, prng) + Graph{{{2, 2}, {3, 3}}, {{PlaneVertexId(0), PlaneVertexId(1)}}}};
   for (const Graph& graph : graphs) {
     for (const bool gabriel : {false, true}) {
       const auto conform_all = [gabriel](const Graph& g) {

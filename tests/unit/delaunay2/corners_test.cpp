@@ -62,7 +62,7 @@ TEST(AcuteEnds, OfThreeArmsWithOneAcutePairMatchBruteForce) {
       for (std::size_t k = 0; k < 8; ++k) {
         if (i == j || j == k || k == i) continue;
         test::Graph graph{{{0, 0}, around[i], around[j], around[k]}, {}};
-        for (int arm = 1; arm <= 3; ++arm) graph.segments.push_back({VertexId(arm), VertexId(0)});
+        for (int arm = 1; arm <= 3; ++arm) graph.segments.push_back({PlaneVertexId(arm), PlaneVertexId(0)});
         expect_brute_force(graph);
       }
     }
@@ -71,10 +71,10 @@ TEST(AcuteEnds, OfThreeArmsWithOneAcutePairMatchBruteForce) {
 
 TEST(AcuteEnds, RightAnglesAreNotAcute) {
   const test::Graph cross{{{0, 0}, {1, 0}, {0, 1}, {-1, 0}, {0, -1}},
-                          {{VertexId(0), VertexId(1)},
-                           {VertexId(0), VertexId(2)},
-                           {VertexId(0), VertexId(3)},
-                           {VertexId(0), VertexId(4)}}};
+                          {{PlaneVertexId(0), PlaneVertexId(1)},
+                           {PlaneVertexId(0), PlaneVertexId(2)},
+                           {PlaneVertexId(0), PlaneVertexId(3)},
+                           {PlaneVertexId(0), PlaneVertexId(4)}}};
   for (const auto& ends : acute_ends(cross.points, cross.segments)) {
     EXPECT_FALSE(ends[0] || ends[1]);
   }

@@ -130,9 +130,9 @@ TEST(Delaunay2, PermutingThePointsRenamesTheTriangles) {
     for (int k = 0; k < 5; ++k) {
       std::vector<std::size_t> name;
       const Triangulation2 after = triangulate(shuffled({points, {}}, prng, &name).points);
-      std::vector<TriangleVertices> renamed;
-      for (TriangleVertices v : before.triangles) {
-        for (VertexId& u : v) u = VertexId(name[u.index()]);
+      std::vector<PlaneTriangleVertices> renamed;
+      for (PlaneTriangleVertices v : before.triangles) {
+        for (PlaneVertexId& u : v) u = PlaneVertexId(name[u.index()]);
         std::rotate(v.begin(), std::min_element(v.begin(), v.end()), v.end());
         renamed.push_back(v);
       }
@@ -156,8 +156,8 @@ TEST(Delaunay2, ASquareIsCutByTheDiagonalOfItsMiddleCorners) {
   // Of four cocircular points the last in canonical order is raised most: it is cut off.
   const Points square{{0, 0}, {0, 1}, {1, 0}, {1, 1}};
   EXPECT_EQ(triangulate(square).triangles.raw(),
-            (std::vector<TriangleVertices>{{VertexId(0), VertexId(2), VertexId(1)},
-                                           {VertexId(1), VertexId(2), VertexId(3)}}));
+            (std::vector<PlaneTriangleVertices>{{PlaneVertexId(0), PlaneVertexId(2), PlaneVertexId(1)},
+                                           {PlaneVertexId(1), PlaneVertexId(2), PlaneVertexId(3)}}));
 }
 
 }  // namespace

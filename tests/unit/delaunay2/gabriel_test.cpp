@@ -16,19 +16,19 @@ Conforming2 expect_gabriel(const Graph& graph) {
 }
 
 TEST(Gabriel, AVertexOnTheCircleCounts) {
-  const Graph graph{{{0, 0}, {2, 0}, {1, 1}, {1, 5}}, {{VertexId(0), VertexId(1)}}};
+  const Graph graph{{{0, 0}, {2, 0}, {1, 1}, {1, 5}}, {{PlaneVertexId(0), PlaneVertexId(1)}}};
   EXPECT_TRUE(conform(graph).split.empty());
   EXPECT_EQ(inserted(expect_gabriel(graph), graph), (Points{{1, 0}}));
 }
 
 TEST(Gabriel, AVertexOutsideTheCircleDoesNot) {
-  const Graph graph{{{0, 0}, {2, 0}, {1, 1.0000001}, {1, 5}}, {{VertexId(0), VertexId(1)}}};
+  const Graph graph{{{0, 0}, {2, 0}, {1, 1.0000001}, {1, 5}}, {{PlaneVertexId(0), PlaneVertexId(1)}}};
   EXPECT_TRUE(expect_gabriel(graph).split.empty());
 }
 
 TEST(Gabriel, OnlyFlaggedSegmentsAreRefined) {
   const Graph graph{{{0, 0}, {2, 0}, {1, 0.5}, {10, 0}, {12, 0}, {11, 0.5}},
-                    {{VertexId(0), VertexId(1)}, {VertexId(3), VertexId(4)}}};
+                    {{PlaneVertexId(0), PlaneVertexId(1)}, {PlaneVertexId(3), PlaneVertexId(4)}}};
   ConformingOptions options;
   options.gabriel = {false, true};
   const Conforming2 c = conform(graph, options);
@@ -61,14 +61,14 @@ TEST(Gabriel, AcuteCornersNeedShellsOnly) {
   // with the logarithm of the angle, not with its inverse.
   for (const double angle : {1e-2, 1e-3, 1e-4, 1e-5}) {
     const Graph graph{{{0, 0}, {0.93, 0}, {0.87, 0.87 * angle}},
-                      {{VertexId(0), VertexId(1)}, {VertexId(0), VertexId(2)}}};
+                      {{PlaneVertexId(0), PlaneVertexId(1)}, {PlaneVertexId(0), PlaneVertexId(2)}}};
     EXPECT_LT(expect_gabriel(graph).split.size(), 120U) << angle;
   }
 }
 
 TEST(Gabriel, RightAnglesNeedNoSplit) {
   const Graph graph{{{0, 0}, {1, 0}, {0, 1}},
-                    {{VertexId(0), VertexId(1)}, {VertexId(0), VertexId(2)}}};
+                    {{PlaneVertexId(0), PlaneVertexId(1)}, {PlaneVertexId(0), PlaneVertexId(2)}}};
   EXPECT_TRUE(expect_gabriel(graph).split.empty());
 }
 

@@ -9,7 +9,7 @@
 namespace tetloft::delaunay2_detail {
 namespace {
 
-const VertexId v1{1}, v2{2}, v3{3};
+const SiteId v1{1}, v2{2}, v3{3};
 
 Incremental2 unit_triangle() { return Incremental2({0, 0}, {8, 0}, {0, 8}, 10); }
 
@@ -38,9 +38,9 @@ TEST(Incremental2, OppositeIsAnInvolutionThatReversesEdges) {
 
 TEST(Incremental2, InsertingAPointTwiceReturnsItsVertex) {
   Incremental2 plane = unit_triangle();
-  const VertexId inside = plane.insert({1, 1}, v1);
-  const VertexId on_hull = plane.insert({4, 0}, v3);
-  const VertexId outside = plane.insert({9, 9}, v2);
+  const SiteId inside = plane.insert({1, 1}, v1);
+  const SiteId on_hull = plane.insert({4, 0}, v3);
+  const SiteId outside = plane.insert({9, 9}, v2);
   EXPECT_EQ(plane.vertex_count(), 7U);
   EXPECT_EQ(plane.insert({1, 1}, v2), inside);
   EXPECT_EQ(plane.insert({4, 0}, v2), on_hull);
@@ -51,17 +51,17 @@ TEST(Incremental2, InsertingAPointTwiceReturnsItsVertex) {
 
 TEST(Incremental2, PointsOnTheLineOfAHullEdgeExtendOrSplitIt) {
   Incremental2 plane = unit_triangle();
-  const VertexId beyond = plane.insert({12, 0}, v1);
+  const SiteId beyond = plane.insert({12, 0}, v1);
   EXPECT_TRUE(plane.find_edge(v2, beyond).valid());
   EXPECT_TRUE(plane.find_edge(v1, v2).valid());
-  const VertexId between = plane.insert({3, 0}, v1);
+  const SiteId between = plane.insert({3, 0}, v1);
   EXPECT_FALSE(plane.find_edge(v1, v2).valid());
   EXPECT_TRUE(plane.find_edge(v1, between).valid());
 }
 
 TEST(Incremental2, EdgesThatDoNotExistAreNotFound) {
   Incremental2 plane = unit_triangle();
-  const VertexId far = plane.insert({8, 8}, v1);
+  const SiteId far = plane.insert({8, 8}, v1);
   EXPECT_FALSE(plane.find_edge(v1, far).valid() && plane.find_edge(v2, v3).valid());
   EXPECT_TRUE(plane.find_edge(v1, far).valid() || plane.find_edge(v2, v3).valid());
 }
@@ -72,7 +72,7 @@ TEST(Incremental2, InsertionReportsTheLabelsOfEdgesItTouches) {
   plane.set_label(plane.find_edge(v3, v2), LabelId(23));
   EXPECT_TRUE(plane.take_touched().empty());
   // In conflict with the triangle, not with the ghost triangles: all its edges stay.
-  const VertexId inside = plane.insert({2, 2}, v1);
+  const SiteId inside = plane.insert({2, 2}, v1);
   std::vector<LabelId> touched = plane.take_touched();
   std::sort(touched.begin(), touched.end());
   EXPECT_EQ(touched, (std::vector<LabelId>{LabelId(12), LabelId(23)}));

@@ -61,7 +61,7 @@ Graph polygon(Points points) {
   graph.points = std::move(points);
   const std::size_t n = graph.points.size();
   for (std::size_t i = 0; i < n; ++i) {
-    graph.segments.push_back({VertexId(i), VertexId((i + 1) % n)});
+    graph.segments.push_back({PlaneVertexId(i), PlaneVertexId((i + 1) % n)});
   }
   return graph;
 }
@@ -93,7 +93,7 @@ Graph fan(std::size_t n, double sector, Prng& prng) {
     const double angle = sector * double(i) / double(n);
     const double length = prng.between(0.1, 1);
     graph.points.push_back({length * std::cos(angle), length * std::sin(angle)});
-    graph.segments.push_back({VertexId(0), VertexId(i + 1)});
+    graph.segments.push_back({PlaneVertexId(0), PlaneVertexId(i + 1)});
   }
   return graph;
 }
@@ -102,7 +102,7 @@ Graph operator+(Graph a, const Graph& b) {
   const std::size_t n = a.points.size();
   a.points.insert(a.points.end(), b.points.begin(), b.points.end());
   for (const Segment& s : b.segments) {
-    a.segments.push_back({VertexId(s[0].index() + n), VertexId(s[1].index() + n)});
+    a.segments.push_back({PlaneVertexId(s[0].index() + n), PlaneVertexId(s[1].index() + n)});
   }
   return a;
 }
@@ -118,7 +118,7 @@ Graph shuffled(const Graph& graph, Prng& prng, std::vector<std::size_t>* renamed
     name[from[i]] = i;
   }
   for (const Segment& s : graph.segments) {
-    Segment moved{VertexId(name[s[0].index()]), VertexId(name[s[1].index()])};
+    Segment moved{PlaneVertexId(name[s[0].index()]), PlaneVertexId(name[s[1].index()])};
     if (prng.chance(0.5)) std::swap(moved[0], moved[1]);
     result.segments.push_back(moved);
   }

@@ -24,7 +24,7 @@ using testing::AssertionSuccess;
 
 using Edge = std::pair<std::size_t, std::size_t>;
 
-Edge undirected(VertexId a, VertexId b) { return std::minmax({a.index(), b.index()}); }
+Edge undirected(PlaneVertexId a, PlaneVertexId b) { return std::minmax({a.index(), b.index()}); }
 
 /// Each point's index, or for a repeated point the lowest index of its like.
 std::vector<std::size_t> firsts(std::span<const Point2> points) {
@@ -74,13 +74,13 @@ ConformingOptions all_gabriel(const Graph& graph) {
   return options;
 }
 
-std::vector<TriangleVertices> brute_force_triangles(std::span<const Point2> points) {
+std::vector<PlaneTriangleVertices> brute_force_triangles(std::span<const Point2> points) {
   const std::vector<std::size_t> first = firsts(points);
   std::vector<std::size_t> use;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (first[i] == i) use.push_back(i);
   }
-  std::vector<TriangleVertices> triangles;
+  std::vector<PlaneTriangleVertices> triangles;
   for (std::size_t i = 0; i < use.size(); ++i) {
     for (std::size_t j = i + 1; j < use.size(); ++j) {
       for (std::size_t k = j + 1; k < use.size(); ++k) {
@@ -93,7 +93,7 @@ std::vector<TriangleVertices> brute_force_triangles(std::span<const Point2> poin
           return d != use[i] && d != b && d != c &&
                  oracle::incircle_perturbed(points[use[i]], points[b], points[c], points[d]) > 0;
         });
-        if (empty) triangles.push_back({VertexId(use[i]), VertexId(b), VertexId(c)});
+        if (empty) triangles.push_back({PlaneVertexId(use[i]), PlaneVertexId(b), PlaneVertexId(c)});
       }
     }
   }
@@ -110,7 +110,7 @@ AssertionResult is_canonical(const Triangulation2& t) {
   std::map<Edge, std::size_t> directed;  // → 3 triangle + opposite corner
   std::vector<bool> used(points.size(), false);
   for (std::size_t i = 0; i < t.triangles.size(); ++i) {
-    const TriangleVertices& v = t.triangles[TriangleId(i)];
+    const PlaneTriangleVertices& v = t.triangles[TriangleId(i)];
     if (std::min({v[0], v[1], v[2]}) != v[0]) return AssertionFailure() << "rotation of " << i;
     if (oracle::orient2d(t.points[v[0]], t.points[v[1]], t.points[v[2]]) <= 0) {
       return AssertionFailure() << "triangle " << i << " is not counter-clockwise";
@@ -169,8 +169,8 @@ AssertionResult is_locally_delaunay(const Triangulation2& t, Trust predicates) {
   for (std::size_t i = 0; i < t.triangles.size(); ++i) {
     for (const TriangleId other : t.neighbours[TriangleId(i)]) {
       if (!other.valid() || other.index() < i) continue;
-      const TriangleVertices& a = t.triangles[TriangleId(i)];
-      for (const VertexId v : t.triangles[other]) {
+      const PlaneTriangleVertices& a = t.triangles[TriangleId(i)];
+      for (const PlaneVertexId v : t.triangles[other]) {
         if (std::find(a.begin(), a.end(), v) != a.end()) continue;
         const Point2 p[] = {t.points[a[0]], t.points[a[1]], t.points[a[2]], t.points[v]};
         const int sign = predicates == Trust::definition
@@ -194,12 +194,12 @@ AssertionResult respects(const Conforming2& c, const Graph& graph) {
   }
   if (c.chains.size() != graph.segments.size()) return AssertionFailure() << "number of chains";
   std::set<Edge> edges;
-  for (const TriangleVertices& v : t.triangles) {
+  for (const PlaneTriangleVertices& v : t.triangles) {
     for (std::size_t k = 0; k < 3; ++k) edges.insert(undirected(v[k], v[(k + 1) % 3]));
   }
   std::size_t described = 0;
   for (std::size_t s = 0; s < c.chains.size(); ++s) {
-    const std::vector<VertexId>& chain = c.chains[s];
+    const std::vector<PlaneVertexId>& chain = c.chains[s];
     const Segment& segment = graph.segments[s];
     if (chain.size() < 2 || chain.front() != segment[0] || chain.back() != segment[1]) {
       return AssertionFailure() << "ends of chain " << s;

@@ -21,7 +21,7 @@ ConformingOptions all_gabriel(const Graph& graph);
 
 /// The triangulation in canonical form, by testing every three different points against
 /// every other: O(n^4).
-std::vector<TriangleVertices> brute_force_triangles(std::span<const Point2> points);
+std::vector<PlaneTriangleVertices> brute_force_triangles(std::span<const Point2> points);
 
 /// Form, order, adjacency and coverage: triangles counter-clockwise, each starting at its
 /// lowest vertex, sorted; neighbours mutual across the same edge; every first of equal

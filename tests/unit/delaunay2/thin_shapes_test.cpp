@@ -49,16 +49,16 @@ Graph fan_of_triangles(int count, double height, Prng& prng) {
   Graph graph{{{0, 0}}, {}};
   double angle = 0;
   for (int i = 0; i < count; ++i) {
-    const VertexId first(graph.points.size());
-    const VertexId second(graph.points.size() + 1);
+    const PlaneVertexId first(graph.points.size());
+    const PlaneVertexId second(graph.points.size() + 1);
     for (int k = 0; k < 2; ++k) {
       angle += height / kLength * (0.2 + prng.unit());
       const double length = kLength * (0.2 + prng.unit());
       graph.points.push_back({length * std::cos(angle), length * std::sin(angle)});
     }
-    graph.segments.push_back({VertexId(0), first});
+    graph.segments.push_back({PlaneVertexId(0), first});
     graph.segments.push_back({first, second});
-    graph.segments.push_back({second, VertexId(0)});
+    graph.segments.push_back({second, PlaneVertexId(0)});
   }
   return graph;
 }

@@ -41,13 +41,13 @@ void expect_insphere(const Triangulation2& centres, const Triangulation2& sites,
     for (std::size_t p = 0; p < sites.points.size(); ++p) {
       for (std::size_t q = 0; q < sites.points.size(); ++q) {
         if (p == q) continue;
-        const Point3 a = lift(sites.points[VertexId(p)], z_sites);
-        const Point3 b = lift(sites.points[VertexId(q)], z_sites);
+        const Point3 a = lift(sites.points[PlaneVertexId(p)], z_sites);
+        const Point3 b = lift(sites.points[PlaneVertexId(q)], z_sites);
         // Positive iff b lies within the sphere of the corners and a: b is nearer.
         const Sign inside = sites_above ? insphere_perturbed(corner(0), corner(1), corner(2), a, b)
                                         : insphere_perturbed(corner(1), corner(0), corner(2), a, b);
         ASSERT_NE(inside, Sign::zero);
-        EXPECT_EQ(Bisector(planes, VertexId(p), VertexId(q)).nearer_to_first(TriangleId(k)),
+        EXPECT_EQ(Bisector(planes, PlaneVertexId(p), PlaneVertexId(q)).nearer_to_first(TriangleId(k)),
                   inside == Sign::negative);
       }
     }
@@ -112,7 +112,7 @@ TEST(Bisector, EveryStageAnswers) {
         const CentresAndSites planes{&centre_diagram, &site_diagram, true};
         for (std::size_t k = 0; k < centre_diagram.finite_count(); ++k) {
           for (std::size_t p = 1; p < sites.points.size(); ++p) {
-            (void)Bisector(planes, VertexId(p - 1), VertexId(p)).nearer_to_first(TriangleId(k));
+            (void)Bisector(planes, PlaneVertexId(p - 1), PlaneVertexId(p)).nearer_to_first(TriangleId(k));
           }
         }
       }

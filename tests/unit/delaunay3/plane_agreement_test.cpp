@@ -27,7 +27,7 @@ void expect_plane_agrees(const Delaunay3& d, const std::vector<std::size_t>& pla
   const Result<Triangulation2> expected = delaunay2(flat);
   ASSERT_TRUE(expected.ok());
   std::set<Triangle> in_2d;
-  for (const TriangleVertices& t : expected->triangles) {
+  for (const PlaneTriangleVertices& t : expected->triangles) {
     in_2d.insert(sorted({plane[t[0].index()], plane[t[1].index()], plane[t[2].index()]}));
   }
   std::set<Triangle> in_3d;

@@ -19,7 +19,7 @@ std::vector<Contour> bent_contours(const ConformingSection& s, std::size_t conto
   std::vector<Contour> result(contours);
   std::vector<bool> seen(s.vertex_count(), false);
   for (std::size_t v = 0; v < s.vertex_count(); ++v) {
-    for (VertexId u(v); !seen[u.index()]; u = s.next[u]) {
+    for (PlaneVertexId u(v); !seen[u.index()]; u = s.next[u]) {
       seen[u.index()] = true;
       result[s.contour[u].index()].vertices.push_back(s.point(u));
     }
@@ -30,17 +30,17 @@ std::vector<Contour> bent_contours(const ConformingSection& s, std::size_t conto
 void expect_canonical_delaunay(const ConformingSection& s) {
   const Triangulation2& t = s.triangulation;
   for (std::size_t v = 1; v < s.vertex_count(); ++v) {
-    ASSERT_TRUE(canonical_less(s.point(VertexId(v - 1)), s.point(VertexId(v))));
+    ASSERT_TRUE(canonical_less(s.point(PlaneVertexId(v - 1)), s.point(PlaneVertexId(v))));
   }
   ASSERT_TRUE(std::is_sorted(t.triangles.begin(), t.triangles.end()));
   for (std::size_t k = 0; k < t.triangles.size(); ++k) {
-    const TriangleVertices& v = t.triangles[TriangleId(k)];
+    const PlaneTriangleVertices& v = t.triangles[TriangleId(k)];
     ASSERT_EQ(oracle::orient2d(s.point(v[0]), s.point(v[1]), s.point(v[2])), 1);
     ASSERT_TRUE(v[0] < v[1] && v[0] < v[2]);
     for (std::size_t i = 0; i < 3; ++i) {
       const TriangleId other = t.neighbours[TriangleId(k)][i];
       if (!other.valid()) continue;
-      const TriangleVertices& w = t.triangles[other];
+      const PlaneTriangleVertices& w = t.triangles[other];
       std::size_t j = 0;
       while (j < 3 && t.neighbours[other][j] != TriangleId(k)) ++j;
       ASSERT_LT(j, 3U);
@@ -54,12 +54,12 @@ void expect_canonical_delaunay(const ConformingSection& s) {
 }
 
 void expect_edges_and_look_ups(const ConformingSection& s) {
-  std::map<std::pair<VertexId, VertexId>, std::pair<TriangleId, TriangleId>> sides;
+  std::map<std::pair<PlaneVertexId, PlaneVertexId>, std::pair<TriangleId, TriangleId>> sides;
   for (std::size_t k = 0; k < s.triangulation.triangles.size(); ++k) {
-    const TriangleVertices& v = s.triangulation.triangles[TriangleId(k)];
+    const PlaneTriangleVertices& v = s.triangulation.triangles[TriangleId(k)];
     for (std::size_t i = 0; i < 3; ++i) {
-      const VertexId a = v[i];
-      const VertexId b = v[(i + 1) % 3];
+      const PlaneVertexId a = v[i];
+      const PlaneVertexId b = v[(i + 1) % 3];
       auto& side = sides[{std::min(a, b), std::max(a, b)}];
       (a < b ? side.first : side.second) = TriangleId(k);
     }
@@ -79,18 +79,18 @@ void expect_edges_and_look_ups(const ConformingSection& s) {
   }
   for (std::size_t u = 0; u < std::min<std::size_t>(s.vertex_count(), 12); ++u) {
     for (std::size_t v = u + 1; v < s.vertex_count(); ++v) {
-      const bool is_edge = sides.count({VertexId(u), VertexId(v)}) != 0;
-      ASSERT_EQ(s.find_edge(VertexId(u), VertexId(v)).valid(), is_edge);
+      const bool is_edge = sides.count({PlaneVertexId(u), PlaneVertexId(v)}) != 0;
+      ASSERT_EQ(s.find_edge(PlaneVertexId(u), PlaneVertexId(v)).valid(), is_edge);
     }
   }
 }
 
 void expect_contours(const Section& section, const ConformingSection& s) {
   const std::size_t n = s.vertex_count();
-  std::set<std::pair<VertexId, VertexId>> pieces;
+  std::set<std::pair<PlaneVertexId, PlaneVertexId>> pieces;
   std::size_t inputs = 0;
   for (std::size_t k = 0; k < n; ++k) {
-    const VertexId v(k);
+    const PlaneVertexId v(k);
     ASSERT_EQ(s.previous[s.next[v]], v);
     ASSERT_EQ(s.contour[s.next[v]], s.contour[v]);
     ASSERT_EQ(s.region[v], s.nesting.region[s.contour[v]]);
@@ -136,7 +136,7 @@ void expect_labels(const ConformingSection& s, const std::vector<Contour>& bent)
   for (std::size_t k = 0; k < s.triangulation.triangles.size(); ++k) {
     Rational x;
     Rational y;
-    for (const VertexId v : s.triangulation.triangles[TriangleId(k)]) {
+    for (const PlaneVertexId v : s.triangulation.triangles[TriangleId(k)]) {
       x = x + Rational::exactly(s.point(v).x) * third;
       y = y + Rational::exactly(s.point(v).y) * third;
     }
@@ -214,7 +214,7 @@ TEST(Conform, SplitsEdgesThatAreNotDelaunay) {
   ASSERT_TRUE(s.ok());
   EXPECT_GT(s->vertex_count(), 7U);
   EXPECT_EQ(s->z, 2);
-  EXPECT_EQ(s->point3(VertexId(0)), (Point3{0, 0, 2}));
+  EXPECT_EQ(s->point3(PlaneVertexId(0)), (Point3{0, 0, 2}));
   expect_conforming(section, *s);
 }
 
@@ -224,8 +224,8 @@ TEST(Conform, TakesAnEmptySection) {
   EXPECT_EQ(s->z, 3);
   EXPECT_EQ(s->vertex_count(), 0U);
   EXPECT_EQ(s->first_edge.size(), 1U);
-  EXPECT_FALSE(s->find_edge(VertexId(0), VertexId(1)).valid());
-  EXPECT_FALSE(s->find_triangle(VertexId(0), VertexId(1), VertexId(2)).valid());
+  EXPECT_FALSE(s->find_edge(PlaneVertexId(0), PlaneVertexId(1)).valid());
+  EXPECT_FALSE(s->find_triangle(PlaneVertexId(0), PlaneVertexId(1), PlaneVertexId(2)).valid());
 }
 
 TEST(Conform, DoesNotDependOnOrderStartOrDirection) {
@@ -257,15 +257,15 @@ TEST(Conform, DoesNotDependOnOrderStartOrDirection) {
       ASSERT_EQ(s->edges[EdgeId(e)].kind, t->edges[EdgeId(e)].kind);
     }
     for (std::size_t v = 0; v < s->vertex_count(); ++v) {
-      ASSERT_EQ(s->contour[VertexId(v)].index(), order[t->contour[VertexId(v)].index()]);
+      ASSERT_EQ(s->contour[PlaneVertexId(v)].index(), order[t->contour[PlaneVertexId(v)].index()]);
     }
   }
 }
 
 TEST(Conform, MakesTheEdgesOfGivenContoursGabriel) {
-  const auto is_gabriel = [](const ConformingSection& s, VertexId a, VertexId b) {
+  const auto is_gabriel = [](const ConformingSection& s, PlaneVertexId a, PlaneVertexId b) {
     for (std::size_t k = 0; k < s.vertex_count(); ++k) {
-      const VertexId v(k);
+      const PlaneVertexId v(k);
       if (v == a || v == b) continue;
       const auto part = [&](double p, double q, double r) {
         return (Rational::exactly(p) - Rational::exactly(r)) *
@@ -286,12 +286,12 @@ TEST(Conform, MakesTheEdgesOfGivenContoursGabriel) {
   ASSERT_TRUE(plain.ok() && s.ok());
   bool some_not = false;
   for (std::size_t k = 0; k < plain->vertex_count(); ++k) {
-    some_not = some_not || !is_gabriel(*plain, VertexId(k), plain->next[VertexId(k)]);
+    some_not = some_not || !is_gabriel(*plain, PlaneVertexId(k), plain->next[PlaneVertexId(k)]);
   }
   EXPECT_TRUE(some_not);
   for (std::size_t k = 0; k < s->vertex_count(); ++k) {
-    if (s->contour[VertexId(k)] == ContourId(0)) {
-      EXPECT_TRUE(is_gabriel(*s, VertexId(k), s->next[VertexId(k)]));
+    if (s->contour[PlaneVertexId(k)] == ContourId(0)) {
+      EXPECT_TRUE(is_gabriel(*s, PlaneVertexId(k), s->next[PlaneVertexId(k)]));
     }
   }
   expect_conforming(section, *s);
@@ -380,7 +380,7 @@ TEST(ConformInterior, VerticesInsideBelongToTheirRegionAndToNoContour) {
   expect_canonical_delaunay(*conforming);
   std::size_t inside = 0;
   for (std::size_t k = 0; k < conforming->vertex_count(); ++k) {
-    const VertexId v(k);
+    const PlaneVertexId v(k);
     if (conforming->contour[v].valid()) continue;
     ++inside;
     const Point2& p = conforming->point(v);

@@ -39,7 +39,7 @@ TEST(VoronoiSkeleton, RaysPointAwayFromTheHull) {
     EXPECT_TRUE(e.left.valid());
     // The triangle's third corner lies on the other side.
     const Point2& a = s.point(s.edges[e.dual].a);
-    for (const VertexId v : s.triangulation.triangles[e.left]) {
+    for (const PlaneVertexId v : s.triangulation.triangles[e.left]) {
       if (v == s.edges[e.dual].a || v == s.edges[e.dual].b) continue;
       EXPECT_LT((s.point(v).x - a.x) * e.to.x + (s.point(v).y - a.y) * e.to.y, 0);
     }

@@ -16,8 +16,8 @@ double by_all_edges(const ConformingSection& section, const Point2& p) {
   double best = std::numeric_limits<double>::infinity();
   bool inside = false;
   for (std::size_t k = 0; k < section.vertex_count(); ++k) {
-    const Point2 a = section.point(VertexId(k));
-    const Point2 b = section.point(section.next[VertexId(k)]);
+    const Point2 a = section.point(PlaneVertexId(k));
+    const Point2 b = section.point(section.next[PlaneVertexId(k)]);
     const double dx = b.x - a.x;
     const double dy = b.y - a.y;
     const double along = ((p.x - a.x) * dx + (p.y - a.y) * dy) / (dx * dx + dy * dy);
@@ -56,7 +56,7 @@ TEST(RegionDistance, IsTheLeastOfAllEdges) {
       for (int k = 0; k < 2000; ++k) {
         Point2 p{centre + prng.between(-40, 40), centre + prng.between(-40, 40)};
         if (k % 2 == 0) p = {std::round(4 * p.x) / 4, std::round(4 * p.y) / 4};
-        if (k % 10 == 0) p = section.point(VertexId(prng.below(section.vertex_count())));
+        if (k % 10 == 0) p = section.point(PlaneVertexId(prng.below(section.vertex_count())));
         const double expected = by_all_edges(section, p);
         ++(expected == 0 ? inside : outside);
         const double enough = k % 3 == 0 ? 0.0 : prng.between(0, 3);
