@@ -90,9 +90,9 @@ std::vector<NamedSlab> flat_slabs() {
   std::vector<NamedSlab> slabs;
   for (const StackKind kind : all_kinds()) {
     if (is_near_coincident(kind)) continue;
-    for (std::uint64_t seed = 340; seed < 345; ++seed) {
+    for (std::uint64_t seed = 340; seed < 352; ++seed) {
       SectionStack stack = generate(kind, seed).stack;
-      for (Section& section : stack.sections) section.z *= 0.125;
+      for (Section& section : stack.sections) section.z *= 0x1p-6;
       auto built = slab_case(stack, 0);
       if (built) slabs.push_back({std::string(name_of(kind)), std::move(built)});
     }
