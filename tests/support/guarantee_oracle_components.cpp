@@ -103,6 +103,75 @@ Links drift_links(const SectionStack& stack, const std::vector<Region>& regions,
   return links;
 }
 
+std::vector<Region> regions_of(const SectionStack& stack) {
+  std::vector<Region> regions;
+  std::size_t number = 0;
+  for (std::size_t s = 0; s < stack.sections.size(); ++s) {
+    const auto contour = [&](std::size_t c) {
+      return &stack.sections[SectionId(s)].contours[ContourId(c)];
+    };
+    std::vector<Polygon> polygons;
+    for (const Contour& c : stack.sections[SectionId(s)].contours) {
+      polygons.push_back(input_polygon(c));
+    }
+    const auto around = [&](std::size_t c) {
+      std::vector<std::size_t> result;
+      for (std::size_t d = 0; d < polygons.size(); ++d) {
+        if (c != d && is_inside(polygons[c][0], polygons[d])) result.push_back(d);
+      }
+      return result;
+    };
+    for (std::size_t c = 0; c < polygons.size(); ++c) {
+      if (around(c).size() % 2 == 1) continue;
+      Region region{s, {contour(c)}, {polygons[c]}, twice_area(polygons[c]).abs(), {number + c}};
+      for (std::size_t d = 0; d < polygons.size(); ++d) {
+        const auto outside = around(d);
+        if (outside.size() != around(c).size() + 1 ||
+            std::count(outside.begin(), outside.end(), c) == 0) {
+          continue;
+        }
+        region.shape.push_back(contour(d));
+        region.outline.push_back(polygons[d]);
+        region.area = region.area - twice_area(polygons[d]).abs();
+        region.contours.push_back(number + d);
+      }
+      regions.push_back(region);
+    }
+    number += polygons.size();
+  }
+  return regions;
+}
+
+// By the overlap rule, without drift.
+Links overlap_links(const std::vector<Region>& regions, double least_ratio) {
+  struct Pair {
+    std::size_t lower, upper;
+    bool strong;
+  };
+  std::vector<Pair> pairs;
+  const Rational tau = Rational::exactly(least_ratio);
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    for (std::size_t j = 0; j < regions.size(); ++j) {
+      if (regions[j].section != regions[i].section + 1) continue;
+      const Rational common = Rational(2) * common_area(regions[i].outline, regions[j].outline);
+      const Rational least = std::min(regions[i].area, regions[j].area);
+      if (common > tau * least) pairs.push_back({i, j, Rational(4) * common >= least});
+    }
+  }
+  Links links;
+  for (const Pair& pair : pairs) {
+    const auto strong_at = [&](auto same) {
+      return std::any_of(pairs.begin(), pairs.end(),
+                         [&](const Pair& p) { return p.strong && same(p); });
+    };
+    const bool outruled = !pair.strong &&
+                          strong_at([&](const Pair& p) { return p.lower == pair.lower; }) &&
+                          strong_at([&](const Pair& p) { return p.upper == pair.upper; });
+    if (!outruled) links.emplace_back(pair.lower, pair.upper);
+  }
+  return links;
+}
+
 }  // namespace
 
 void Oracle::components() {
@@ -153,57 +222,14 @@ void Oracle::components() {
 }
 
 std::vector<std::size_t> Oracle::expected_sets() const {
-  std::vector<Region> regions;
-  std::size_t number = 0;
-  for (std::size_t s = 0; s < stack_.sections.size(); ++s) {
-    const auto contour = [&](std::size_t c) {
-      return &stack_.sections[SectionId(s)].contours[ContourId(c)];
-    };
-    std::vector<Polygon> polygons;
-    for (const Contour& c : stack_.sections[SectionId(s)].contours) {
-      polygons.push_back(input_polygon(c));
-    }
-    const auto around = [&](std::size_t c) {
-      std::vector<std::size_t> result;
-      for (std::size_t d = 0; d < polygons.size(); ++d) {
-        if (c != d && is_inside(polygons[c][0], polygons[d])) result.push_back(d);
-      }
-      return result;
-    };
-    for (std::size_t c = 0; c < polygons.size(); ++c) {
-      if (around(c).size() % 2 == 1) continue;
-      Region region{s, {contour(c)}, {polygons[c]}, twice_area(polygons[c]).abs(), {number + c}};
-      for (std::size_t d = 0; d < polygons.size(); ++d) {
-        const auto outside = around(d);
-        if (outside.size() != around(c).size() + 1 ||
-            std::count(outside.begin(), outside.end(), c) == 0) {
-          continue;
-        }
-        region.shape.push_back(contour(d));
-        region.outline.push_back(polygons[d]);
-        region.area = region.area - twice_area(polygons[d]).abs();
-        region.contours.push_back(number + d);
-      }
-      regions.push_back(region);
-    }
-    number += polygons.size();
+  const std::vector<Region> regions = regions_of(stack_);
+  Links links = overlap_links(regions, options_.correspondence.tau);
+  if (const auto& drift = options_.correspondence.drift) {
+    const Links further = drift_links(stack_, regions, links, *drift);
+    links.insert(links.end(), further.begin(), further.end());
   }
-  struct Pair {
-    std::size_t lower, upper;
-    bool strong;
-  };
-  std::vector<Pair> pairs;
-  const Rational tau = Rational::exactly(options_.correspondence.tau);
-  for (std::size_t i = 0; i < regions.size(); ++i) {
-    for (std::size_t j = 0; j < regions.size(); ++j) {
-      if (regions[j].section != regions[i].section + 1) continue;
-      const Rational common = Rational(2) * common_area(regions[i].outline, regions[j].outline);
-      const Rational least = std::min(regions[i].area, regions[j].area);
-      if (common > tau * least) pairs.push_back({i, j, Rational(4) * common >= least});
-    }
-  }
-  std::vector<std::size_t> set(number);
-  for (std::size_t c = 0; c < number; ++c) set[c] = c;
+  std::vector<std::size_t> set(stack_.contour_count());
+  for (std::size_t c = 0; c < set.size(); ++c) set[c] = c;
   const auto unite = [&](std::size_t a, std::size_t b) {
     const std::size_t from = std::max(set[a], set[b]);
     const std::size_t to = std::min(set[a], set[b]);
@@ -211,21 +237,6 @@ std::vector<std::size_t> Oracle::expected_sets() const {
   };
   for (const Region& region : regions) {
     for (const std::size_t c : region.contours) unite(region.contours[0], c);
-  }
-  Links links;
-  for (const Pair& pair : pairs) {
-    const auto strong_at = [&](auto same) {
-      return std::any_of(pairs.begin(), pairs.end(),
-                         [&](const Pair& p) { return p.strong && same(p); });
-    };
-    const bool outruled = !pair.strong &&
-                          strong_at([&](const Pair& p) { return p.lower == pair.lower; }) &&
-                          strong_at([&](const Pair& p) { return p.upper == pair.upper; });
-    if (!outruled) links.emplace_back(pair.lower, pair.upper);
-  }
-  if (const auto& drift = options_.correspondence.drift) {
-    const Links further = drift_links(stack_, regions, links, *drift);
-    links.insert(links.end(), further.begin(), further.end());
   }
   for (const auto& [lower, upper] : links) {
     unite(regions[lower].contours[0], regions[upper].contours[0]);

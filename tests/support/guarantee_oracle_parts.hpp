@@ -64,6 +64,13 @@ class Oracle {
   // Guarantee 2, in guarantee_oracle_sections.cpp.
   void crossing();
   void resample(std::size_t s);
+  // Of the region that contours bound, each counted by its depth, which has to be as in the input.
+  [[nodiscard]] Rational twice_region_area(std::size_t s, const std::vector<Polygon>& contours);
+  void triangles_in_region(const std::vector<Polygon>& corners,
+                           const std::vector<Polygon>& contours);
+  // Edges of one triangle are those of the contours, and no others.
+  void boundary_edges(const std::map<Edge, int>& triangle_edges,
+                      const std::vector<std::vector<std::size_t>>& ids);
   // The contours of a section with the vertices inserted into each edge, and the model's
   // vertices along them. `inserted`: the vertices in the plane that have to be on an edge if they
   // are not input. Empty where they are not.

@@ -149,7 +149,15 @@ void Oracle::resample(std::size_t s) {
     violate(2, "refined contours touch");
     return;
   }
-  // The region's area, each contour counted by its depth.
+  Rational area = twice_region_area(s, contours);
+  for (const Polygon& triangle : corners) area = area - twice_area(triangle).abs();
+  if (area.sign() != 0) violate(2, "area");
+  triangles_in_region(corners, contours);
+  boundary_edges(triangle_edges, ids);
+  inner_vertices(s, triangle_edges, contours, ids);
+}
+
+Rational Oracle::twice_region_area(std::size_t s, const std::vector<Polygon>& contours) {
   Rational area;
   for (std::size_t c = 0; c < contours.size(); ++c) {
     const Polygon before = input_polygon(stack_.sections[SectionId(s)].contours[ContourId(c)]);
@@ -165,8 +173,12 @@ void Oracle::resample(std::size_t s) {
     area = depth % 2 == 0 ? area + twice_area(contours[c]).abs()
                           : area - twice_area(contours[c]).abs();
   }
+  return area;
+}
+
+void Oracle::triangles_in_region(const std::vector<Polygon>& corners,
+                                 const std::vector<Polygon>& contours) {
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    area = area - twice_area(corners[i]).abs();
     const Point2Q centre{(corners[i][0].x + corners[i][1].x + corners[i][2].x) / Rational(3),
                          (corners[i][0].y + corners[i][1].y + corners[i][2].y) / Rational(3)};
     bool inside = false;
@@ -183,7 +195,10 @@ void Oracle::resample(std::size_t s) {
       }
     }
   }
-  if (area.sign() != 0) violate(2, "area");
+}
+
+void Oracle::boundary_edges(const std::map<Edge, int>& triangle_edges,
+                            const std::vector<std::vector<std::size_t>>& ids) {
   std::size_t contour_edges = 0;
   for (const auto& chain : ids) {
     for (std::size_t k = 0; k < chain.size(); ++k) {
@@ -195,7 +210,6 @@ void Oracle::resample(std::size_t s) {
   const auto alone = std::count_if(triangle_edges.begin(), triangle_edges.end(),
                                    [](const auto& edge) { return edge.second == 1; });
   if (static_cast<std::size_t>(alone) != contour_edges) violate(2, "edge of one triangle");
-  inner_vertices(s, triangle_edges, contours, ids);
 }
 
 void Oracle::inner_vertices(std::size_t s, const std::map<Edge, int>& triangle_edges,

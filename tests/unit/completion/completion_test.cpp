@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/union_find.hpp"
-#include "support/slabs/cases.hpp"
+#include "support/slabs/steps.hpp"
 
 namespace tetloft::testing {
 namespace {
@@ -76,24 +76,6 @@ TEST(DiscOracle, TellsDiscsFromWhatIsNone) {
       << "an annulus";
 }
 
-struct Completed {
-  Complex seed;
-  Complex complex;
-  std::vector<LeftApart> unconnectable;
-  IdVector<ClassId, std::uint8_t> active;
-};
-
-Completed complete(const SlabCase& c, bool lone_too) {
-  RuleCounts rules{};
-  Completed result;
-  result.active = c.active(lone_too);
-  result.seed = seed(*c.slab, *c.classes, result.active, rules);
-  Completion completion(*c.slab, *c.classes, result.active, result.seed, rules);
-  result.unconnectable = completion.run();
-  result.complex = completion.complex();
-  return result;
-}
-
 // Calls visit(slab case, its completion) for slabs of all kinds, with lone classes in and out.
 template <class Visit>
 void for_each_completion(std::uint64_t seed, const Visit& visit) {
@@ -101,7 +83,7 @@ void for_each_completion(std::uint64_t seed, const Visit& visit) {
     for (const bool lone_too : {false, true}) {
       SCOPED_TRACE(s.name + (lone_too ? ", lone classes too" : ""));
       const Completed completed = complete(*s.built, lone_too);
-      if (!completed.unconnectable.empty()) continue;  // refined before anything is built
+      if (!completed.apart.empty()) continue;  // refined before anything is built
       visit(*s.built, completed);
     }
   }

@@ -10,27 +10,10 @@
 
 #include <tetloft/predicates.hpp>
 
-#include "support/slabs/cases.hpp"
+#include "support/slabs/steps.hpp"
 
 namespace tetloft::testing {
 namespace {
-
-struct Subdivided {
-  Complex complex;
-  Subdivision subdivision;
-  RuleCounts rules{};
-};
-
-Subdivided subdivide_case(const SlabCase& c) {
-  Subdivided result;
-  const auto active = c.active(true);
-  Completion completion(*c.slab, *c.classes, active,
-                        seed(*c.slab, *c.classes, active, result.rules), result.rules);
-  static_cast<void>(completion.run());
-  result.complex = completion.complex();
-  result.subdivision = subdivide(*c.slab, result.complex, result.rules);
-  return result;
-}
 
 // Where a node lies before it is lifted.
 Point3 unlifted(const SlabCase& c, const Subdivision& subdivision, NodeId node) {
