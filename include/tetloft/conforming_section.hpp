@@ -45,8 +45,8 @@ struct TETLOFT_API ConformingSection {
   std::vector<std::uint32_t> first_edge;
 
   IdVector<PlaneVertexId, ContourId> contour;  ///< the contour a vertex lies on; invalid inside
-  IdVector<PlaneVertexId, RegionId> region;    ///< the region that this contour bounds, or around it
-  IdVector<PlaneVertexId, PlaneVertexId> next;      ///< along the contour, region on the left
+  IdVector<PlaneVertexId, RegionId> region;  ///< the region that this contour bounds, or around it
+  IdVector<PlaneVertexId, PlaneVertexId> next;  ///< along the contour, region on the left
   IdVector<PlaneVertexId, PlaneVertexId> previous;
   /// Index of the vertex in its input contour; kNotInput for split vertices.
   IdVector<PlaneVertexId, std::size_t> input_vertex;

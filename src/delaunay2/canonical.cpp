@@ -46,7 +46,8 @@ constexpr std::array<std::uint32_t, 5> kCorner{0, 1, 2, 0, 1};
 
 // Triangles are visited in the order of `plane`, where neighbours are near in memory: what is
 // scattered is only written.
-Triangulation2 canonical_triangulation(const Incremental2& plane, const IdVector<SiteId, PlaneVertexId>& name_of,
+Triangulation2 canonical_triangulation(const Incremental2& plane,
+                                       const IdVector<SiteId, PlaneVertexId>& name_of,
                                        std::vector<Point2> points) {
   const std::size_t count = plane.triangle_count();
 

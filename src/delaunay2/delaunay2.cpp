@@ -99,7 +99,8 @@ Result<Conforming2> conform_collinear(std::span<const Point2> points,
   std::vector<PlaneVertexId> representative(points.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
     const bool is_duplicate = i > 0 && points[order[i - 1]] == points[order[i]];
-    representative[order[i]] = is_duplicate ? representative[order[i - 1]] : PlaneVertexId(order[i]);
+    representative[order[i]] =
+        is_duplicate ? representative[order[i - 1]] : PlaneVertexId(order[i]);
     rank[order[i]] = i;
   }
   if (Result<void> valid = verify_distinct(points, representative); !valid) return valid.error();

@@ -48,9 +48,7 @@ class Incremental2 {
 
   /// Inserts p; walks there from a triangle at `hint`. Returns its vertex, a new one, or that
   /// which has the same point already. Ids are given in order of insertion.
-  SiteId insert(const Point2& p, SiteId hint) {
-    return insert(p, triangle(out_[hint.index()]));
-  }
+  SiteId insert(const Point2& p, SiteId hint) { return insert(p, triangle(out_[hint.index()])); }
   /// The same from the triangle made last: for points near the one inserted before.
   SiteId insert_nearby(const Point2& p) { return insert(p, last_); }
 
@@ -100,7 +98,7 @@ class Incremental2 {
 
  private:
   struct alignas(32) Triangle {
-    std::array<SiteId, 3> apex;        // the vertex that half-edge i is opposite to
+    std::array<SiteId, 3> apex;          // the vertex that half-edge i is opposite to
     std::array<HalfEdgeId, 3> opposite;  // the other side of half-edge i
   };
   struct HorizonEdge {

@@ -136,7 +136,7 @@ Sight look(const Incremental2& plane, std::span<const std::array<SiteId, 2>> seg
 }
 
 std::vector<SiteId> vertices_around(const Incremental2& plane,
-                                      const std::array<SiteId, 2>& segment) {
+                                    const std::array<SiteId, 2>& segment) {
   std::vector<SiteId> vertices;
   for (const Ends& edge : crossed_edges(plane, segment[0], segment[1])) {
     vertices.insert(vertices.end(), edge.begin(), edge.end());

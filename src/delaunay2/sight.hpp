@@ -28,6 +28,6 @@ struct Sight {
 /// The vertices of all edges that the segment crosses, sorted: those that other segments hide,
 /// too.
 [[nodiscard]] std::vector<SiteId> vertices_around(const Incremental2& plane,
-                                                    const std::array<SiteId, 2>& segment);
+                                                  const std::array<SiteId, 2>& segment);
 
 }  // namespace tetloft::delaunay2_detail

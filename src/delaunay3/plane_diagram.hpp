@@ -79,7 +79,7 @@ class PlaneDiagram {
  private:
   // Fills a cache line: walks touch one for each triangle.
   struct alignas(64) Triangle {
-    std::array<PlaneVertexId, 3> apex;        // the vertex that half-edge i is opposite to
+    std::array<PlaneVertexId, 3> apex;   // the vertex that half-edge i is opposite to
     std::array<HalfEdgeId, 3> opposite;  // the other side of half-edge i
     Circumcentre centre;
   };

@@ -41,7 +41,8 @@ Flat flatten(const Section& section, std::span<const Point2> interior) {
     const std::size_t first = flat.points.size();
     for (std::size_t v = 0; v < vertices.size(); ++v) {
       flat.points.push_back(vertices[v]);
-      flat.segments.push_back({PlaneVertexId(first + v), PlaneVertexId(first + (v + 1) % vertices.size())});
+      flat.segments.push_back(
+          {PlaneVertexId(first + v), PlaneVertexId(first + (v + 1) % vertices.size())});
       flat.contour.emplace_back(c);
       flat.vertex.push_back(v);
     }
@@ -265,9 +266,9 @@ class Conformer {
   const Section& section_;
   SectionId id_;
   Flat flat_;
-  IdVector<PlaneVertexId, PlaneVertexId> number_;          // of the triangulation's vertices
-  IdVector<EdgeId, ContourId> contour_of_edge_;  // invalid: not on a contour
-  IdVector<TriangleId, ContourId> around_;       // the innermost contour around it
+  IdVector<PlaneVertexId, PlaneVertexId> number_;  // of the triangulation's vertices
+  IdVector<EdgeId, ContourId> contour_of_edge_;    // invalid: not on a contour
+  IdVector<TriangleId, ContourId> around_;         // the innermost contour around it
   ConformingSection result_;
 };
 

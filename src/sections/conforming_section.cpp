@@ -22,7 +22,8 @@ struct Side {
   bool left;              // the triangle lies to the left of a → b
 };
 
-IdVector<PlaneVertexId, PlaneVertexId> canonical_numbers(const IdVector<PlaneVertexId, Point2>& points) {
+IdVector<PlaneVertexId, PlaneVertexId> canonical_numbers(
+    const IdVector<PlaneVertexId, Point2>& points) {
   std::vector<PlaneVertexId> order(points.size());
   for (std::size_t v = 0; v < order.size(); ++v) order[v] = PlaneVertexId(v);
   std::sort(order.begin(), order.end(), [&](PlaneVertexId u, PlaneVertexId v) {
@@ -81,7 +82,7 @@ std::vector<Side> sorted_sides(const IdVector<TriangleId, PlaneTriangleVertices>
 }  // namespace
 
 IdVector<PlaneVertexId, PlaneVertexId> sections::adopt(const Triangulation2& triangulation,
-                                             ConformingSection& section) {
+                                                       ConformingSection& section) {
   const std::size_t n = triangulation.points.size();
   IdVector<PlaneVertexId, PlaneVertexId> number = canonical_numbers(triangulation.points);
   Triangulation2& own = section.triangulation;
@@ -160,7 +161,8 @@ EdgeId ConformingSection::find_edge(PlaneVertexId u, PlaneVertexId v) const {
   return EdgeId(found - edges.begin());
 }
 
-TriangleId ConformingSection::find_triangle(PlaneVertexId u, PlaneVertexId v, PlaneVertexId w) const {
+TriangleId ConformingSection::find_triangle(PlaneVertexId u, PlaneVertexId v,
+                                            PlaneVertexId w) const {
   std::array<PlaneVertexId, 3> sorted{u, v, w};
   std::sort(sorted.begin(), sorted.end());
   const EdgeId id = find_edge(sorted[0], sorted[1]);

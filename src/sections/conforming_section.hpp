@@ -10,7 +10,8 @@ namespace tetloft::sections {
 /// Renumbers the vertices of `triangulation` in canonical order and its triangles
 /// canonically, and fills triangulation, edges (kinds left external) and first_edge of
 /// `section`. Returns the new id of every old vertex.
-IdVector<PlaneVertexId, PlaneVertexId> adopt(const Triangulation2& triangulation, ConformingSection& section);
+IdVector<PlaneVertexId, PlaneVertexId> adopt(const Triangulation2& triangulation,
+                                             ConformingSection& section);
 
 /// The kinds of all edges, from `internal` and `next`.
 void classify_edges(ConformingSection& section);

@@ -13,7 +13,8 @@ IdVector<RegionId, std::vector<TriangleId>> triangles_by_region(const Conforming
   return result;
 }
 
-IdVector<RegionId, std::vector<PlaneVertexId>> vertices_by_region(const ConformingSection& section) {
+IdVector<RegionId, std::vector<PlaneVertexId>> vertices_by_region(
+    const ConformingSection& section) {
   IdVector<RegionId, std::vector<PlaneVertexId>> result(section.nesting.outer.size());
   for (const PlaneVertexId v : section.region.ids()) {
     const RegionId r = section.region[v];
@@ -23,8 +24,8 @@ IdVector<RegionId, std::vector<PlaneVertexId>> vertices_by_region(const Conformi
 }
 
 void extrude(const ConformingSection& section, const std::vector<TriangleId>& triangles,
-             const std::vector<PlaneVertexId>& vertices, SlabRegionId region, const PrismNodes& prism,
-             std::vector<Piece>& pieces) {
+             const std::vector<PlaneVertexId>& vertices, SlabRegionId region,
+             const PrismNodes& prism, std::vector<Piece>& pieces) {
   const auto base = [&](PlaneVertexId v) { return Nodes::of(prism.slab.in_slab(prism.upper, v)); };
   const auto cap = [&](PlaneVertexId v) {
     const auto at = std::lower_bound(vertices.begin(), vertices.end(), v);

@@ -32,7 +32,7 @@ struct PrismNodes {
 /// Extrudes one region from its section into the slab. Pieces are positive if the caps lie on the
 /// slab's side of the section.
 void extrude(const ConformingSection& section, const std::vector<TriangleId>& triangles,
-             const std::vector<PlaneVertexId>& vertices, SlabRegionId region, const PrismNodes& prism,
-             std::vector<Piece>& pieces);
+             const std::vector<PlaneVertexId>& vertices, SlabRegionId region,
+             const PrismNodes& prism, std::vector<Piece>& pieces);
 
 }  // namespace tetloft

@@ -260,9 +260,9 @@ TEST(Scale, ConformingSectionsAreTheSame) {
                        if (!before.ok()) continue;
                        ASSERT_EQ(before->vertex_count(), after->vertex_count());
                        for (std::size_t v = 0; v < before->vertex_count(); ++v) {
-                         const Point2& p = before->point(VertexId(v));
+                         const Point2& p = before->point(PlaneVertexId(v));
                          EXPECT_EQ((Point2{std::ldexp(p.x, exponent), std::ldexp(p.y, exponent)}),
-                                   after->point(VertexId(v)));
+                                   after->point(PlaneVertexId(v)));
                        }
                        EXPECT_EQ(before->triangulation.triangles, after->triangulation.triangles);
                        ++compared;

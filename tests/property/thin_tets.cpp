@@ -64,7 +64,8 @@ bool has_thin_tet(const SectionStack& stack, std::size_t slab, const Point3& pla
     Tet tet;
     for (std::size_t i = 0; i < 4; ++i) {
       const std::size_t at = v[i].index();
-      tet[i] = at < lows ? below->point3(v[i]) : above->point3(VertexId(at - lows));
+      tet[i] =
+          at < lows ? below->point3(PlaneVertexId(at)) : above->point3(PlaneVertexId(at - lows));
     }
     bool near = false;
     for (std::size_t i = 0; i < 4; ++i) {

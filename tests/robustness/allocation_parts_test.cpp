@@ -47,9 +47,10 @@ TEST(MemoryEnds, InTriangulations) {
   const SectionStack stack = tower(1, 12);
   const std::vector<Point2> flat = corners(stack);
   sweep("delaunay2", [&] { return ended(delaunay2(flat)); });
-  const std::vector<Segment> segments{{VertexId(0), VertexId(4)}, {VertexId(5), VertexId(11)}};
+  const std::vector<Segment> segments{{PlaneVertexId(0), PlaneVertexId(4)},
+                                      {PlaneVertexId(5), PlaneVertexId(11)}};
   const ConformingOptions options{.gabriel = {true, false}};
-  const std::vector<Segment> nowhere{{VertexId(0), VertexId(99)}};
+  const std::vector<Segment> nowhere{{PlaneVertexId(0), PlaneVertexId(99)}};
   sweep("conforming_delaunay2",
         [&] { return ended(conforming_delaunay2(flat, segments, options)); });
   sweep("conforming_delaunay2, refused",

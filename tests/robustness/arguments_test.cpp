@@ -199,7 +199,7 @@ TEST(Planes, ThatAreNoTriangulationsAreRefused) {
   for (std::size_t i = 0; i < 3; ++i) {
     for (const std::size_t id : {good.points.size(), std::size_t{0xFFFFFFFE}}) {
       bad.push_back(good);
-      bad.back().triangles[TriangleId(1)][i] = VertexId(id);
+      bad.back().triangles[TriangleId(1)][i] = PlaneVertexId(id);
     }
     for (const std::size_t id : {triangles, std::size_t{0}, triangles - 1}) {
       if (good.neighbours[TriangleId(2)][i] == TriangleId(id)) continue;
@@ -212,7 +212,7 @@ TEST(Planes, ThatAreNoTriangulationsAreRefused) {
   bad.push_back(good);
   bad.back().triangles.resize(triangles - 1);
   bad.push_back(good);
-  bad.back().points[VertexId(3)].x = std::numeric_limits<double>::quiet_NaN();
+  bad.back().points[PlaneVertexId(3)].x = std::numeric_limits<double>::quiet_NaN();
   for (const Triangulation2& plane : bad) {
     expect_error(slab_delaunay3(plane, good), ErrorCode::invalid_input, "lower");
     expect_error(slab_delaunay3(good, plane), ErrorCode::invalid_input, "upper");

@@ -126,17 +126,17 @@ TEST(Entry, OfSkeletonsRefusesSectionsThatAreNotConforming) {
   const ConformingSection good = conform(stack.sections[SectionId(0)], SectionId(0)).value();
   std::vector<std::pair<std::string, ConformingSection>> bad(6, {"", good});
   bad[0].first = "an edge of no vertex";
-  bad[0].second.edges[EdgeId(0)].b = VertexId(good.vertex_count());
+  bad[0].second.edges[EdgeId(0)].b = PlaneVertexId(good.vertex_count());
   bad[1].first = "an edge of no triangle";
   bad[1].second.edges[EdgeId(0)].left = TriangleId(good.triangulation.triangles.size());
   bad[2].first = "an inner edge without triangles";
   for (auto& edge : bad[2].second.edges) edge.left = edge.right = TriangleId();
   bad[3].first = "a triangle of no vertex";
-  bad[3].second.triangulation.triangles[TriangleId(0)][2] = VertexId();
+  bad[3].second.triangulation.triangles[TriangleId(0)][2] = PlaneVertexId();
   bad[4].first = "labels of other vertices";
   bad[4].second.contour.resize(1);
   bad[5].first = "a contour that there is not";
-  bad[5].second.contour[VertexId(0)] = ContourId(99);
+  bad[5].second.contour[PlaneVertexId(0)] = ContourId(99);
   for (const auto& entry : bad) {
     const ConformingSection& section = entry.second;
     expect_thrown<std::invalid_argument>({
@@ -148,8 +148,8 @@ TEST(Entry, OfSkeletonsRefusesSectionsThatAreNotConforming) {
   for (const ContourId c : {ContourId(), ContourId(good.nesting.parent.size())}) {
     EXPECT_THROW(drop(voronoi_skeleton(good, EdgeKind::internal, c)), std::out_of_range);
   }
-  EXPECT_FALSE(good.find_edge(VertexId(0), VertexId()).valid());
-  EXPECT_FALSE(good.find_triangle(VertexId(0), VertexId(1), VertexId(9999)).valid());
+  EXPECT_FALSE(good.find_edge(PlaneVertexId(0), PlaneVertexId()).valid());
+  EXPECT_FALSE(good.find_triangle(PlaneVertexId(0), PlaneVertexId(1), PlaneVertexId(9999)).valid());
 }
 
 TEST(Entry, OfOverlapsRefusesOutlinesOfNothing) {

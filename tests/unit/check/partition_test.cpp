@@ -199,20 +199,20 @@ std::set<std::pair<std::size_t, std::size_t>> links_from_tets(const SectionStack
     std::vector<Point3> points;
     for (const std::size_t side : {s, s + 1}) {
       for (std::size_t v = 0; v < sections[side].vertex_count(); ++v) {
-        points.push_back(sections[side].point3(VertexId(v)));
+        points.push_back(sections[side].point3(PlaneVertexId(v)));
       }
     }
     const std::size_t lower_count = sections[s].vertex_count();
     const auto d = delaunay3(points);
     if (!d.ok()) continue;
     for (std::size_t t = 0; t < d->mesh.tet_slots(); ++t) {
-      std::vector<VertexId> lower;
-      std::vector<VertexId> upper;
+      std::vector<PlaneVertexId> lower;
+      std::vector<PlaneVertexId> upper;
       for (const VertexId v : d->mesh.vertices(TetId(t))) {
         if (v.index() < lower_count) {
-          lower.push_back(v);
+          lower.emplace_back(v.value());
         } else {
-          upper.push_back(VertexId(v.index() - lower_count));
+          upper.emplace_back(v.index() - lower_count);
         }
       }
       if (lower.size() != 2) continue;
@@ -225,8 +225,8 @@ std::set<std::pair<std::size_t, std::size_t>> links_from_tets(const SectionStack
           (below == EdgeKind::external && above == EdgeKind::external)) {
         continue;
       }
-      for (const VertexId v : lower) {
-        for (const VertexId w : upper) {
+      for (const PlaneVertexId v : lower) {
+        for (const PlaneVertexId w : upper) {
           links.emplace(regions.of(s, sections[s].contour[v].index()),
                         regions.of(s + 1, sections[s + 1].contour[w].index()));
         }

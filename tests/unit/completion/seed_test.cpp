@@ -15,7 +15,7 @@ namespace {
 std::size_t triangles_inside(const ConformingSection& section, const std::vector<VertexId>& v) {
   std::size_t inside = 0;
   for (const TriangleId t : section.triangulation.triangles.ids()) {
-    const TriangleVertices& corner = section.triangulation.triangles[t];
+    const PlaneTriangleVertices& corner = section.triangulation.triangles[t];
     const bool all = std::all_of(v.begin(), v.end(), [&](VertexId u) {
       return std::find(corner.begin(), corner.end(), u) != corner.end();
     });

@@ -30,7 +30,7 @@ std::set<EdgePair> reverse_tets(const Slab& slab) {
   for (std::size_t k = 0; k < slab.tet_count(); ++k) {
     const TetId t(k);
     if (slab.kind(t) != TetKind::ii && slab.kind(t) != TetKind::ie) continue;
-    std::vector<VertexId> low, high;
+    std::vector<PlaneVertexId> low, high;
     for (const SlabVertexId v : slab.vertices(t)) {
       (slab.is_upper(v) ? high : low).push_back(slab.in_section(v));
     }
@@ -130,8 +130,8 @@ TEST(WellPositionedContours, AreThoseWithAReverseTet) {
     const ConformingSection& above = named.built->upper;
     std::set<ContourPair> of_tets, proper, all;
     for (const auto& [e, f] : reverse_tets(*named.built->slab)) {
-      for (const VertexId v : {below.edges[e].a, below.edges[e].b}) {
-        for (const VertexId w : {above.edges[f].a, above.edges[f].b}) {
+      for (const PlaneVertexId v : {below.edges[e].a, below.edges[e].b}) {
+        for (const PlaneVertexId w : {above.edges[f].a, above.edges[f].b}) {
           of_tets.emplace(below.contour[v], above.contour[w]);
         }
       }

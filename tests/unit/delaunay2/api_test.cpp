@@ -45,8 +45,9 @@ TEST(Delaunay2Api, NonFiniteCoordinatesAreRefusedNamingTheVertex) {
 TEST(Delaunay2Api, SignedZerosAreOnePoint) {
   const Points points{{0.0, 0.0}, {1, 0}, {0, 1}, {-0.0, 0.0}, {-0.0, -0.0}};
   const Triangulation2 t = triangulate(points);
-  EXPECT_EQ(t.triangles.raw(),
-            (std::vector<PlaneTriangleVertices>{{PlaneVertexId(0), PlaneVertexId(1), PlaneVertexId(2)}}));
+  EXPECT_EQ(
+      t.triangles.raw(),
+      (std::vector<PlaneTriangleVertices>{{PlaneVertexId(0), PlaneVertexId(1), PlaneVertexId(2)}}));
 }
 
 TEST(ConformingApi, RepeatedPointsAreRefusedNamingTheSecond) {

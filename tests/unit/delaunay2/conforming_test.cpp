@@ -47,7 +47,8 @@ TEST(Conforming, AMissingSegmentIsSplitAtItsMidpoint) {
   const Graph graph = bar_among({{0.5, 0.1}, {0.5, -0.1}});
   const Conforming2 c = expect_conforming(graph, Trust::definition);
   EXPECT_EQ(inserted(c, graph), (Points{{0.5, 0}}));
-  EXPECT_EQ(c.chains[0], (std::vector<PlaneVertexId>{PlaneVertexId(0), PlaneVertexId(4), PlaneVertexId(1)}));
+  EXPECT_EQ(c.chains[0],
+            (std::vector<PlaneVertexId>{PlaneVertexId(0), PlaneVertexId(4), PlaneVertexId(1)}));
 }
 
 TEST(Conforming, AtAnAcuteCornerTheFirstSplitIsAPowerOfTwoAway) {
@@ -66,10 +67,13 @@ TEST(Conforming, AtAnAcuteCornerTheFirstSplitIsAPowerOfTwoAway) {
 TEST(Conforming, ASegmentWithTwoAcuteEndsIsFirstSplitInTheMiddle) {
   // A thin Z: the bar has an acute corner at both ends.
   Graph graph{{{0, 0}, {0.9, 0}, {0.6, 0.2}, {0.3, -0.2}, {0.45, 0.05}, {0.45, -0.05}},
-              {{PlaneVertexId(0), PlaneVertexId(1)}, {PlaneVertexId(0), PlaneVertexId(2)}, {PlaneVertexId(1), PlaneVertexId(3)}}};
+              {{PlaneVertexId(0), PlaneVertexId(1)},
+               {PlaneVertexId(0), PlaneVertexId(2)},
+               {PlaneVertexId(1), PlaneVertexId(3)}}};
   const Conforming2 c = expect_conforming(graph, Trust::definition);
   bool has_middle = false;
-  for (const PlaneVertexId v : c.chains[0]) has_middle |= c.triangulation.points[v] == Point2{0.45, 0};
+  for (const PlaneVertexId v : c.chains[0])
+    has_middle |= c.triangulation.points[v] == Point2{0.45, 0};
   EXPECT_TRUE(has_middle);
 }
 
@@ -116,9 +120,10 @@ TEST(Conforming, SliversOfDecreasingAngle) {
 
 TEST(Conforming, TwoSegmentsSideBySideNeedFewSplits) {
   for (const double gap : {1e-2, 1e-5, 1e-9}) {
-    Graph graph{
-        {{0, 0}, {1, 0}, {0.3, gap}, {1.3, gap}, {0.2, -gap}, {1.7, -gap}},
-        {{PlaneVertexId(0), PlaneVertexId(1)}, {PlaneVertexId(2), PlaneVertexId(3)}, {PlaneVertexId(4), PlaneVertexId(5)}}};
+    Graph graph{{{0, 0}, {1, 0}, {0.3, gap}, {1.3, gap}, {0.2, -gap}, {1.7, -gap}},
+                {{PlaneVertexId(0), PlaneVertexId(1)},
+                 {PlaneVertexId(2), PlaneVertexId(3)},
+                 {PlaneVertexId(4), PlaneVertexId(5)}}};
     const Conforming2 c = expect_conforming(graph);
     EXPECT_LT(c.split.size(), 400U) << gap;
   }

@@ -62,7 +62,8 @@ TEST(AcuteEnds, OfThreeArmsWithOneAcutePairMatchBruteForce) {
       for (std::size_t k = 0; k < 8; ++k) {
         if (i == j || j == k || k == i) continue;
         test::Graph graph{{{0, 0}, around[i], around[j], around[k]}, {}};
-        for (int arm = 1; arm <= 3; ++arm) graph.segments.push_back({PlaneVertexId(arm), PlaneVertexId(0)});
+        for (int arm = 1; arm <= 3; ++arm)
+          graph.segments.push_back({PlaneVertexId(arm), PlaneVertexId(0)});
         expect_brute_force(graph);
       }
     }

@@ -155,9 +155,10 @@ TEST(Delaunay2, ScalingByAPowerOfTwoChangesNothing) {
 TEST(Delaunay2, ASquareIsCutByTheDiagonalOfItsMiddleCorners) {
   // Of four cocircular points the last in canonical order is raised most: it is cut off.
   const Points square{{0, 0}, {0, 1}, {1, 0}, {1, 1}};
-  EXPECT_EQ(triangulate(square).triangles.raw(),
-            (std::vector<PlaneTriangleVertices>{{PlaneVertexId(0), PlaneVertexId(2), PlaneVertexId(1)},
-                                           {PlaneVertexId(1), PlaneVertexId(2), PlaneVertexId(3)}}));
+  EXPECT_EQ(
+      triangulate(square).triangles.raw(),
+      (std::vector<PlaneTriangleVertices>{{PlaneVertexId(0), PlaneVertexId(2), PlaneVertexId(1)},
+                                          {PlaneVertexId(1), PlaneVertexId(2), PlaneVertexId(3)}}));
 }
 
 }  // namespace

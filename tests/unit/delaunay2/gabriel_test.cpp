@@ -22,7 +22,8 @@ TEST(Gabriel, AVertexOnTheCircleCounts) {
 }
 
 TEST(Gabriel, AVertexOutsideTheCircleDoesNot) {
-  const Graph graph{{{0, 0}, {2, 0}, {1, 1.0000001}, {1, 5}}, {{PlaneVertexId(0), PlaneVertexId(1)}}};
+  const Graph graph{{{0, 0}, {2, 0}, {1, 1.0000001}, {1, 5}},
+                    {{PlaneVertexId(0), PlaneVertexId(1)}}};
   EXPECT_TRUE(expect_gabriel(graph).split.empty());
 }
 

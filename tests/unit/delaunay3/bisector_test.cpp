@@ -47,8 +47,9 @@ void expect_insphere(const Triangulation2& centres, const Triangulation2& sites,
         const Sign inside = sites_above ? insphere_perturbed(corner(0), corner(1), corner(2), a, b)
                                         : insphere_perturbed(corner(1), corner(0), corner(2), a, b);
         ASSERT_NE(inside, Sign::zero);
-        EXPECT_EQ(Bisector(planes, PlaneVertexId(p), PlaneVertexId(q)).nearer_to_first(TriangleId(k)),
-                  inside == Sign::negative);
+        EXPECT_EQ(
+            Bisector(planes, PlaneVertexId(p), PlaneVertexId(q)).nearer_to_first(TriangleId(k)),
+            inside == Sign::negative);
       }
     }
   }
@@ -112,7 +113,8 @@ TEST(Bisector, EveryStageAnswers) {
         const CentresAndSites planes{&centre_diagram, &site_diagram, true};
         for (std::size_t k = 0; k < centre_diagram.finite_count(); ++k) {
           for (std::size_t p = 1; p < sites.points.size(); ++p) {
-            (void)Bisector(planes, PlaneVertexId(p - 1), PlaneVertexId(p)).nearer_to_first(TriangleId(k));
+            (void)Bisector(planes, PlaneVertexId(p - 1), PlaneVertexId(p))
+                .nearer_to_first(TriangleId(k));
           }
         }
       }

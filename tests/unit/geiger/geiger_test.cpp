@@ -83,9 +83,9 @@ TEST(WithFeet, NoObtuseCornerFacesAContourEdgeAfterIt) {
   ASSERT_TRUE(conforming);
   for (std::size_t t = 0; t < conforming->internal.size(); ++t) {
     if (conforming->internal[TriangleId(t)] == 0) continue;
-    const TriangleVertices& v = conforming->triangulation.triangles[TriangleId(t)];
+    const PlaneTriangleVertices& v = conforming->triangulation.triangles[TriangleId(t)];
     for (std::size_t i = 0; i < 3; ++i) {
-      const VertexId a = v[(i + 1) % 3], b = v[(i + 2) % 3];
+      const PlaneVertexId a = v[(i + 1) % 3], b = v[(i + 2) % 3];
       if (conforming->next[a] != b) continue;
       const Point2 p = conforming->point(a), q = conforming->point(b), c = conforming->point(v[i]);
       EXPECT_GE((p.x - c.x) * (q.x - c.x) + (p.y - c.y) * (q.y - c.y), 0);

@@ -63,9 +63,9 @@ std::vector<std::array<Point3, 4>> points_of(const Part& part,
       const std::size_t node = piece.node.at(i).index();
       const std::size_t lower = solid.vertices.lower_size();
       if (node < lower) {
-        p[i] = all[part.lower].point3(VertexId(node));
+        p[i] = all[part.lower].point3(PlaneVertexId(node));
       } else if (node < solid.vertices.size()) {
-        p[i] = all[part.upper].point3(VertexId(node - lower));
+        p[i] = all[part.upper].point3(PlaneVertexId(node - lower));
       } else {
         p[i] = solid.constructed[ConstructedId(node - solid.vertices.size())];
       }
@@ -121,10 +121,10 @@ TEST_F(Glue, SectionVerticesComeFirstBySectionThenConstructedOnesByPart) {
   for (const SectionId s : sections_.ids()) {
     const ConformingSection& section = sections_[s];
     for (std::size_t k = 0; k < section.vertex_count(); ++k, ++at) {
-      EXPECT_EQ(model.points[VertexId(at)], section.point3(VertexId(k)));
-      EXPECT_EQ(model.section[VertexId(at)], static_cast<std::int32_t>(s.value()));
+      EXPECT_EQ(model.points[VertexId(at)], section.point3(PlaneVertexId(k)));
+      EXPECT_EQ(model.section[VertexId(at)], s);
       EXPECT_EQ(model.contour[VertexId(at)],
-                static_cast<std::int32_t>(section.contour[VertexId(k)].value()));
+                static_cast<std::int32_t>(section.contour[PlaneVertexId(k)].value()));
       EXPECT_EQ(model.origin[VertexId(at)], PointOrigin::input);
     }
   }
@@ -195,7 +195,7 @@ TEST_F(Glue, SolidsOfNeighbouringSlabsAreFaceToFaceAtTheirSection) {
       std::set<VertexId> face(model.tets[t].begin(), model.tets[t].end());
       face.erase(model.tets[t].at(i));
       bool in_plane = true;
-      for (const VertexId v : face) in_plane = in_plane && model.section[v] == 1;
+      for (const VertexId v : face) in_plane = in_plane && model.section[v] == SectionId(1);
       if (!in_plane) continue;
       EXPECT_TRUE(faces[face].insert(model.slab[t]).second);
     }

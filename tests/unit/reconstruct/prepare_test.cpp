@@ -87,11 +87,11 @@ TEST(PreparedStack, ContoursRefinedToGabrielEdgesHaveNoVertexInTheirCircles) {
   const auto crowded = [&](ContourId of) {
     const ConformingSection& section = made.sections[SectionId(0)];
     std::size_t result = 0;
-    for (const VertexId v : section.contour.ids()) {
+    for (const PlaneVertexId v : section.contour.ids()) {
       if (section.contour[v] != of) continue;
       const Point2 a = section.point(v);
       const Point2 b = section.point(section.next[v]);
-      for (const VertexId w : section.contour.ids()) {
+      for (const PlaneVertexId w : section.contour.ids()) {
         const Point2 p = section.point(w);
         if ((p.x - a.x) * (p.x - b.x) + (p.y - a.y) * (p.y - b.y) < 0) ++result;
       }

@@ -144,7 +144,7 @@ TEST(Records, AStackBuiltThroughFilesInAnyOrderIsThatOfTheDirectRun) {
       ReconstructOptions options;
       options.correspondence.criterion = criterion;
       options.ends = models % 2 == 0 ? Ends::half : Ends::flat;
-      models += expect_same_through_files(stack, options, prng) ? 1 : 0;
+      if (expect_same_through_files(stack, options, prng)) ++models;
     }
   }
   EXPECT_GT(models, 50U);

@@ -24,7 +24,9 @@ struct Sections {
 Sections conformed(const SectionStack& stack, bool gabriel = false) {
   const auto make = [&](SectionId s) {
     const Section& section = stack.sections[s];
-    return conform(section, s, IdVector<ContourId, bool>(section.contours.size(), gabriel)).value();
+    return conform(section, s,
+                   {.gabriel = IdVector<ContourId, bool>(section.contours.size(), gabriel)})
+        .value();
   };
   return {make(SectionId(0)), make(SectionId(1))};
 }
@@ -47,9 +49,9 @@ const std::vector<Contour>& columns_beside_a_wall() {
 Point3 point_of(const SlabSolid& solid, const Sections& s, NodeId node) {
   const std::size_t n = node.index();
   const std::size_t lower = s.lower.vertex_count();
-  if (n < lower) return s.lower.point3(VertexId(n));
+  if (n < lower) return s.lower.point3(PlaneVertexId(n));
   const std::size_t both = lower + s.upper.vertex_count();
-  if (n < both) return s.upper.point3(VertexId(n - lower));
+  if (n < both) return s.upper.point3(PlaneVertexId(n - lower));
   return solid.constructed[ConstructedId(n - both)];
 }
 
@@ -144,7 +146,7 @@ TEST(SlabSolid, CoversTheInternalTrianglesOfItsSectionsOnceAndIsPositive) {
       const std::size_t first = upper ? s.lower.vertex_count() : 0;
       for (const TriangleId t : section.triangulation.triangles.ids()) {
         std::set<NodeId> face;
-        for (const VertexId v : section.triangulation.triangles[t]) {
+        for (const PlaneVertexId v : section.triangulation.triangles[t]) {
           face.insert(NodeId(first + v.index()));
         }
         const auto found = faces.find(face);

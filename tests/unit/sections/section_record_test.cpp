@@ -34,7 +34,7 @@ void for_each_section(std::uint64_t seed, const Visit& visit) {
     for (const SectionId s : stack.sections.ids()) {
       IdVector<ContourId, bool> gabriel;
       if (s.value() % 2 == 1) gabriel.assign(stack.sections[s].contours.size(), true);
-      const Result<ConformingSection> section = conform(stack.sections[s], s, gabriel);
+      const Result<ConformingSection> section = conform(stack.sections[s], s, {.gabriel = gabriel});
       if (section && section->vertex_count() < 3000) visit(*section);
     }
   }

@@ -17,7 +17,7 @@ std::vector<Point3> points_of(const SlabCase& c) {
   std::vector<Point3> points;
   for (const ConformingSection* section : {&c.lower, &c.upper}) {
     for (std::size_t v = 0; v < section->vertex_count(); ++v) {
-      points.push_back(section->point3(VertexId(v)));
+      points.push_back(section->point3(PlaneVertexId(v)));
     }
   }
   return points;

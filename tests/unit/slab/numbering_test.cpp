@@ -17,9 +17,9 @@ TEST(SlabNumbering, CountsTheLowerSectionThenTheUpperOne) {
     EXPECT_EQ(numbering.size(), lower + upper);
     EXPECT_EQ(numbering.lower_size(), lower);
     EXPECT_EQ(numbering.upper_size(), upper);
-    std::vector<std::pair<bool, VertexId>> expected;
-    for (std::size_t k = 0; k < lower; ++k) expected.emplace_back(false, VertexId(k));
-    for (std::size_t k = 0; k < upper; ++k) expected.emplace_back(true, VertexId(k));
+    std::vector<std::pair<bool, PlaneVertexId>> expected;
+    for (std::size_t k = 0; k < lower; ++k) expected.emplace_back(false, PlaneVertexId(k));
+    for (std::size_t k = 0; k < upper; ++k) expected.emplace_back(true, PlaneVertexId(k));
     for (std::size_t k = 0; k < expected.size(); ++k) {
       const SlabVertexId id(k);
       const auto& [is_upper, in_section] = expected[k];
@@ -45,7 +45,7 @@ TEST(StackVertices, GiveEveryVertexOfEverySectionTheNextNumber) {
   std::size_t next = 0;
   for (std::size_t s = 0; s < counts.size(); ++s) {
     for (std::size_t v = 0; v < counts[s]; ++v) {
-      EXPECT_EQ(vertices.of(SectionId(s), VertexId(v)), VertexId(next++));
+      EXPECT_EQ(vertices.of(SectionId(s), PlaneVertexId(v)), PlaneVertexId(next++));
     }
   }
   EXPECT_EQ(vertices.size(), next);

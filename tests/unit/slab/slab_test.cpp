@@ -18,11 +18,11 @@ namespace tetloft::testing {
 namespace {
 
 // The kind of an in-plane edge, from the triangles on it alone.
-EdgeKind kind_by_triangles(const ConformingSection& section, VertexId u, VertexId v) {
+EdgeKind kind_by_triangles(const ConformingSection& section, PlaneVertexId u, PlaneVertexId v) {
   std::size_t inside = 0;
   std::size_t outside = 0;
   for (std::size_t k = 0; k < section.triangulation.triangles.size(); ++k) {
-    const TriangleVertices& t = section.triangulation.triangles[TriangleId(k)];
+    const PlaneTriangleVertices& t = section.triangulation.triangles[TriangleId(k)];
     if (std::count(t.begin(), t.end(), u) + std::count(t.begin(), t.end(), v) != 2) continue;
     ++(section.internal[TriangleId(k)] != 0 ? inside : outside);
   }
@@ -31,13 +31,13 @@ EdgeKind kind_by_triangles(const ConformingSection& section, VertexId u, VertexI
 }
 
 TetKind kind_by_definition(const SlabCase& c, TetId t) {
-  std::vector<VertexId> low;
-  std::vector<VertexId> high;
+  std::vector<PlaneVertexId> low;
+  std::vector<PlaneVertexId> high;
   for (const SlabVertexId v : c.slab->vertices(t)) {
     if (v.index() < c.lower.vertex_count()) {
-      low.push_back(VertexId(v.index()));
+      low.emplace_back(v.value());
     } else {
-      high.push_back(VertexId(v.index() - c.lower.vertex_count()));
+      high.emplace_back(v.index() - c.lower.vertex_count());
     }
   }
   if (low.size() != 2) {

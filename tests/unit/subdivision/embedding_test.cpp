@@ -51,7 +51,7 @@ std::optional<Embedded> embed(const SlabCase& c) {
     if (outcome == Embedding::Outcome::failed) return std::nullopt;
     Embedded result{embedding.points(),
                     {},
-                    embedding.take_pieces(),
+                    embedding.pieces(),
                     subdivision.lifted.size(),
                     truncation.cuts.size()};
     for (std::size_t n = c.slab->vertex_count(); n < result.points.size(); ++n) {

@@ -22,12 +22,13 @@ TEST(Prism, RegionsListTheirTrianglesAndVertices) {
     const auto triangles = triangles_by_region(section);
     const auto vertices = vertices_by_region(section);
     IdVector<RegionId, std::vector<TriangleId>> expected_triangles(section.nesting.outer.size());
-    IdVector<RegionId, std::vector<VertexId>> expected_vertices(section.nesting.outer.size());
+    IdVector<RegionId, std::vector<PlaneVertexId>> expected_vertices(section.nesting.outer.size());
     for (const TriangleId t : section.triangulation.triangles.ids()) {
       if (section.internal[t] == 0) continue;
       expected_triangles[section.region[section.triangulation.triangles[t][0]]].push_back(t);
     }
-    for (const VertexId v : section.region.ids()) expected_vertices[section.region[v]].push_back(v);
+    for (const PlaneVertexId v : section.region.ids())
+      expected_vertices[section.region[v]].push_back(v);
     EXPECT_EQ(triangles, expected_triangles);
     EXPECT_EQ(vertices, expected_vertices);
   }

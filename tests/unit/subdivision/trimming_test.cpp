@@ -74,7 +74,7 @@ Topology topology_of(const std::set<Simplex>& complex) {
 
 double distance_to_edges(const ConformingSection& section, const Point3& p) {
   double best = HUGE_VAL;
-  for (const VertexId v : section.contour.ids()) {
+  for (const PlaneVertexId v : section.contour.ids()) {
     const Point2 a = section.point(v);
     const Point2 b = section.point(section.next[v]);
     const double dx = b.x - a.x, dy = b.y - a.y;
