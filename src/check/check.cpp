@@ -14,7 +14,7 @@
 #include "check/manifold.hpp"
 #include "check/resampling.hpp"
 #include "check/view.hpp"
-#include "core/check.hpp"
+#include "core/guard.hpp"
 #include "core/option_rules.hpp"
 #include "core/parallel.hpp"
 #include "core/watched_work.hpp"

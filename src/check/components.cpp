@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "check/partition.hpp"
-#include "core/check.hpp"
+#include "core/guard.hpp"
 
 namespace tetloft::checking {
 

@@ -9,7 +9,7 @@
 
 #include "check/box_tree.hpp"
 #include "check/partition.hpp"
-#include "core/check.hpp"
+#include "core/guard.hpp"
 
 namespace tetloft::checking {
 

@@ -9,7 +9,7 @@
 
 #include "check/contour_chains.hpp"
 #include "check/in_plane.hpp"
-#include "core/check.hpp"
+#include "core/guard.hpp"
 
 namespace tetloft::checking {
 

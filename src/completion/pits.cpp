@@ -6,7 +6,7 @@
 #include <tetloft/delaunay2.hpp>
 #include <tetloft/predicates.hpp>
 
-#include "core/check.hpp"
+#include "core/guard.hpp"
 #include "core/union_find.hpp"
 #include "sections/conforming_section.hpp"
 

@@ -6,7 +6,7 @@
 
 #include <tetloft/execution.hpp>
 
-#include "core/check.hpp"
+#include "core/guard.hpp"
 
 namespace tetloft {
 

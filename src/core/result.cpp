@@ -3,7 +3,7 @@
 
 #include <cstdio>
 
-#include "core/check.hpp"
+#include "core/guard.hpp"
 #include "core/text.hpp"
 
 namespace tetloft {

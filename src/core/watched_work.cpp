@@ -3,7 +3,7 @@
 #include <exception>
 #include <string>
 
-#include "core/check.hpp"
+#include "core/guard.hpp"
 
 namespace tetloft {
 

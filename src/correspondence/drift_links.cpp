@@ -9,7 +9,7 @@
 
 #include <tetloft/overlap.hpp>
 
-#include "core/check.hpp"
+#include "core/guard.hpp"
 #include "correspondence/contour_box.hpp"
 
 namespace tetloft {

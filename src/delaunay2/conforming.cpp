@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/check.hpp"
+#include "core/guard.hpp"
 #include "delaunay2/canonical.hpp"
 #include "delaunay2/corners.hpp"
 #include "delaunay2/diametral.hpp"

@@ -9,7 +9,7 @@
 #include <tetloft/delaunay2.hpp>
 #include <tetloft/predicates.hpp>
 
-#include "core/check.hpp"
+#include "core/guard.hpp"
 #include "delaunay2/canonical.hpp"
 #include "delaunay2/conforming.hpp"
 #include "delaunay2/incremental.hpp"

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "core/check.hpp"
+#include "core/guard.hpp"
 
 namespace tetloft::delaunay2_detail {
 

@@ -5,7 +5,7 @@
 
 #include <tetloft/predicates.hpp>
 
-#include "core/check.hpp"
+#include "core/guard.hpp"
 
 namespace tetloft::delaunay2_detail {
 

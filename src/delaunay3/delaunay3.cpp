@@ -12,8 +12,8 @@
 #include <tetloft/delaunay3.hpp>
 #include <tetloft/predicates.hpp>
 
-#include "core/check.hpp"
 #include "core/enums.hpp"
+#include "core/guard.hpp"
 #include "core/parallel.hpp"
 #include "core/watched_work.hpp"
 #include "delaunay3/affine_basis.hpp"

@@ -7,7 +7,7 @@
 
 #include <tetloft/predicates.hpp>
 
-#include "core/check.hpp"
+#include "core/guard.hpp"
 #include "core/prefetch.hpp"
 
 namespace tetloft::delaunay3_detail {

@@ -3,7 +3,7 @@
 
 #include <tetloft/predicates.hpp>
 
-#include "core/check.hpp"
+#include "core/guard.hpp"
 #include "predicates/counting.hpp"
 #include "predicates/exact.hpp"
 #include "predicates/filter.hpp"

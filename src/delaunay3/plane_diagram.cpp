@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/check.hpp"
+#include "core/guard.hpp"
 
 namespace tetloft::delaunay3_detail {
 

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <span>
 
-#include "core/check.hpp"
+#include "core/guard.hpp"
 #include "core/prefetch.hpp"
 #include "delaunay3/nearer.hpp"
 #include "delaunay3/plane_diagram.hpp"

@@ -10,7 +10,7 @@
 
 #include <tetloft/predicates.hpp>
 
-#include "core/check.hpp"
+#include "core/guard.hpp"
 #include "core/option_rules.hpp"
 #include "core/parallel.hpp"
 #include "core/watched_work.hpp"

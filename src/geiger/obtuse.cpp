@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/check.hpp"
+#include "core/guard.hpp"
 
 namespace tetloft::geiger {
 

@@ -3,7 +3,7 @@
 
 #include <tetloft/formats.hpp>
 
-#include "core/check.hpp"
+#include "core/guard.hpp"
 #include "io/arguments.hpp"
 #include "io/files.hpp"
 #include "io/formats.hpp"

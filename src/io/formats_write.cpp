@@ -5,7 +5,7 @@
 
 #include <tetloft/formats.hpp>
 
-#include "core/check.hpp"
+#include "core/guard.hpp"
 #include "io/arguments.hpp"
 #include "io/formats.hpp"
 #include "io/stage.hpp"

@@ -14,7 +14,7 @@
 #include <cstdio>
 #include <utility>
 
-#include "core/check.hpp"
+#include "core/guard.hpp"
 #include "io/output_place.hpp"
 
 namespace tetloft::io {

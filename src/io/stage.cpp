@@ -3,7 +3,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/check.hpp"
+#include "core/guard.hpp"
 
 namespace tetloft::io {
 

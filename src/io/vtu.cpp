@@ -7,7 +7,7 @@
 
 #include <tetloft/io.hpp>
 
-#include "core/check.hpp"
+#include "core/guard.hpp"
 #include "io/arguments.hpp"
 #include "io/format.hpp"
 #include "io/stage.hpp"

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "core/check.hpp"
 #include "core/entry.hpp"
+#include "core/guard.hpp"
 #include "mesh/face_groups.hpp"
 #include "mesh/tet_soup.hpp"
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "core/check.hpp"
 #include "core/entry.hpp"
+#include "core/guard.hpp"
 #include "mesh/face_groups.hpp"
 #include "mesh/tet_soup.hpp"
 

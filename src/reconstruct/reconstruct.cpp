@@ -8,8 +8,8 @@
 
 #include <tetloft/predicates.hpp>
 
-#include "core/check.hpp"
 #include "core/enums.hpp"
+#include "core/guard.hpp"
 #include "core/option_rules.hpp"
 #include "core/parallel.hpp"
 #include "core/unit_of_length.hpp"

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "core/check.hpp"
 #include "core/enums.hpp"
+#include "core/guard.hpp"
 #include "core/record.hpp"
 
 namespace tetloft {

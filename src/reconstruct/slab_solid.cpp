@@ -6,7 +6,7 @@
 
 #include "completion/completion.hpp"
 #include "completion/pits.hpp"
-#include "core/check.hpp"
+#include "core/guard.hpp"
 #include "reconstruct/lattice_hint.hpp"
 #include "slab/delaunay.hpp"
 #include "subdivision/embedding.hpp"

@@ -11,7 +11,7 @@
 
 #include <tetloft/render.hpp>
 
-#include "core/check.hpp"
+#include "core/guard.hpp"
 #include "core/text.hpp"
 #include "core/watched_work.hpp"
 #include "io/base64.hpp"

@@ -7,7 +7,7 @@
 
 #include <tetloft/render.hpp>
 
-#include "core/check.hpp"
+#include "core/guard.hpp"
 #include "render/deflate.hpp"
 #include "render/raster.hpp"
 

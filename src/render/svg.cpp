@@ -9,7 +9,7 @@
 
 #include <tetloft/render.hpp>
 
-#include "core/check.hpp"
+#include "core/guard.hpp"
 #include "io/numbers.hpp"
 #include "render/raster.hpp"
 #include "render/vector.hpp"

@@ -16,7 +16,7 @@
 
 #include <tetloft/conforming_section.hpp>
 
-#include "core/check.hpp"
+#include "core/guard.hpp"
 #include "sections/conforming_section.hpp"
 #include "sections/nesting.hpp"
 #include "sections/scaling.hpp"

@@ -7,8 +7,8 @@
 #include <numeric>
 #include <utility>
 
-#include "core/check.hpp"
 #include "core/entry.hpp"
+#include "core/guard.hpp"
 
 namespace tetloft {
 

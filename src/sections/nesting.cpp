@@ -9,8 +9,8 @@
 #include <cmath>
 #include <vector>
 
-#include "core/check.hpp"
 #include "core/entry.hpp"
+#include "core/guard.hpp"
 #include "sections/sweep.hpp"
 
 namespace tetloft {

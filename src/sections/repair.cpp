@@ -18,7 +18,7 @@
 
 #include <tetloft/repair.hpp>
 
-#include "core/check.hpp"
+#include "core/guard.hpp"
 #include "core/option_rules.hpp"
 #include "core/parallel.hpp"
 #include "core/watched_work.hpp"

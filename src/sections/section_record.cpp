@@ -8,7 +8,7 @@
 
 #include <tetloft/predicates.hpp>
 
-#include "core/check.hpp"
+#include "core/guard.hpp"
 #include "core/record.hpp"
 #include "sections/conforming_section.hpp"
 

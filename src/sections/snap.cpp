@@ -7,7 +7,7 @@
 #include <tetloft/nesting.hpp>
 #include <tetloft/repair.hpp>
 
-#include "core/check.hpp"
+#include "core/guard.hpp"
 #include "core/option_rules.hpp"
 #include "core/parallel.hpp"
 #include "core/watched_work.hpp"

@@ -14,7 +14,7 @@
 
 #include <tetloft/section_stack.hpp>
 
-#include "core/check.hpp"
+#include "core/guard.hpp"
 #include "core/parallel.hpp"
 #include "core/watched_work.hpp"
 #include "sections/contacts.hpp"

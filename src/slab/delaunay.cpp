@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/check.hpp"
+#include "core/guard.hpp"
 #include "slab/work_limit.hpp"
 
 namespace tetloft {

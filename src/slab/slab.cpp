@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "core/check.hpp"
+#include "core/guard.hpp"
 
 namespace tetloft {
 

@@ -5,8 +5,8 @@
 
 #include <tetloft/predicates.hpp>
 
-#include "core/check.hpp"
 #include "core/cpu_clock.hpp"
+#include "core/guard.hpp"
 #include "mesh/face_groups.hpp"
 #include "subdivision/cut_squeezing.hpp"
 

@@ -4,7 +4,7 @@
 #include <bit>
 #include <cmath>
 
-#include "core/check.hpp"
+#include "core/guard.hpp"
 
 namespace tetloft {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "core/check.hpp"
+#include "core/guard.hpp"
 #include "support/stacks/kinds.hpp"
 #include "support/stacks/shapes.hpp"
 

@@ -12,11 +12,12 @@ namespace tetloft::testing {
 namespace {
 
 // Triangles of the region that contain all of these vertices of one section.
-std::size_t triangles_inside(const ConformingSection& section, const std::vector<VertexId>& v) {
+std::size_t triangles_inside(const ConformingSection& section,
+                             const std::vector<PlaneVertexId>& v) {
   std::size_t inside = 0;
   for (const TriangleId t : section.triangulation.triangles.ids()) {
     const PlaneTriangleVertices& corner = section.triangulation.triangles[t];
-    const bool all = std::all_of(v.begin(), v.end(), [&](VertexId u) {
+    const bool all = std::all_of(v.begin(), v.end(), [&](PlaneVertexId u) {
       return std::find(corner.begin(), corner.end(), u) != corner.end();
     });
     if (all && section.internal[t] != 0) ++inside;
@@ -26,19 +27,19 @@ std::size_t triangles_inside(const ConformingSection& section, const std::vector
 
 // The corners of a tet whose classes the seed keeps it for, by definition.
 std::set<ClassId> classes_that_keep(const SlabCase& c, TetId t) {
-  std::array<std::vector<VertexId>, 2> corner;
+  std::array<std::vector<PlaneVertexId>, 2> corner;
   std::array<std::vector<ClassId>, 2> of;
   for (int i = 0; i < 4; ++i) {
     const std::size_t v = c.slab->vertex(t, i).index();
     const std::size_t lower = c.lower.vertex_count();
     const std::size_t plane = v < lower ? 0 : 1;
-    corner.at(plane).push_back(VertexId(v < lower ? v : v - lower));
+    corner.at(plane).push_back(PlaneVertexId(v < lower ? v : v - lower));
     of.at(plane).push_back(c.classes->of(SlabVertexId(v)));
   }
   std::set<ClassId> keep;
   for (const std::size_t plane : {std::size_t{0}, std::size_t{1}}) {
     const ConformingSection& section = plane == 0 ? c.lower : c.upper;
-    const std::vector<VertexId>& v = corner.at(plane);
+    const std::vector<PlaneVertexId>& v = corner.at(plane);
     const std::size_t wanted = v.size() == 3 ? 1 : v.size() == 2 ? 2 : 99;
     // Type-1 tets stand on a triangle; an edge is internal between two of the region.
     const bool type2 = corner[0].size() == 2;

@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "core/check.hpp"
+#include "core/guard.hpp"
 
 namespace tetloft {
 namespace {

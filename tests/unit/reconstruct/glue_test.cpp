@@ -108,7 +108,7 @@ TEST_F(Glue, PartsOnEitherSideOfASectionShareItsVerticesAndNothingElse) {
     if (!high.contains(v)) continue;
     ++shared;
     EXPECT_EQ(model.points[v].z, 0);
-    EXPECT_EQ(model.section[v], 0);
+    EXPECT_EQ(model.section[v], SectionId(0));
   }
   EXPECT_EQ(shared, 4U);
   std::set<std::array<double, 3>> places;
@@ -123,8 +123,7 @@ TEST_F(Glue, SectionVerticesComeFirstBySectionThenConstructedOnesByPart) {
     for (std::size_t k = 0; k < section.vertex_count(); ++k, ++at) {
       EXPECT_EQ(model.points[VertexId(at)], section.point3(PlaneVertexId(k)));
       EXPECT_EQ(model.section[VertexId(at)], s);
-      EXPECT_EQ(model.contour[VertexId(at)],
-                static_cast<std::int32_t>(section.contour[PlaneVertexId(k)].value()));
+      EXPECT_EQ(model.contour[VertexId(at)], section.contour[PlaneVertexId(k)]);
       EXPECT_EQ(model.origin[VertexId(at)], PointOrigin::input);
     }
   }

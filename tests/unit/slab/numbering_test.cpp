@@ -45,7 +45,7 @@ TEST(StackVertices, GiveEveryVertexOfEverySectionTheNextNumber) {
   std::size_t next = 0;
   for (std::size_t s = 0; s < counts.size(); ++s) {
     for (std::size_t v = 0; v < counts[s]; ++v) {
-      EXPECT_EQ(vertices.of(SectionId(s), PlaneVertexId(v)), PlaneVertexId(next++));
+      EXPECT_EQ(vertices.of(SectionId(s), PlaneVertexId(v)), VertexId(next++));
     }
   }
   EXPECT_EQ(vertices.size(), next);

@@ -1,5 +1,5 @@
-// Internal invariants. TETLOFT_CHECK throws InternalError; the API boundary
-// (guard_internal) turns it into Error{internal}. Never used on user input.
+// Guards. Inside the library TETLOFT_CHECK throws InternalError where an invariant is broken; never
+// used on user input. At the edge of the API guard_internal turns whatever is thrown into an Error.
 #pragma once
 
 #include <exception>
