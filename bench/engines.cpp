@@ -19,6 +19,8 @@
 
 namespace tetloft::bench {
 
+using namespace internal;
+
 namespace {
 
 const Execution kUnwatched{.threads = 1};

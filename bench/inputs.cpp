@@ -8,6 +8,8 @@
 
 namespace tetloft::bench {
 
+using namespace internal;
+
 namespace {
 
 constexpr double kTurn = 6.283185307179586;

@@ -11,6 +11,8 @@
 
 namespace tetloft::bench {
 
+using namespace internal;
+
 namespace {
 
 using Arguments = std::array<Point3, 5>;

@@ -12,6 +12,8 @@
 
 namespace tetloft::bench {
 
+using namespace internal;
+
 /// The whole of `text` as a number.
 template <class Number>
 [[nodiscard]] bool parse_number(std::string_view text, Number& number) {

@@ -22,6 +22,8 @@
 #include "corpus/solids.hpp"
 
 namespace tetloft::bench {
+
+using namespace internal;
 namespace {
 
 // Within a test, Run is a member of its base.

@@ -7,6 +7,8 @@
 
 namespace tetloft::bench {
 
+using namespace internal;
+
 namespace {
 
 double triangle_area(const Point3& a, const Point3& b, const Point3& c) {

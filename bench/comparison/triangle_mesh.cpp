@@ -8,6 +8,8 @@
 
 namespace tetloft::bench {
 
+using namespace internal;
+
 namespace {
 
 // From boundary half-face `start`, at its edge uv, through the tets around that edge to the next

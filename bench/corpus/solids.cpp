@@ -11,6 +11,8 @@
 
 namespace tetloft::bench {
 
+using namespace internal;
+
 namespace {
 
 double distance(const Point3& p, const Point3& q) {

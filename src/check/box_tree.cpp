@@ -3,7 +3,7 @@
 
 #include <numeric>
 
-namespace tetloft::checking {
+namespace tetloft::internal::checking {
 
 namespace {
 
@@ -44,4 +44,4 @@ BoxTree::BoxTree(std::vector<Box2> boxes) : boxes_(std::move(boxes)), order_(box
   }
 }
 
-}  // namespace tetloft::checking
+}  // namespace tetloft::internal::checking

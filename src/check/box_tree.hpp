@@ -10,7 +10,7 @@
 
 #include <tetloft/point.hpp>
 
-namespace tetloft::checking {
+namespace tetloft::internal::checking {
 
 struct Box2 {
   Point2 low, high;
@@ -95,4 +95,4 @@ class BoxTree {
   std::vector<Node> nodes_;
 };
 
-}  // namespace tetloft::checking
+}  // namespace tetloft::internal::checking

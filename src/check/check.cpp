@@ -21,6 +21,8 @@
 
 namespace tetloft {
 
+using namespace internal;
+
 namespace {
 
 // Half-faces are numbered in 32 bits.

@@ -9,7 +9,7 @@
 #include "check/partition.hpp"
 #include "core/guard.hpp"
 
-namespace tetloft::checking {
+namespace tetloft::internal::checking {
 
 namespace {
 
@@ -116,4 +116,4 @@ Result<Findings> check_components(const ModelView& view, const SectionStack& sta
   return findings;
 }
 
-}  // namespace tetloft::checking
+}  // namespace tetloft::internal::checking

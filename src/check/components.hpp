@@ -4,7 +4,7 @@
 #include "check/resampling.hpp"
 #include "check/view.hpp"
 
-namespace tetloft::checking {
+namespace tetloft::internal::checking {
 
 /// Guarantee 4, conditions 4.1 to 4.5 of README.md: the face-connected components of the
 /// model part the contours as the correspondence says. Refused where labels are invalid.
@@ -12,4 +12,4 @@ namespace tetloft::checking {
                                                 const Resampling& resampling,
                                                 const CheckOptions& options);
 
-}  // namespace tetloft::checking
+}  // namespace tetloft::internal::checking

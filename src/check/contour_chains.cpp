@@ -12,7 +12,7 @@
 
 #include "check/edge_distance.hpp"
 
-namespace tetloft::checking {
+namespace tetloft::internal::checking {
 
 namespace {
 
@@ -265,4 +265,4 @@ OnContours follow_contours(const ModelView& view, const SectionStack& stack,
   return ContourFollower(view, stack, complex, options, findings).run();
 }
 
-}  // namespace tetloft::checking
+}  // namespace tetloft::internal::checking

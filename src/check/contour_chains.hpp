@@ -5,7 +5,7 @@
 #include "check/in_plane.hpp"
 #include "check/resampling.hpp"
 
-namespace tetloft::checking {
+namespace tetloft::internal::checking {
 
 /// Conditions 2.3 and 2.8 to 2.12: finds each input vertex in the model and, from each to
 /// the next, the inserted vertices between them.
@@ -13,4 +13,4 @@ namespace tetloft::checking {
                                          const InPlaneComplex& complex, const CheckOptions& options,
                                          Findings& findings);
 
-}  // namespace tetloft::checking
+}  // namespace tetloft::internal::checking

@@ -11,7 +11,7 @@
 #include "check/partition.hpp"
 #include "core/guard.hpp"
 
-namespace tetloft::checking {
+namespace tetloft::internal::checking {
 
 namespace {
 
@@ -125,4 +125,4 @@ std::vector<Link> drift_links(const SectionStack& stack, const Regions& regions,
   return {links.begin(), links.end()};
 }
 
-}  // namespace tetloft::checking
+}  // namespace tetloft::internal::checking

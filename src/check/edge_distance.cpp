@@ -10,7 +10,7 @@
 
 #include "predicates/big_integer.hpp"
 
-namespace tetloft::checking {
+namespace tetloft::internal::checking {
 
 namespace {
 
@@ -82,4 +82,4 @@ bool advances(const Point2& a, const Point2& b, const Point2& p, const Point2& q
   return along.sign() > 0;
 }
 
-}  // namespace tetloft::checking
+}  // namespace tetloft::internal::checking

@@ -3,7 +3,7 @@
 
 #include <tetloft/point.hpp>
 
-namespace tetloft::checking {
+namespace tetloft::internal::checking {
 
 /// The unit in the last place of the largest coordinate magnitude of a and b: 2^(e − 52)
 /// for a magnitude in [2^e, 2^(e + 1)), and never below 2^-1074.
@@ -23,4 +23,4 @@ struct EdgeDistance {
 /// Exact: q lies strictly farther along the direction from a to b than p.
 [[nodiscard]] bool advances(const Point2& a, const Point2& b, const Point2& p, const Point2& q);
 
-}  // namespace tetloft::checking
+}  // namespace tetloft::internal::checking

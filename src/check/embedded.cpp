@@ -10,7 +10,7 @@
 #include "check/winding.hpp"
 #include "contact/contact.hpp"
 
-namespace tetloft::checking {
+namespace tetloft::internal::checking {
 
 namespace {
 
@@ -53,4 +53,4 @@ Findings check_embedded(const ModelView& view, const SurfaceComponents& surface,
   return findings;
 }
 
-}  // namespace tetloft::checking
+}  // namespace tetloft::internal::checking

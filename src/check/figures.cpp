@@ -11,7 +11,7 @@
 #include "core/unit_of_length.hpp"
 #include "sections/scaling.hpp"
 
-namespace tetloft::checking {
+namespace tetloft::internal::checking {
 
 namespace {
 
@@ -162,4 +162,4 @@ double smallest_dihedral_degrees(const ModelView& view) {
   return view.tets.empty() ? 180 : smallest * kDegrees;
 }
 
-}  // namespace tetloft::checking
+}  // namespace tetloft::internal::checking

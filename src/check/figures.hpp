@@ -5,7 +5,7 @@
 #include "check/resampling.hpp"
 #include "check/view.hpp"
 
-namespace tetloft::checking {
+namespace tetloft::internal::checking {
 
 /// The largest sideways distance of a used vertex off the section planes from both its
 /// sections' regions (0 inside), in gaps of its slab; beyond the ends from the one region, in
@@ -16,4 +16,4 @@ namespace tetloft::checking {
 /// Over all sound tets; 0 if one is not positive, 180 without tets. In plain doubles.
 [[nodiscard]] double smallest_dihedral_degrees(const ModelView& view);
 
-}  // namespace tetloft::checking
+}  // namespace tetloft::internal::checking

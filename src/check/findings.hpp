@@ -8,7 +8,7 @@
 
 #include <tetloft/check.hpp>
 
-namespace tetloft::checking {
+namespace tetloft::internal::checking {
 
 class Findings {
  public:
@@ -47,4 +47,4 @@ class Findings {
   std::map<int, CheckFailure> failures_;
 };
 
-}  // namespace tetloft::checking
+}  // namespace tetloft::internal::checking

@@ -7,7 +7,7 @@
 
 #include <tetloft/predicates.hpp>
 
-namespace tetloft::checking {
+namespace tetloft::internal::checking {
 
 namespace {
 
@@ -112,4 +112,4 @@ bool InPlaneComplex::has_edge(VertexId a, VertexId b) const {
   return at != end && at->high == high;
 }
 
-}  // namespace tetloft::checking
+}  // namespace tetloft::internal::checking

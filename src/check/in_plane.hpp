@@ -9,7 +9,7 @@
 
 #include "check/view.hpp"
 
-namespace tetloft::checking {
+namespace tetloft::internal::checking {
 
 /// An in-plane face, once, however many tets have it.
 struct InPlaneTriangle {
@@ -41,4 +41,4 @@ struct InPlaneComplex {
 
 [[nodiscard]] InPlaneComplex in_plane_complex(const ModelView& view);
 
-}  // namespace tetloft::checking
+}  // namespace tetloft::internal::checking

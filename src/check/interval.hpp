@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace tetloft::checking {
+namespace tetloft::internal::checking {
 
 struct Interval {
   double low = 0;
@@ -56,4 +56,4 @@ inline Interval operator/(const Interval& a, const Interval& b) {
   return Interval::around(std::min({p, q, r, s}), std::max({p, q, r, s}));
 }
 
-}  // namespace tetloft::checking
+}  // namespace tetloft::internal::checking

@@ -11,7 +11,7 @@
 #include "check/partition.hpp"
 #include "core/union_find.hpp"
 
-namespace tetloft::checking {
+namespace tetloft::internal::checking {
 
 namespace {
 
@@ -211,4 +211,4 @@ RegionSets unite_regions(const SectionStack& stack, const Regions& regions,
   return result;
 }
 
-}  // namespace tetloft::checking
+}  // namespace tetloft::internal::checking

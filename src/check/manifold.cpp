@@ -4,7 +4,7 @@
 
 #include <tetloft/tet_mesh.hpp>
 
-namespace tetloft::checking {
+namespace tetloft::internal::checking {
 
 namespace {
 
@@ -50,4 +50,4 @@ Findings check_manifold(const ModelView& view, const CheckOptions& options) {
   return findings;
 }
 
-}  // namespace tetloft::checking
+}  // namespace tetloft::internal::checking

@@ -8,7 +8,7 @@
 
 #include "check/box_tree.hpp"
 
-namespace tetloft::checking {
+namespace tetloft::internal::checking {
 
 namespace {
 
@@ -136,4 +136,4 @@ Result<ExpectedPartition> expected_partition(const SectionStack& stack, const Se
   return expected;
 }
 
-}  // namespace tetloft::checking
+}  // namespace tetloft::internal::checking

@@ -12,7 +12,7 @@
 #include <tetloft/nesting.hpp>
 #include <tetloft/result.hpp>
 
-namespace tetloft::checking {
+namespace tetloft::internal::checking {
 
 /// Regions of all sections in one sequence, by (section, region).
 struct Regions {
@@ -79,4 +79,4 @@ struct ExpectedPartition {
                                                            const SectionStack& refined,
                                                            const CorrespondenceOptions& options);
 
-}  // namespace tetloft::checking
+}  // namespace tetloft::internal::checking

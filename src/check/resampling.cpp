@@ -11,7 +11,7 @@
 #include "check/in_plane.hpp"
 #include "core/guard.hpp"
 
-namespace tetloft::checking {
+namespace tetloft::internal::checking {
 
 namespace {
 
@@ -153,4 +153,4 @@ Resampling check_resampling(const ModelView& view, const SectionStack& stack,
   return {std::move(findings), std::move(on_contours), std::move(refined)};
 }
 
-}  // namespace tetloft::checking
+}  // namespace tetloft::internal::checking

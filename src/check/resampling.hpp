@@ -7,7 +7,7 @@
 #include "check/findings.hpp"
 #include "check/view.hpp"
 
-namespace tetloft::checking {
+namespace tetloft::internal::checking {
 
 /// What guarantee 2 learned of how the model's vertices lie on the contours.
 struct OnContours {
@@ -41,4 +41,4 @@ struct Resampling {
 [[nodiscard]] Resampling check_resampling(const ModelView& view, const SectionStack& stack,
                                           const CheckOptions& options);
 
-}  // namespace tetloft::checking
+}  // namespace tetloft::internal::checking

@@ -20,7 +20,7 @@
 #include "check/partition.hpp"
 #include "sections/scaling.hpp"
 
-namespace tetloft::checking {
+namespace tetloft::internal::checking {
 
 namespace {
 
@@ -202,4 +202,4 @@ Result<std::vector<Link>> reverse_links(const SectionStack& refined, const Regio
   return links;
 }
 
-}  // namespace tetloft::checking
+}  // namespace tetloft::internal::checking

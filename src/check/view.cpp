@@ -9,7 +9,7 @@
 
 #include "core/union_find.hpp"
 
-namespace tetloft::checking {
+namespace tetloft::internal::checking {
 
 namespace {
 
@@ -186,4 +186,4 @@ std::string contour_text(std::size_t section, std::size_t contour) {
   return to_string(place);
 }
 
-}  // namespace tetloft::checking
+}  // namespace tetloft::internal::checking

@@ -12,7 +12,7 @@
 #include <tetloft/section_stack.hpp>
 #include <tetloft/tet_mesh.hpp>
 
-namespace tetloft::checking {
+namespace tetloft::internal::checking {
 
 /// A level tells where a vertex lies between the planes: 2 i on plane i (z equal to z_i),
 /// 2 i − 1 strictly between planes i − 1 and i, −1 below the first and 2 n − 1 above the
@@ -59,4 +59,4 @@ struct ModelView {
 [[nodiscard]] std::string face_text(const TriangleVertices& face);
 [[nodiscard]] std::string contour_text(std::size_t section, std::size_t contour);
 
-}  // namespace tetloft::checking
+}  // namespace tetloft::internal::checking

@@ -15,7 +15,7 @@
 
 #include <tetloft/predicates.hpp>
 
-namespace tetloft::checking {
+namespace tetloft::internal::checking {
 
 namespace {
 
@@ -147,4 +147,4 @@ std::vector<long> outer_winding(std::span<const Point3> points,
   return winding;
 }
 
-}  // namespace tetloft::checking
+}  // namespace tetloft::internal::checking

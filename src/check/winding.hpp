@@ -9,7 +9,7 @@
 #include <tetloft/point.hpp>
 #include <tetloft/tet_mesh.hpp>
 
-namespace tetloft::checking {
+namespace tetloft::internal::checking {
 
 /// winding[c]: the winding number of the whole surface about points just off the outer
 /// side of component c, next to its first triangle that is not vertical. For the boundary
@@ -23,4 +23,4 @@ namespace tetloft::checking {
                                               std::span<const std::uint32_t> component,
                                               std::size_t component_count);
 
-}  // namespace tetloft::checking
+}  // namespace tetloft::internal::checking

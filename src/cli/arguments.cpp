@@ -8,6 +8,8 @@
 
 namespace tetloft::cli {
 
+using namespace internal;
+
 Error usage_error(const std::string& message) { return {ErrorCode::usage, message, {}}; }
 
 namespace {

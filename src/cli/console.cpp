@@ -10,6 +10,8 @@
 
 namespace tetloft::cli {
 
+using namespace internal;
+
 namespace {
 
 // Lines as they are, and nothing in them that misleads.

@@ -13,6 +13,8 @@
 
 namespace tetloft::cli {
 
+using namespace internal;
+
 namespace {
 
 Usage delaunay_usage() {

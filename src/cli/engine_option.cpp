@@ -9,6 +9,8 @@
 
 namespace tetloft::cli {
 
+using namespace internal;
+
 Result<DelaunayEngine> engine_option(const Arguments& arguments, std::string_view option) {
   constexpr std::array kEngines{DelaunayEngine::automatic, DelaunayEngine::incremental,
                                 DelaunayEngine::slab};

@@ -8,6 +8,8 @@
 
 namespace tetloft::cli {
 
+using namespace internal;
+
 namespace {
 
 using io::Direction;

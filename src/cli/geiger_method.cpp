@@ -15,6 +15,8 @@
 
 namespace tetloft::cli {
 
+using namespace internal;
+
 namespace {
 
 Result<void> refuse_other_options(const Arguments& arguments) {

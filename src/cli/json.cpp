@@ -9,6 +9,8 @@
 
 namespace tetloft::cli {
 
+using namespace internal;
+
 void JsonWriter::separate() {
   if (after_key_) {
     after_key_ = false;

@@ -18,6 +18,8 @@
 
 namespace tetloft::cli {
 
+using namespace internal;
+
 namespace {
 
 std::vector<Command> all_commands() {

@@ -20,6 +20,8 @@
 
 namespace tetloft::cli {
 
+using namespace internal;
+
 namespace {
 
 namespace fs = std::filesystem;

@@ -34,7 +34,7 @@ struct ModelOutputs {
 [[nodiscard]] Result<ModelOutputs> model_outputs(const Arguments& arguments);
 
 /// Files that are complete and have not appeared yet.
-using StagedFiles = std::vector<io::PendingFile>;
+using StagedFiles = std::vector<internal::io::PendingFile>;
 
 /// The surface and the solid, up to the last step.
 [[nodiscard]] Result<StagedFiles> stage_model(const Model& model, const ModelOutputs& outputs,

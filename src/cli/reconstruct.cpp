@@ -15,6 +15,8 @@
 
 namespace tetloft::cli {
 
+using namespace internal;
+
 namespace {
 
 Usage reconstruct_usage() {

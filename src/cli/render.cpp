@@ -21,6 +21,8 @@
 
 namespace tetloft::cli {
 
+using namespace internal;
+
 namespace {
 
 // What is drawn for each extension of the output.

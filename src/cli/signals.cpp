@@ -13,6 +13,8 @@
 
 namespace tetloft::cli {
 
+using namespace internal;
+
 namespace {
 
 // As many as a command has files open at once, and then some.

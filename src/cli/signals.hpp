@@ -11,6 +11,6 @@ namespace tetloft::cli {
 void handle_signals();
 
 /// Learns of named temporaries; to be given to the functions of stage.hpp.
-[[nodiscard]] io::TemporaryWatcher* temporary_watcher();
+[[nodiscard]] internal::io::TemporaryWatcher* temporary_watcher();
 
 }  // namespace tetloft::cli

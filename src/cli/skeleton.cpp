@@ -21,6 +21,8 @@
 
 namespace tetloft::cli {
 
+using namespace internal;
+
 namespace {
 
 Usage skeleton_usage() {

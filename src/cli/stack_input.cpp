@@ -10,6 +10,8 @@
 
 namespace tetloft::cli {
 
+using namespace internal;
+
 std::vector<Option> stack_options() {
   std::vector<Option> options{
       {"--correspondence", "RULE",

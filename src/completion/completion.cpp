@@ -6,7 +6,7 @@
 
 #include "core/guard.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 Completion::Completion(const Slab& slab, const SlabClasses& classes,
                        const IdVector<ClassId, std::uint8_t>& active, Complex complex,
@@ -199,4 +199,4 @@ bool Completion::fill_holes(SlabVertexId p) {
   return !to_keep_.empty();
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

@@ -32,7 +32,7 @@
 #include "completion/complex.hpp"
 #include "core/union_find.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 /// A class that stays in several parts, for D offers no edge to connect them.
 struct LeftApart {
@@ -174,4 +174,4 @@ class Completion {
   std::uint64_t work_ = 0;
 };
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

@@ -15,7 +15,7 @@
 #include "slab/rules.hpp"
 #include "slab/slab.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 struct Complex {
   IdVector<TetId, std::uint8_t> kept;
@@ -41,4 +41,4 @@ struct Complex {
 [[nodiscard]] Complex seed(const Slab& slab, const SlabClasses& classes,
                            const IdVector<ClassId, std::uint8_t>& active, RuleCounts& rules);
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

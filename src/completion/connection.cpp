@@ -6,7 +6,7 @@
 
 #include "completion/completion.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 bool Completion::Merge::better_than(const Merge& other) const {
   if (attached != other.attached) return attached;
@@ -254,4 +254,4 @@ std::vector<Completion::Bridge> Completion::bridges_of(const Connecting& connect
   return bridges;
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

@@ -11,7 +11,7 @@
 
 #include "completion/completion.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 namespace {
 
@@ -127,4 +127,4 @@ void Completion::fill_convex() {
   }
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

@@ -10,7 +10,7 @@
 #include "core/union_find.hpp"
 #include "sections/conforming_section.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 namespace {
 
@@ -204,4 +204,4 @@ IdVector<SlabVertexId, SlabVertexId> Pits::original_numbers() const {
   return numbers;
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

@@ -30,7 +30,7 @@
 
 #include "completion/complex.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 /// The section with further vertices outside its region, which lie on no contour. Requires
 /// points that are distinct, outside the region, and outside all circles of internal
@@ -79,4 +79,4 @@ class Pits {
   bool given_up_ = false;
 };
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

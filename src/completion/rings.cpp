@@ -3,7 +3,7 @@
 
 #include "completion/completion.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 bool Completion::fill_rings(SlabVertexId p) {
   to_keep_.clear();
@@ -74,4 +74,4 @@ void Completion::fill_gaps() {
   }
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

@@ -2,7 +2,7 @@
 
 #include "completion/complex.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 namespace {
 
@@ -56,4 +56,4 @@ Complex seed(const Slab& slab, const SlabClasses& classes,
   return complex;
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

@@ -4,7 +4,7 @@
 #include <array>
 #include <limits>
 
-namespace tetloft::contact_detail {
+namespace tetloft::internal::contact_detail {
 
 namespace {
 
@@ -133,4 +133,4 @@ void BoxTree::fit_boxes() {
   }
 }
 
-}  // namespace tetloft::contact_detail
+}  // namespace tetloft::internal::contact_detail

@@ -13,7 +13,7 @@
 #include <tetloft/point.hpp>
 #include <tetloft/tet_mesh.hpp>
 
-namespace tetloft::contact_detail {
+namespace tetloft::internal::contact_detail {
 
 struct Box {
   Point3 low;
@@ -178,4 +178,4 @@ void BoxTree::for_each_meeting_where(const Box& box, const Enters& enters, Visit
   }
 }
 
-}  // namespace tetloft::contact_detail
+}  // namespace tetloft::internal::contact_detail

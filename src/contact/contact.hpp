@@ -14,7 +14,7 @@
 #include <tetloft/point.hpp>
 #include <tetloft/tet_mesh.hpp>
 
-namespace tetloft {
+namespace tetloft::internal {
 
 /// True iff the closed triangles a and b, vertices by id into `points`, have a common
 /// point outside the simplex spanned by their shared vertices. Distinct ids with equal
@@ -42,4 +42,4 @@ struct Contact {
                                                  std::span<const std::uint8_t> active = {},
                                                  std::uint64_t* tested = nullptr);
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace tetloft::contact_detail {
+namespace tetloft::internal::contact_detail {
 
 namespace {
 
@@ -86,4 +86,4 @@ Fans gather_fans(std::size_t vertices, std::span<const TriangleVertices> triangl
   return result;
 }
 
-}  // namespace tetloft::contact_detail
+}  // namespace tetloft::internal::contact_detail

@@ -16,7 +16,7 @@
 
 #include "contact/box_tree.hpp"
 
-namespace tetloft::contact_detail {
+namespace tetloft::internal::contact_detail {
 
 /// The directions from points[apex] to triangle t, of which the apex may be a vertex.
 [[nodiscard]] Box directions_of(std::span<const Point3> points, VertexId apex,
@@ -39,4 +39,4 @@ struct Fans {
 [[nodiscard]] Fans gather_fans(std::size_t vertices, std::span<const TriangleVertices> triangles,
                                std::span<const std::uint32_t> members);
 
-}  // namespace tetloft::contact_detail
+}  // namespace tetloft::internal::contact_detail

@@ -8,7 +8,7 @@
 #include "contact/fans.hpp"
 #include "contact/triangle_pair.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 namespace {
 
@@ -161,4 +161,4 @@ std::vector<Contact> find_contacts(std::span<const Point3> points,
   return tester.sorted();
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

@@ -6,7 +6,7 @@
 
 #include <tetloft/predicates.hpp>
 
-namespace tetloft::contact_detail {
+namespace tetloft::internal::contact_detail {
 
 namespace {
 
@@ -66,4 +66,4 @@ bool angles_meet(const Point2& apex, const Segment2& pq, const Segment2& uv) {
          ray_in_angle(apex, uv, pq[1]);
 }
 
-}  // namespace tetloft::contact_detail
+}  // namespace tetloft::internal::contact_detail

@@ -5,7 +5,7 @@
 
 #include <tetloft/point.hpp>
 
-namespace tetloft::contact_detail {
+namespace tetloft::internal::contact_detail {
 
 using Segment2 = std::array<Point2, 2>;
 using Triangle2 = std::array<Point2, 3>;
@@ -23,4 +23,4 @@ using Triangle2 = std::array<Point2, 3>;
 /// Neither angle is straight or zero.
 [[nodiscard]] bool angles_meet(const Point2& apex, const Segment2& pq, const Segment2& uv);
 
-}  // namespace tetloft::contact_detail
+}  // namespace tetloft::internal::contact_detail

@@ -15,7 +15,7 @@
 #include "contact/contact.hpp"
 #include "contact/planar.hpp"
 
-namespace tetloft::contact_detail {
+namespace tetloft::internal::contact_detail {
 
 namespace {
 
@@ -223,9 +223,9 @@ bool touch(std::span<const Point3> points, const TriangleVertices& a, const Faci
   }
 }
 
-}  // namespace tetloft::contact_detail
+}  // namespace tetloft::internal::contact_detail
 
-namespace tetloft {
+namespace tetloft::internal {
 
 bool triangles_touch(std::span<const Point3> points, const TriangleVertices& a,
                      const TriangleVertices& b) {
@@ -235,4 +235,4 @@ bool triangles_touch(std::span<const Point3> points, const TriangleVertices& a,
                                facing_of(corners(points, b)));
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

@@ -13,7 +13,7 @@
 #include <tetloft/point.hpp>
 #include <tetloft/tet_mesh.hpp>
 
-namespace tetloft::contact_detail {
+namespace tetloft::internal::contact_detail {
 
 using Triangle3 = std::array<Point3, 3>;
 
@@ -33,4 +33,4 @@ struct Facing {
 [[nodiscard]] bool touch(std::span<const Point3> points, const TriangleVertices& a, const Facing& f,
                          const TriangleVertices& b, const Facing& g);
 
-}  // namespace tetloft::contact_detail
+}  // namespace tetloft::internal::contact_detail

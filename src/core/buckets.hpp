@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace tetloft {
+namespace tetloft::internal {
 
 /// Items grouped by key, ascending in each group.
 class Buckets {
@@ -46,4 +46,4 @@ class Buckets {
   std::vector<std::uint32_t> items_;
 };
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

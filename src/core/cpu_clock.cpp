@@ -4,7 +4,7 @@
 #include <chrono>
 #include <ctime>
 
-namespace tetloft {
+namespace tetloft::internal {
 
 namespace {
 
@@ -27,4 +27,4 @@ double work_seconds() noexcept { return thread_seconds() + helped; }
 
 void add_helpers_seconds(double seconds) noexcept { helped += seconds; }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

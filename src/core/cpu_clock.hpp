@@ -1,7 +1,7 @@
 // CPU time of work, wherever it is done.
 #pragma once
 
-namespace tetloft {
+namespace tetloft::internal {
 
 /// CPU seconds of the calling thread, and of the threads that helped it in parallel_for() so
 /// far; only differences mean something. Time spent waiting does not count. Where the system has
@@ -28,4 +28,4 @@ class WorkStopwatch {
   double start_ = work_seconds();
 };
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

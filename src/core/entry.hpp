@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-namespace tetloft {
+namespace tetloft::internal {
 
 /// An id names nothing.
 inline void require_named(bool named, const char* what) {
@@ -16,4 +16,4 @@ inline void require_fit(bool fit, const char* what) {
   if (!fit) throw std::invalid_argument(what);
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

@@ -3,7 +3,7 @@
 
 #include <type_traits>
 
-namespace tetloft {
+namespace tetloft::internal {
 
 /// Whether `value` is an enumerator, of an enumeration that counts from 0 to `last`.
 template <class Enum>
@@ -12,4 +12,4 @@ template <class Enum>
   return static_cast<Number>(value) <= static_cast<Number>(last);
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

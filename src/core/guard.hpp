@@ -10,7 +10,7 @@
 
 #include <tetloft/result.hpp>
 
-namespace tetloft {
+namespace tetloft::internal {
 
 class InternalError : public std::logic_error {
  public:
@@ -67,7 +67,8 @@ template <class T>
   throw Failed(result.error());
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal
 
-#define TETLOFT_CHECK(condition) \
-  ((condition) ? static_cast<void>(0) : ::tetloft::fail_check(#condition, __FILE__, __LINE__))
+#define TETLOFT_CHECK(condition)      \
+  ((condition) ? static_cast<void>(0) \
+               : ::tetloft::internal::fail_check(#condition, __FILE__, __LINE__))

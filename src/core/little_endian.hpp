@@ -7,7 +7,7 @@
 #include <cstring>
 #include <string>
 
-namespace tetloft {
+namespace tetloft::internal {
 
 static_assert(std::endian::native == std::endian::little ||
               std::endian::native == std::endian::big);
@@ -31,4 +31,4 @@ void append_little(std::string& text, T value) {
   text.append(copy, sizeof(T));
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

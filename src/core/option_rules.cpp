@@ -6,7 +6,7 @@
 
 #include "core/enums.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 namespace {
 
@@ -43,4 +43,4 @@ Result<void> check_correspondence_options(const CorrespondenceOptions& options) 
   return {};
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

@@ -4,7 +4,7 @@
 #include <tetloft/correspondence.hpp>
 #include <tetloft/result.hpp>
 
-namespace tetloft {
+namespace tetloft::internal {
 
 /// Of areas, as `tau` and `drift` are: in [0, 1).
 [[nodiscard]] bool is_overlap_ratio(double value);
@@ -25,4 +25,4 @@ inline constexpr int kMostSnapBits = 50;
 /// Usage error naming `what`, where it is none.
 [[nodiscard]] Result<void> check_length(double value, const char* what);
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

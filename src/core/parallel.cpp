@@ -9,7 +9,7 @@
 
 #include "core/cpu_clock.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 namespace {
 
@@ -100,4 +100,4 @@ void parallel_for(std::size_t n, unsigned threads, const std::function<void(std:
   loop.end();
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

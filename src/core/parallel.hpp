@@ -8,7 +8,7 @@
 
 #include "core/guard.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 /// The number of threads `requested` stands for: at most kMostThreads, and for 0 what
 /// the machine offers.
@@ -46,4 +46,4 @@ auto guard_threads(const Options& options, Body&& body) -> decltype(body(options
   });
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

@@ -1,7 +1,7 @@
 // Asking the processor for memory that will be used soon.
 #pragma once
 
-namespace tetloft::core {
+namespace tetloft::internal::core {
 
 /// A hint, and nothing where the compiler has no word for it. Any address will do.
 inline void prefetch([[maybe_unused]] const void* address) {
@@ -10,4 +10,4 @@ inline void prefetch([[maybe_unused]] const void* address) {
 #endif
 }
 
-}  // namespace tetloft::core
+}  // namespace tetloft::internal::core

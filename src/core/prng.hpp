@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace tetloft {
+namespace tetloft::internal {
 
 class Prng {
  public:
@@ -45,4 +45,4 @@ class Prng {
   std::uint64_t state_;
 };
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace tetloft {
+namespace tetloft::internal {
 
 namespace {
 
@@ -83,4 +83,4 @@ Result<void> RecordReader::end() {
   return {};
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

@@ -20,7 +20,7 @@
 
 #include "core/little_endian.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 /// What a record holds.
 struct RecordKind {
@@ -111,4 +111,4 @@ class RecordReader {
   Error error_;
 };
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-namespace tetloft {
+namespace tetloft::internal {
 
 namespace {
 
@@ -76,4 +76,4 @@ std::string list_of(const std::vector<std::string_view>& words) {
   return list;
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tetloft {
+namespace tetloft::internal {
 
 /// Insertions, deletions, replacements and swaps of neighbours that turn `a` into `b` (Damerau's
 /// distance, each place edited once).
@@ -23,4 +23,4 @@ namespace tetloft {
 /// "a, b or c".
 [[nodiscard]] std::string list_of(const std::vector<std::string_view>& words);
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

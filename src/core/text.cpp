@@ -3,7 +3,7 @@
 
 #include <cstdio>
 
-namespace tetloft {
+namespace tetloft::internal {
 
 namespace {
 
@@ -88,4 +88,4 @@ std::string valid_utf8(std::string_view text) {
   return valid;
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace tetloft {
+namespace tetloft::internal {
 
 /// One character of UTF-8, or one byte that is none.
 struct TextUnit {
@@ -32,4 +32,4 @@ struct TextUnit {
 /// control character but tab and line ends, becomes U+FFFD, as do U+FFFE and U+FFFF.
 [[nodiscard]] std::string valid_utf8(std::string_view text);
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <vector>
 
-namespace tetloft {
+namespace tetloft::internal {
 
 class UnionFind {
  public:
@@ -39,4 +39,4 @@ class UnionFind {
   mutable std::vector<std::size_t> parent_;  // path halving changes no set
 };
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

@@ -9,7 +9,7 @@
 
 #include <tetloft/point.hpp>
 
-namespace tetloft {
+namespace tetloft::internal {
 
 /// std::ldexp, in one multiplication where the power is a double.
 inline double scaled(double value, int exponent) {
@@ -79,4 +79,4 @@ class UnitOfLength {
   int last_bit_ = 1024;  // the exponent of the lowest bit set in any
 };
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

@@ -5,7 +5,7 @@
 
 #include "core/guard.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 void WatchedWork::go_on() const {
   if (execution_.stop.stop_requested()) throw Cancelled("stopped");
@@ -23,4 +23,4 @@ void WatchedWork::step_done() {
   }
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

@@ -6,7 +6,7 @@
 
 #include <tetloft/execution.hpp>
 
-namespace tetloft {
+namespace tetloft::internal {
 
 /// The two ways in which an Execution lets a caller watch: its stop token, and its callback, which
 /// is told the steps done and the steps in all. May be used from several threads at once; the
@@ -39,4 +39,4 @@ class WatchedWork {
   return {.threads = whole.threads, .stop = whole.stop};
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

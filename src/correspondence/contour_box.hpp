@@ -5,7 +5,7 @@
 
 #include <tetloft/section_stack.hpp>
 
-namespace tetloft {
+namespace tetloft::internal {
 
 struct ContourBox {
   Point2 low, high;
@@ -25,4 +25,4 @@ struct ContourBox {
   return box;
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

@@ -10,7 +10,7 @@
 #include "correspondence/label_connector.hpp"
 #include "correspondence/labelled_sets.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 namespace {
 
@@ -126,4 +126,4 @@ Result<Correspondence> decide_correspondence(const SectionStack& stack,
   return result;
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

@@ -10,7 +10,7 @@
 
 #include "slab/link.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 struct Correspondence {
   /// Accepted links of each slab, sorted.
@@ -28,4 +28,4 @@ struct Correspondence {
     const SectionStack& stack, const IdVector<SectionId, Nesting>& nestings,
     const IdVector<SlabId, std::vector<Link>>& candidates, const std::vector<Label>& labels);
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

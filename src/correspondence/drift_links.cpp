@@ -12,7 +12,7 @@
 #include "core/guard.hpp"
 #include "correspondence/contour_box.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 namespace {
 
@@ -152,4 +152,4 @@ std::vector<Link> drift_links(SlabId slab, const SectionStack& stack,
   return links;
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

@@ -7,7 +7,7 @@
 
 #include "slab/link.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 /// The further candidates of one slab, sorted. overlap[slab]: the links by overlap alone, of
 /// all slabs; only this slab's and those of the slabs beside it are looked at.
@@ -16,4 +16,4 @@ namespace tetloft {
                                             const IdVector<SlabId, std::vector<Link>>& overlap,
                                             double drift);
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

@@ -10,7 +10,7 @@
 
 #include <tetloft/overlap.hpp>
 
-namespace tetloft {
+namespace tetloft::internal {
 
 namespace {
 
@@ -185,4 +185,4 @@ Result<void> connect_labels(const SectionStack& stack, const IdVector<SectionId,
   return LabelConnector(stack, nestings, regions, labels, sets).connect(accepted);
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

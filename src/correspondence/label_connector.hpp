@@ -9,7 +9,7 @@
 
 #include "correspondence/labelled_sets.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 /// Adds the links for all labels to `accepted`, in increasing order, and unites their sets. Refused
 /// (unrepresentable) where a label cannot be realised, naming contours.
@@ -18,4 +18,4 @@ namespace tetloft {
                                           const StackRegions& regions, const RegionLabels& labels,
                                           LabelledSets& sets, std::vector<Link>& accepted);
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

@@ -8,7 +8,7 @@
 #include "core/union_find.hpp"
 #include "correspondence/stack_regions.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 using RegionLabels = IdVector<StackRegionId, std::optional<std::uint32_t>>;
 
@@ -37,4 +37,4 @@ class LabelledSets {
   RegionLabels label_;  // valid at representatives
 };
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

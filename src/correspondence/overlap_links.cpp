@@ -6,7 +6,7 @@
 
 #include "correspondence/contour_box.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 std::vector<Link> overlap_links(SlabId slab, const Section& below, const Nesting& nesting_below,
                                 const Section& above, const Nesting& nesting_above, double tau) {
@@ -55,4 +55,4 @@ std::vector<Link> overlap_links(SlabId slab, const Section& below, const Nesting
   return links;
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

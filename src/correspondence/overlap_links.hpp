@@ -8,11 +8,11 @@
 
 #include "slab/link.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 /// The links of one slab, sorted.
 [[nodiscard]] std::vector<Link> overlap_links(SlabId slab, const Section& below,
                                               const Nesting& nesting_below, const Section& above,
                                               const Nesting& nesting_above, double tau);
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace tetloft {
+namespace tetloft::internal {
 
 std::vector<Link> reverse_links(SlabId id, const Slab& slab) {
   std::vector<Link> links;
@@ -23,4 +23,4 @@ std::vector<Link> reverse_links(SlabId id, const Slab& slab) {
   return links;
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

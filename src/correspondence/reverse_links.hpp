@@ -6,9 +6,9 @@
 #include "slab/link.hpp"
 #include "slab/slab.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 /// The links of one slab, sorted.
 [[nodiscard]] std::vector<Link> reverse_links(SlabId id, const Slab& slab);
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

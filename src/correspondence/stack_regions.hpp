@@ -11,7 +11,7 @@
 #include "slab/link.hpp"
 #include "slab/numbering.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 using StackRegionId = Id<struct StackRegionTag>;
 
@@ -40,4 +40,4 @@ class StackRegions {
   std::vector<std::size_t> first_{0};
 };
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

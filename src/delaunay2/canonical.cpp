@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-namespace tetloft::delaunay2_detail {
+namespace tetloft::internal::delaunay2_detail {
 
 namespace {
 
@@ -101,4 +101,4 @@ Triangulation2 canonical_triangulation(const Incremental2& plane,
   return result;
 }
 
-}  // namespace tetloft::delaunay2_detail
+}  // namespace tetloft::internal::delaunay2_detail

@@ -11,7 +11,7 @@
 
 #include "delaunay2/incremental.hpp"
 
-namespace tetloft::delaunay2_detail {
+namespace tetloft::internal::delaunay2_detail {
 
 /// The real triangles of `plane` with vertices renamed by `name_of` (by vertex of `plane`),
 /// each rotated to start at its lowest vertex, sorted, with their neighbours. `points` are
@@ -20,4 +20,4 @@ namespace tetloft::delaunay2_detail {
                                                      const IdVector<SiteId, PlaneVertexId>& name_of,
                                                      std::vector<Point2> points);
 
-}  // namespace tetloft::delaunay2_detail
+}  // namespace tetloft::internal::delaunay2_detail

@@ -9,6 +9,8 @@
 
 namespace tetloft {
 
+using namespace internal;
+
 namespace {
 
 /// Components summed from the smallest: within two ulps of the exact value.

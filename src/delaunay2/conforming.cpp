@@ -16,7 +16,7 @@
 #include "delaunay2/sight.hpp"
 #include "delaunay2/start.hpp"
 
-namespace tetloft::delaunay2_detail {
+namespace tetloft::internal::delaunay2_detail {
 
 namespace {
 
@@ -383,4 +383,4 @@ Result<Conforming2> conform(Start start, std::span<const Point2> points,
       .run();
 }
 
-}  // namespace tetloft::delaunay2_detail
+}  // namespace tetloft::internal::delaunay2_detail

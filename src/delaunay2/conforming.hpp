@@ -24,7 +24,7 @@
 #include "core/watched_work.hpp"
 #include "delaunay2/start.hpp"
 
-namespace tetloft::delaunay2_detail {
+namespace tetloft::internal::delaunay2_detail {
 
 /// conforming_delaunay2() for arguments that have been checked: `start` has a plane, points
 /// are finite and distinct, segments distinct, with valid and different ends, flags none or
@@ -35,4 +35,4 @@ namespace tetloft::delaunay2_detail {
                                           const std::vector<bool>& gabriel,
                                           std::size_t most_inserted, WatchedWork& work);
 
-}  // namespace tetloft::delaunay2_detail
+}  // namespace tetloft::internal::delaunay2_detail

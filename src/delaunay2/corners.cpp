@@ -7,7 +7,7 @@
 
 #include "delaunay2/diametral.hpp"
 
-namespace tetloft::delaunay2_detail {
+namespace tetloft::internal::delaunay2_detail {
 
 namespace {
 
@@ -61,4 +61,4 @@ std::vector<std::array<bool, 2>> acute_ends(std::span<const Point2> points,
   return acute;
 }
 
-}  // namespace tetloft::delaunay2_detail
+}  // namespace tetloft::internal::delaunay2_detail

@@ -8,7 +8,7 @@
 #include <tetloft/delaunay2.hpp>
 #include <tetloft/point.hpp>
 
-namespace tetloft::delaunay2_detail {
+namespace tetloft::internal::delaunay2_detail {
 
 /// By segment and end: does another segment that shares this end form an angle below 90°
 /// with it? Exact. Above 90°, and at right angles, segments cannot encroach upon each other
@@ -18,4 +18,4 @@ namespace tetloft::delaunay2_detail {
 [[nodiscard]] std::vector<std::array<bool, 2>> acute_ends(std::span<const Point2> points,
                                                           std::span<const Segment> segments);
 
-}  // namespace tetloft::delaunay2_detail
+}  // namespace tetloft::internal::delaunay2_detail

@@ -17,6 +17,8 @@
 
 namespace tetloft {
 
+using namespace internal;
+
 namespace {
 
 using delaunay2_detail::Incremental2;

@@ -6,7 +6,7 @@
 #include "predicates/big_integer.hpp"
 #include "predicates/filter.hpp"
 
-namespace tetloft::delaunay2_detail {
+namespace tetloft::internal::delaunay2_detail {
 
 namespace {
 
@@ -37,4 +37,4 @@ Sign angle_sign(const Point2& a, const Point2& v, const Point2& b) {
   return sign != 0 ? static_cast<Sign>(sign) : exact_angle_sign(a, v, b);
 }
 
-}  // namespace tetloft::delaunay2_detail
+}  // namespace tetloft::internal::delaunay2_detail

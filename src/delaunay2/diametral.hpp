@@ -4,7 +4,7 @@
 #include <tetloft/point.hpp>
 #include <tetloft/predicates.hpp>
 
-namespace tetloft::delaunay2_detail {
+namespace tetloft::internal::delaunay2_detail {
 
 /// The sign of (a − v) · (b − v), exact for all finite coordinates: positive iff the angle
 /// at v is acute, zero iff it is right or v is a or b.
@@ -17,4 +17,4 @@ namespace tetloft::delaunay2_detail {
   return angle_sign(a, v, b) != Sign::positive;
 }
 
-}  // namespace tetloft::delaunay2_detail
+}  // namespace tetloft::internal::delaunay2_detail

@@ -7,7 +7,7 @@
 
 #include "delaunay2/shells.hpp"
 
-namespace tetloft::delaunay2_detail {
+namespace tetloft::internal::delaunay2_detail {
 
 namespace {
 
@@ -102,4 +102,4 @@ Point2 split_at_foot(const Piece& piece, const Point2& obstacle, const Point2* c
   return onto(first, from, to, a, b);
 }
 
-}  // namespace tetloft::delaunay2_detail
+}  // namespace tetloft::internal::delaunay2_detail

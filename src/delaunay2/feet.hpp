@@ -17,7 +17,7 @@
 
 #include <tetloft/point.hpp>
 
-namespace tetloft::delaunay2_detail {
+namespace tetloft::internal::delaunay2_detail {
 
 /// Part of a segment, with the ends of the whole: a lies before b on the way from `from` to `to`.
 struct Piece {
@@ -34,4 +34,4 @@ struct Piece {
 [[nodiscard]] Point2 split_at_foot(const Piece& piece, const Point2& obstacle,
                                    const Point2* corner);
 
-}  // namespace tetloft::delaunay2_detail
+}  // namespace tetloft::internal::delaunay2_detail

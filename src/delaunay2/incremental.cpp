@@ -4,7 +4,7 @@
 
 #include "core/guard.hpp"
 
-namespace tetloft::delaunay2_detail {
+namespace tetloft::internal::delaunay2_detail {
 
 Incremental2::Incremental2(const Point2& a, const Point2& b, const Point2& c, std::size_t expected,
                            const predicates::PlaneFilter& filter)
@@ -195,4 +195,4 @@ std::vector<LabelId> Incremental2::take_touched() {
   return touched;
 }
 
-}  // namespace tetloft::delaunay2_detail
+}  // namespace tetloft::internal::delaunay2_detail

@@ -26,7 +26,7 @@
 
 #include "predicates/plane_filter.hpp"
 
-namespace tetloft::delaunay2_detail {
+namespace tetloft::internal::delaunay2_detail {
 
 /// A vertex of the triangulation under insertion: the ghost, then in order of insertion.
 using SiteId = Id<struct SiteTag>;
@@ -141,4 +141,4 @@ class Incremental2 {
   std::vector<LabelId> touched_;
 };
 
-}  // namespace tetloft::delaunay2_detail
+}  // namespace tetloft::internal::delaunay2_detail

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tetloft::delaunay2_detail {
+namespace tetloft::internal::delaunay2_detail {
 
 namespace {
 
@@ -53,4 +53,4 @@ Point2 Ray::at(double radius) const {
   return {corner_.x + fraction * direction_.x, corner_.y + fraction * direction_.y};
 }
 
-}  // namespace tetloft::delaunay2_detail
+}  // namespace tetloft::internal::delaunay2_detail

@@ -18,7 +18,7 @@
 
 #include <tetloft/point.hpp>
 
-namespace tetloft::delaunay2_detail {
+namespace tetloft::internal::delaunay2_detail {
 
 /// The midpoint, each coordinate rounded once, for all finite coordinates.
 [[nodiscard]] Point2 midpoint(const Point2& a, const Point2& b);
@@ -50,4 +50,4 @@ class Ray {
   double length_;
 };
 
-}  // namespace tetloft::delaunay2_detail
+}  // namespace tetloft::internal::delaunay2_detail

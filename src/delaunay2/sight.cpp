@@ -7,7 +7,7 @@
 
 #include "core/guard.hpp"
 
-namespace tetloft::delaunay2_detail {
+namespace tetloft::internal::delaunay2_detail {
 
 namespace {
 
@@ -145,4 +145,4 @@ std::vector<SiteId> vertices_around(const Incremental2& plane,
   return vertices;
 }
 
-}  // namespace tetloft::delaunay2_detail
+}  // namespace tetloft::internal::delaunay2_detail

@@ -12,7 +12,7 @@
 
 #include "delaunay2/incremental.hpp"
 
-namespace tetloft::delaunay2_detail {
+namespace tetloft::internal::delaunay2_detail {
 
 struct Sight {
   /// By segment: the vertices of the edges it crosses that see it along one of them, sorted.
@@ -30,4 +30,4 @@ struct Sight {
 [[nodiscard]] std::vector<SiteId> vertices_around(const Incremental2& plane,
                                                   const std::array<SiteId, 2>& segment);
 
-}  // namespace tetloft::delaunay2_detail
+}  // namespace tetloft::internal::delaunay2_detail

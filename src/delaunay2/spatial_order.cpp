@@ -9,7 +9,7 @@
 #include "core/prng.hpp"
 #include "core/sort_by_key.hpp"
 
-namespace tetloft::delaunay2_detail {
+namespace tetloft::internal::delaunay2_detail {
 
 namespace {
 
@@ -72,4 +72,4 @@ std::vector<std::uint32_t> insertion_order(std::span<const Point2> points) {
   return order;
 }
 
-}  // namespace tetloft::delaunay2_detail
+}  // namespace tetloft::internal::delaunay2_detail

@@ -16,7 +16,7 @@
 
 #include <tetloft/point.hpp>
 
-namespace tetloft::delaunay2_detail {
+namespace tetloft::internal::delaunay2_detail {
 
 /// The indices of `points` in the order in which to insert them.
 /// Requires finite points, fewer than 2^32.
@@ -24,4 +24,4 @@ namespace tetloft::delaunay2_detail {
 /// first.
 [[nodiscard]] std::vector<std::uint32_t> insertion_order(std::span<const Point2> points);
 
-}  // namespace tetloft::delaunay2_detail
+}  // namespace tetloft::internal::delaunay2_detail

@@ -7,7 +7,7 @@
 #include "delaunay2/spatial_order.hpp"
 #include "predicates/plane_filter.hpp"
 
-namespace tetloft::delaunay2_detail {
+namespace tetloft::internal::delaunay2_detail {
 
 namespace {
 
@@ -56,4 +56,4 @@ Start triangulate(std::span<const Point2> points, WatchedWork& work) {
   return start;
 }
 
-}  // namespace tetloft::delaunay2_detail
+}  // namespace tetloft::internal::delaunay2_detail

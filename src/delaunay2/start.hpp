@@ -12,7 +12,7 @@
 #include "core/watched_work.hpp"
 #include "delaunay2/incremental.hpp"
 
-namespace tetloft::delaunay2_detail {
+namespace tetloft::internal::delaunay2_detail {
 
 /// An incremental triangulation, which numbers vertices in order of insertion, and how that becomes
 /// the numbering of its owner: indices of input points.
@@ -36,4 +36,4 @@ inline constexpr std::size_t kPointsOfStep = 4096;
 /// there is no plane.
 [[nodiscard]] Start triangulate(std::span<const Point2> points, WatchedWork& work);
 
-}  // namespace tetloft::delaunay2_detail
+}  // namespace tetloft::internal::delaunay2_detail

@@ -3,7 +3,7 @@
 
 #include <tetloft/predicates.hpp>
 
-namespace tetloft::delaunay3_detail {
+namespace tetloft::internal::delaunay3_detail {
 
 bool collinear(const Point3& a, const Point3& b, const Point3& c) {
   // The components of (b − a) × (c − a) are the orientations of the three projections.
@@ -31,4 +31,4 @@ AffineBasis affine_basis(std::span<const Point3> points) {
   return basis;
 }
 
-}  // namespace tetloft::delaunay3_detail
+}  // namespace tetloft::internal::delaunay3_detail

@@ -7,7 +7,7 @@
 
 #include <tetloft/point.hpp>
 
-namespace tetloft::delaunay3_detail {
+namespace tetloft::internal::delaunay3_detail {
 
 /// The dimension of the affine hull (−1 without points) and that many + 1 affinely
 /// independent points spanning it, by place: place[0 … dimension], increasing, each the
@@ -23,4 +23,4 @@ struct AffineBasis {
 /// True iff a, b, c lie on one line.
 [[nodiscard]] bool collinear(const Point3& a, const Point3& b, const Point3& c);
 
-}  // namespace tetloft::delaunay3_detail
+}  // namespace tetloft::internal::delaunay3_detail

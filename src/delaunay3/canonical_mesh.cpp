@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace tetloft::delaunay3_detail {
+namespace tetloft::internal::delaunay3_detail {
 
 namespace {
 
@@ -153,4 +153,4 @@ TetMesh canonical_mesh(std::span<const TetSlot> built, const VertexNames& names)
   return TetMesh::from_adjacency(names.input_count, std::move(tets), std::move(opposite));
 }
 
-}  // namespace tetloft::delaunay3_detail
+}  // namespace tetloft::internal::delaunay3_detail

@@ -11,7 +11,7 @@
 
 #include "delaunay3/tet_slot.hpp"
 
-namespace tetloft::delaunay3_detail {
+namespace tetloft::internal::delaunay3_detail {
 
 /// How the engine's vertices are named outside.
 struct VertexNames {
@@ -28,4 +28,4 @@ struct VertexNames {
 /// lowest vertex.
 [[nodiscard]] TetMesh canonical_mesh(std::span<const TetSlot> built, const VertexNames& names);
 
-}  // namespace tetloft::delaunay3_detail
+}  // namespace tetloft::internal::delaunay3_detail

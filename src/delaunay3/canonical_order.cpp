@@ -5,7 +5,7 @@
 
 #include "core/sort_by_key.hpp"
 
-namespace tetloft::delaunay3_detail {
+namespace tetloft::internal::delaunay3_detail {
 
 namespace {
 
@@ -44,4 +44,4 @@ std::vector<std::uint32_t> canonical_order(std::span<const Point3> points) {
   return order;
 }
 
-}  // namespace tetloft::delaunay3_detail
+}  // namespace tetloft::internal::delaunay3_detail

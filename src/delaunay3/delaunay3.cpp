@@ -25,6 +25,8 @@
 
 namespace tetloft {
 
+using namespace internal;
+
 namespace {
 
 // 32-bit ids hold many more; the limit of 2^30 tets comes first for all but degenerate input.

@@ -10,7 +10,7 @@
 #include "core/guard.hpp"
 #include "core/prefetch.hpp"
 
-namespace tetloft::delaunay3_detail {
+namespace tetloft::internal::delaunay3_detail {
 
 namespace {
 
@@ -324,4 +324,4 @@ void Delaunay3Builder::take_slots() {
   }
 }
 
-}  // namespace tetloft::delaunay3_detail
+}  // namespace tetloft::internal::delaunay3_detail

@@ -27,7 +27,7 @@
 #include "delaunay3/tet_slot.hpp"
 #include "predicates/set_filter.hpp"
 
-namespace tetloft::delaunay3_detail {
+namespace tetloft::internal::delaunay3_detail {
 
 /// The vertex at infinity. In a ghost tet it is vertex 0, always.
 inline constexpr VertexId kGhost{0xFFFFFFFEU};
@@ -161,4 +161,4 @@ class Delaunay3Builder {
   std::vector<HalfFaceId> edge_table_;
 };
 
-}  // namespace tetloft::delaunay3_detail
+}  // namespace tetloft::internal::delaunay3_detail

@@ -8,7 +8,7 @@
 #include "predicates/exact.hpp"
 #include "predicates/filter.hpp"
 
-namespace tetloft::delaunay3_detail {
+namespace tetloft::internal::delaunay3_detail {
 
 namespace {
 
@@ -68,4 +68,4 @@ bool Bisector::decide(TriangleId t) const {
   TETLOFT_CHECK(false);  // two edges of a triangle are not parallel
 }
 
-}  // namespace tetloft::delaunay3_detail
+}  // namespace tetloft::internal::delaunay3_detail

@@ -13,7 +13,7 @@
 
 #include "delaunay3/plane_diagram.hpp"
 
-namespace tetloft::delaunay3_detail {
+namespace tetloft::internal::delaunay3_detail {
 
 /// Filters answer for coordinates up to here; PlaneDiagram::distrust_centres() beyond.
 inline constexpr double kFarthestFiltered = 0x1p+400;
@@ -78,4 +78,4 @@ class Bisector {
 /// The sign of (b − a) × (d − c): positive iff turning from a → b to c → d is a left turn.
 [[nodiscard]] int turn_between(const Point2& a, const Point2& b, const Point2& c, const Point2& d);
 
-}  // namespace tetloft::delaunay3_detail
+}  // namespace tetloft::internal::delaunay3_detail

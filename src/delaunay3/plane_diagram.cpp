@@ -6,7 +6,7 @@
 
 #include "core/guard.hpp"
 
-namespace tetloft::delaunay3_detail {
+namespace tetloft::internal::delaunay3_detail {
 
 namespace {
 
@@ -159,4 +159,4 @@ void PlaneDiagram::distrust_centres() {
   for (Triangle& t : triangles_) t.centre.radius = kUnknown;
 }
 
-}  // namespace tetloft::delaunay3_detail
+}  // namespace tetloft::internal::delaunay3_detail

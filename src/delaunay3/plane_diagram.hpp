@@ -18,7 +18,7 @@
 #include <tetloft/ids.hpp>
 #include <tetloft/point.hpp>
 
-namespace tetloft::delaunay3_detail {
+namespace tetloft::internal::delaunay3_detail {
 
 /// A half-edge of a planar triangulation.
 using HalfEdgeId = Id<struct PlaneHalfEdgeTag>;
@@ -98,4 +98,4 @@ class PlaneDiagram {
   IdVector<TriangleId, Triangle> triangles_;
 };
 
-}  // namespace tetloft::delaunay3_detail
+}  // namespace tetloft::internal::delaunay3_detail

@@ -11,7 +11,7 @@
 #include "delaunay3/nearer.hpp"
 #include "delaunay3/plane_diagram.hpp"
 
-namespace tetloft::delaunay3_detail {
+namespace tetloft::internal::delaunay3_detail {
 
 namespace {
 
@@ -362,4 +362,4 @@ std::vector<TetSlot> slab_overlay(const Triangulation2& lower, const Triangulati
   return SlabOverlay(lower, upper, work, most_tets).run();
 }
 
-}  // namespace tetloft::delaunay3_detail
+}  // namespace tetloft::internal::delaunay3_detail

@@ -22,7 +22,7 @@
 #include "core/watched_work.hpp"
 #include "delaunay3/tet_slot.hpp"
 
-namespace tetloft::delaunay3_detail {
+namespace tetloft::internal::delaunay3_detail {
 
 /// The unique perturbed triangulation of two planes: type 1 below, type 1 above, then type 2.
 /// Vertices are the lower plane's, then the upper's; tets are positive if the upper plane is
@@ -35,4 +35,4 @@ namespace tetloft::delaunay3_detail {
                                                 const WatchedWork& work,
                                                 std::size_t most_tets = (std::size_t{1} << 30) - 1);
 
-}  // namespace tetloft::delaunay3_detail
+}  // namespace tetloft::internal::delaunay3_detail

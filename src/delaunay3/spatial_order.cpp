@@ -8,7 +8,7 @@
 #include "core/prng.hpp"
 #include "core/sort_by_key.hpp"
 
-namespace tetloft::delaunay3_detail {
+namespace tetloft::internal::delaunay3_detail {
 
 namespace {
 
@@ -128,4 +128,4 @@ std::vector<std::uint32_t> insertion_order(std::span<const Point3> points) {
   return order;
 }
 
-}  // namespace tetloft::delaunay3_detail
+}  // namespace tetloft::internal::delaunay3_detail

@@ -14,11 +14,11 @@
 
 #include <tetloft/point.hpp>
 
-namespace tetloft::delaunay3_detail {
+namespace tetloft::internal::delaunay3_detail {
 
 /// The places in `points` in the order they should be inserted.
 /// Requires: finite points in canonical order.
 /// (1) A permutation of 0 … n−1. (2) Depends on the points only.
 [[nodiscard]] std::vector<std::uint32_t> insertion_order(std::span<const Point3> points);
 
-}  // namespace tetloft::delaunay3_detail
+}  // namespace tetloft::internal::delaunay3_detail

@@ -6,7 +6,7 @@
 #include <tetloft/ids.hpp>
 #include <tetloft/tet_mesh.hpp>
 
-namespace tetloft::delaunay3_detail {
+namespace tetloft::internal::delaunay3_detail {
 
 /// A tet as an engine holds it: its vertices, and across the face opposite to each the
 /// half-face of the neighbour, perhaps a ghost, or invalid on the hull.
@@ -15,4 +15,4 @@ struct TetSlot {
   std::array<HalfFaceId, 4> opposite;
 };
 
-}  // namespace tetloft::delaunay3_detail
+}  // namespace tetloft::internal::delaunay3_detail

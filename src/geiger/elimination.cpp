@@ -4,7 +4,7 @@
 
 #include "core/union_find.hpp"
 
-namespace tetloft::geiger {
+namespace tetloft::internal::geiger {
 
 namespace {
 
@@ -48,4 +48,4 @@ Elimination eliminate(const Slab& slab) {
   return result;
 }
 
-}  // namespace tetloft::geiger
+}  // namespace tetloft::internal::geiger

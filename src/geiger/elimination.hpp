@@ -6,7 +6,7 @@
 
 #include "slab/slab.hpp"
 
-namespace tetloft::geiger {
+namespace tetloft::internal::geiger {
 
 struct Elimination {
   IdVector<TetId, std::uint8_t> stays;
@@ -16,4 +16,4 @@ struct Elimination {
 
 [[nodiscard]] Elimination eliminate(const Slab& slab);
 
-}  // namespace tetloft::geiger
+}  // namespace tetloft::internal::geiger

@@ -6,7 +6,7 @@
 
 #include "core/guard.hpp"
 
-namespace tetloft::geiger {
+namespace tetloft::internal::geiger {
 
 namespace {
 
@@ -87,4 +87,4 @@ Result<Section> with_feet(const Section& section, SectionId id, std::size_t& fee
   return current;
 }
 
-}  // namespace tetloft::geiger
+}  // namespace tetloft::internal::geiger

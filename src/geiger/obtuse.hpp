@@ -4,11 +4,11 @@
 #include <tetloft/conforming_section.hpp>
 #include <tetloft/result.hpp>
 
-namespace tetloft::geiger {
+namespace tetloft::internal::geiger {
 
 /// The section with a vertex on every contour edge below an obtuse corner of an internal
 /// triangle, and with the vertices that conforming inserts. Feet are rounded once; where they
 /// would make contours touch, the rounds end before. `feet` counts them.
 [[nodiscard]] Result<Section> with_feet(const Section& section, SectionId id, std::size_t& feet);
 
-}  // namespace tetloft::geiger
+}  // namespace tetloft::internal::geiger

@@ -6,7 +6,7 @@
 
 #include <tetloft/predicates.hpp>
 
-namespace tetloft::geiger {
+namespace tetloft::internal::geiger {
 
 namespace {
 
@@ -131,4 +131,4 @@ std::vector<Point2> projected_into(const ConformingSection& section,
   return kept;
 }
 
-}  // namespace tetloft::geiger
+}  // namespace tetloft::internal::geiger

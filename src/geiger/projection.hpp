@@ -6,7 +6,7 @@
 
 #include <tetloft/conforming_section.hpp>
 
-namespace tetloft::geiger {
+namespace tetloft::internal::geiger {
 
 /// The vertices of the external skeleton: circumcentres of external triangles.
 [[nodiscard]] std::vector<Point2> external_skeleton_vertices(const ConformingSection& section);
@@ -17,4 +17,4 @@ namespace tetloft::geiger {
 [[nodiscard]] std::vector<Point2> projected_into(const ConformingSection& section,
                                                  std::span<const Point2> candidates);
 
-}  // namespace tetloft::geiger
+}  // namespace tetloft::internal::geiger

@@ -7,7 +7,7 @@
 
 #include "core/enums.hpp"
 
-namespace tetloft::io {
+namespace tetloft::internal::io {
 
 [[nodiscard]] inline Result<void> check_encoding(Encoding encoding) {
   if (is_enumerator(encoding, Encoding::ascii)) return {};
@@ -25,4 +25,4 @@ namespace tetloft::io {
   return error;
 }
 
-}  // namespace tetloft::io
+}  // namespace tetloft::internal::io

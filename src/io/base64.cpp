@@ -6,7 +6,7 @@
 
 #include "io/cursor.hpp"
 
-namespace tetloft::io {
+namespace tetloft::internal::io {
 
 namespace {
 
@@ -77,4 +77,4 @@ std::string encode_base64(std::string_view bytes) {
   return text;
 }
 
-}  // namespace tetloft::io
+}  // namespace tetloft::internal::io

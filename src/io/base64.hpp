@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace tetloft::io {
+namespace tetloft::internal::io {
 
 /// Decodes groups of four characters until `wanted` bytes are there or the text ends, white
 /// space between them passed over. A padded group ends a run, and another may follow: some
@@ -16,4 +16,4 @@ namespace tetloft::io {
 /// In one line, padded.
 [[nodiscard]] std::string encode_base64(std::string_view bytes);
 
-}  // namespace tetloft::io
+}  // namespace tetloft::internal::io

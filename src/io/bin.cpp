@@ -5,7 +5,7 @@
 #include "core/little_endian.hpp"
 #include "io/format.hpp"
 
-namespace tetloft::io {
+namespace tetloft::internal::io {
 
 namespace {
 
@@ -54,4 +54,4 @@ extern constinit const Format bin_format{.name = "bin",
                                          .read_points = read_bin,
                                          .write_points = write_bin};
 
-}  // namespace tetloft::io
+}  // namespace tetloft::internal::io

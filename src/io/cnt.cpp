@@ -6,7 +6,7 @@
 #include "io/format.hpp"
 #include "io/numbers.hpp"
 
-namespace tetloft::io {
+namespace tetloft::internal::io {
 
 namespace {
 
@@ -57,4 +57,4 @@ extern constinit const Format cnt_format{.name = "cnt",
                                          .read_stack = read_cnt_source,
                                          .write_stack = write_sections};
 
-}  // namespace tetloft::io
+}  // namespace tetloft::internal::io

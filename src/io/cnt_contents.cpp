@@ -11,7 +11,7 @@
 
 #include "io/numbers.hpp"
 
-namespace tetloft::io {
+namespace tetloft::internal::io {
 
 namespace {
 
@@ -236,4 +236,4 @@ std::vector<Warning> open_lines(const SectionStack& stack, std::size_t most) {
   return warnings;
 }
 
-}  // namespace tetloft::io
+}  // namespace tetloft::internal::io

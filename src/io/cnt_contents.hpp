@@ -11,7 +11,7 @@
 #include <tetloft/result.hpp>
 #include <tetloft/section_stack.hpp>
 
-namespace tetloft::io {
+namespace tetloft::internal::io {
 
 /// Numbers taken in pairs. What remains of an odd number of them is a last vertex of which y is
 /// NaN, until settle_vertices().
@@ -43,4 +43,4 @@ struct CntContents {
 /// to another: lines cut off at a frame. At most `most`.
 [[nodiscard]] std::vector<Warning> open_lines(const SectionStack& stack, std::size_t most);
 
-}  // namespace tetloft::io
+}  // namespace tetloft::internal::io

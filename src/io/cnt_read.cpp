@@ -18,7 +18,7 @@
 #include "io/cursor.hpp"
 #include "io/numbers.hpp"
 
-namespace tetloft::io {
+namespace tetloft::internal::io {
 
 namespace {
 
@@ -296,4 +296,4 @@ Result<ReadStack> read_cnt_source(const Source& source, const ReadOptions& optio
   return CntReader(source.bytes, source.name).read(options.validity);
 }
 
-}  // namespace tetloft::io
+}  // namespace tetloft::internal::io

@@ -3,9 +3,9 @@
 
 #include "io/format.hpp"
 
-namespace tetloft::io {
+namespace tetloft::internal::io {
 
 /// As read_cnt() in io.hpp.
 [[nodiscard]] Result<ReadStack> read_cnt_source(const Source& source, const ReadOptions& options);
 
-}  // namespace tetloft::io
+}  // namespace tetloft::internal::io

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string_view>
 
-namespace tetloft::io {
+namespace tetloft::internal::io {
 
 /// Space, tab, vertical tab, form feed, carriage return, line feed.
 [[nodiscard]] constexpr bool is_white(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
@@ -50,4 +50,4 @@ class TextCursor {
   std::size_t line_ = 1;
 };
 
-}  // namespace tetloft::io
+}  // namespace tetloft::internal::io

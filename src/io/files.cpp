@@ -11,7 +11,7 @@
 
 #include "io/output_place.hpp"
 
-namespace tetloft::io {
+namespace tetloft::internal::io {
 
 namespace {
 
@@ -108,4 +108,4 @@ std::string extension_of(const std::string& path) {
   return extension;
 }
 
-}  // namespace tetloft::io
+}  // namespace tetloft::internal::io

@@ -7,7 +7,7 @@
 #include <tetloft/io.hpp>
 #include <tetloft/result.hpp>
 
-namespace tetloft::io {
+namespace tetloft::internal::io {
 
 /// The most bytes that are read: of a file that tells its size, and of a stream (a pipe, a
 /// device), which may never end.
@@ -23,4 +23,4 @@ struct ReadLimits {
 /// Lower-case extension of the last path component with its dot (".vtu"), or "".
 [[nodiscard]] std::string extension_of(const std::string& path);
 
-}  // namespace tetloft::io
+}  // namespace tetloft::internal::io

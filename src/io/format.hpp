@@ -12,7 +12,7 @@
 #include "io/sink.hpp"
 #include "io/surface.hpp"
 
-namespace tetloft::io {
+namespace tetloft::internal::io {
 
 /// What a reader is handed.
 struct Source {
@@ -57,4 +57,4 @@ struct Format {
   Written (*write_lines)(Sink&, const LineSet&, const Target&) = nullptr;
 };
 
-}  // namespace tetloft::io
+}  // namespace tetloft::internal::io

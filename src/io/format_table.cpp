@@ -16,7 +16,7 @@
   FORMAT(bin)                        \
   FORMAT(labels)
 
-namespace tetloft::io {
+namespace tetloft::internal::io {
 
 #define TETLOFT_DECLARE_FORMAT(NAME) extern const Format NAME##_format;
 TETLOFT_FORMAT_TABLE(TETLOFT_DECLARE_FORMAT)
@@ -33,9 +33,11 @@ constexpr std::array kFormats{TETLOFT_FORMAT_TABLE(TETLOFT_LIST_FORMAT)};
 
 FormatTable format_table() { return kFormats; }
 
-}  // namespace tetloft::io
+}  // namespace tetloft::internal::io
 
 namespace tetloft {
+
+using namespace internal;
 
 const char* name_of(Contents contents) {
   switch (contents) {

@@ -8,7 +8,7 @@
 #include "io/files.hpp"
 #include "io/numbers.hpp"
 
-namespace tetloft::io {
+namespace tetloft::internal::io {
 
 namespace {
 
@@ -178,4 +178,4 @@ Result<const Format*> choose_writer(FormatTable table, Contents contents, const 
   return error;
 }
 
-}  // namespace tetloft::io
+}  // namespace tetloft::internal::io

@@ -11,7 +11,7 @@
 
 #include "io/format.hpp"
 
-namespace tetloft::io {
+namespace tetloft::internal::io {
 
 using FormatTable = std::span<const Format* const>;
 
@@ -47,4 +47,4 @@ enum class Direction : std::uint8_t { reading, writing };
 /// The formats that read `contents`, in a row, for help and messages.
 [[nodiscard]] std::string described_readers(FormatTable table, Contents contents);
 
-}  // namespace tetloft::io
+}  // namespace tetloft::internal::io

@@ -11,6 +11,8 @@
 
 namespace tetloft {
 
+using namespace internal;
+
 namespace {
 
 template <class Out>

@@ -8,7 +8,7 @@
 #include "io/numbers.hpp"
 #include "io/rows.hpp"
 
-namespace tetloft::io {
+namespace tetloft::internal::io {
 
 namespace {
 
@@ -63,4 +63,4 @@ extern constinit const Format labels_format{
     .read_labels = read_label_lines,
     .write_labels = write_label_lines};
 
-}  // namespace tetloft::io
+}  // namespace tetloft::internal::io

@@ -9,7 +9,7 @@
 
 #include "core/text.hpp"
 
-namespace tetloft::io {
+namespace tetloft::internal::io {
 
 namespace {
 
@@ -188,4 +188,4 @@ void append_point(std::string& text, const Point3& p) {
   append_number(text, p.z);
 }
 
-}  // namespace tetloft::io
+}  // namespace tetloft::internal::io

@@ -15,7 +15,7 @@
 
 #include <tetloft/point.hpp>
 
-namespace tetloft::io {
+namespace tetloft::internal::io {
 
 enum class NumberStatus : std::uint8_t {
   ok,
@@ -56,4 +56,4 @@ void append_number(std::string& text, I value) {
   text.append(buffer, end);
 }
 
-}  // namespace tetloft::io
+}  // namespace tetloft::internal::io

@@ -6,7 +6,7 @@
 #include "io/format.hpp"
 #include "io/numbers.hpp"
 
-namespace tetloft::io {
+namespace tetloft::internal::io {
 
 namespace {
 
@@ -52,4 +52,4 @@ extern constinit const Format obj_format{.name = "obj",
                                          .recognise = is_obj,
                                          .write_surface = write_obj};
 
-}  // namespace tetloft::io
+}  // namespace tetloft::internal::io

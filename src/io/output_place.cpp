@@ -14,7 +14,7 @@
 
 #include "io/numbers.hpp"
 
-namespace tetloft::io {
+namespace tetloft::internal::io {
 
 namespace {
 
@@ -93,4 +93,4 @@ Result<OutputPlace> find_output(const std::string& path) {
   return io_error(path, kUnwritable, ELOOP);
 }
 
-}  // namespace tetloft::io
+}  // namespace tetloft::internal::io

@@ -8,7 +8,7 @@
 
 #include <tetloft/result.hpp>
 
-namespace tetloft::io {
+namespace tetloft::internal::io {
 
 /// Permissions and owner of a file.
 struct FileAccess {
@@ -36,4 +36,4 @@ struct OutputPlace {
 /// Error io of a file, with the system's words for `error_number` unless that is 0.
 [[nodiscard]] Error io_error(const std::string& path, const std::string& message, int error_number);
 
-}  // namespace tetloft::io
+}  // namespace tetloft::internal::io

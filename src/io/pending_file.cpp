@@ -17,7 +17,7 @@
 #include "core/guard.hpp"
 #include "io/output_place.hpp"
 
-namespace tetloft::io {
+namespace tetloft::internal::io {
 
 namespace {
 
@@ -271,4 +271,4 @@ Result<void> commit_all(std::vector<PendingFile>& files) {
   return {};
 }
 
-}  // namespace tetloft::io
+}  // namespace tetloft::internal::io

@@ -12,7 +12,7 @@
 
 #include "io/sink.hpp"
 
-namespace tetloft::io {
+namespace tetloft::internal::io {
 
 /// Told which temporaries have a name, so that a program which a signal ends can remove them.
 /// The calls come with the thread's signals blocked: a name is known before it can be left.
@@ -62,4 +62,4 @@ class PendingFile final : public Sink {
 /// take its name, those that appeared where nothing was are removed again.
 [[nodiscard]] Result<void> commit_all(std::vector<PendingFile>& files);
 
-}  // namespace tetloft::io
+}  // namespace tetloft::internal::io

@@ -6,7 +6,7 @@
 #include "io/format.hpp"
 #include "io/numbers.hpp"
 
-namespace tetloft::io {
+namespace tetloft::internal::io {
 
 namespace {
 
@@ -60,4 +60,4 @@ extern constinit const Format ply_format{.name = "ply",
                                          .recognise = is_ply,
                                          .write_surface = write_ply};
 
-}  // namespace tetloft::io
+}  // namespace tetloft::internal::io

@@ -9,7 +9,7 @@
 
 #include "io/cursor.hpp"
 
-namespace tetloft::io {
+namespace tetloft::internal::io {
 
 using RowFields = std::array<std::string_view, 3>;
 
@@ -47,4 +47,4 @@ Result<void> for_each_row(std::string_view text, const std::string& name, const 
   return {};
 }
 
-}  // namespace tetloft::io
+}  // namespace tetloft::internal::io

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <utility>
 
-namespace tetloft::io {
+namespace tetloft::internal::io {
 
 class Sink {
  public:
@@ -54,4 +54,4 @@ class Pieces {
   std::string text_;
 };
 
-}  // namespace tetloft::io
+}  // namespace tetloft::internal::io

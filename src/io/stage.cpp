@@ -5,7 +5,7 @@
 
 #include "core/guard.hpp"
 
-namespace tetloft::io {
+namespace tetloft::internal::io {
 
 namespace {
 
@@ -47,4 +47,4 @@ Written committed(Result<Staged> staged) {
   });
 }
 
-}  // namespace tetloft::io
+}  // namespace tetloft::internal::io

@@ -14,7 +14,7 @@
 #include "io/format.hpp"
 #include "io/pending_file.hpp"
 
-namespace tetloft::io {
+namespace tetloft::internal::io {
 
 struct Staged {
   PendingFile file;
@@ -40,4 +40,4 @@ struct Staged {
 /// Commits what could be staged.
 [[nodiscard]] Written committed(Result<Staged> staged);
 
-}  // namespace tetloft::io
+}  // namespace tetloft::internal::io

@@ -11,7 +11,7 @@
 #include "io/format.hpp"
 #include "io/numbers.hpp"
 
-namespace tetloft::io {
+namespace tetloft::internal::io {
 
 namespace {
 
@@ -206,4 +206,4 @@ extern constinit const Format stl_format{.name = "stl",
                                          .recognise = is_stl,
                                          .write_surface = write_stl};
 
-}  // namespace tetloft::io
+}  // namespace tetloft::internal::io

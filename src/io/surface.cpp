@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace tetloft::io {
+namespace tetloft::internal::io {
 
 SurfaceMesh surface_mesh(const Model& model) {
   Surface surface = boundary_surface(model);
@@ -26,4 +26,4 @@ SurfaceMesh surface_mesh(const Model& model) {
   return mesh;
 }
 
-}  // namespace tetloft::io
+}  // namespace tetloft::internal::io

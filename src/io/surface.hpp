@@ -7,7 +7,7 @@
 
 #include <tetloft/model.hpp>
 
-namespace tetloft::io {
+namespace tetloft::internal::io {
 
 struct SurfaceMesh {
   std::vector<Point3> points;    ///< those on the surface, in the model's order
@@ -18,4 +18,4 @@ struct SurfaceMesh {
 
 [[nodiscard]] SurfaceMesh surface_mesh(const Model& model);
 
-}  // namespace tetloft::io
+}  // namespace tetloft::internal::io

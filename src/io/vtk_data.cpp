@@ -10,7 +10,7 @@
 #include "io/cursor.hpp"
 #include "io/numbers.hpp"
 
-namespace tetloft::io {
+namespace tetloft::internal::io {
 
 namespace {
 
@@ -265,4 +265,4 @@ Result<std::vector<std::int64_t>> read_integers(const DataArray& array, const Da
   return read_values<std::int64_t>(array, source, scanner);
 }
 
-}  // namespace tetloft::io
+}  // namespace tetloft::internal::io

@@ -15,7 +15,7 @@
 
 #include "io/xml.hpp"
 
-namespace tetloft::io {
+namespace tetloft::internal::io {
 
 enum class ScalarType : std::uint8_t {
   int8,
@@ -78,4 +78,4 @@ struct AppendedExtent {
                                                               const DataSource& source,
                                                               const XmlScanner& scanner);
 
-}  // namespace tetloft::io
+}  // namespace tetloft::internal::io

@@ -5,7 +5,7 @@
 
 #include "core/text.hpp"
 
-namespace tetloft::io {
+namespace tetloft::internal::io {
 
 namespace {
 
@@ -86,4 +86,4 @@ void append_vtk_file(Sink& sink, const std::string& grid_type, const std::string
   sink.append("</VTKFile>\n");
 }
 
-}  // namespace tetloft::io
+}  // namespace tetloft::internal::io

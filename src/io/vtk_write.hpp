@@ -17,7 +17,7 @@
 #include "io/numbers.hpp"
 #include "io/sink.hpp"
 
-namespace tetloft::io {
+namespace tetloft::internal::io {
 
 template <class T>
 constexpr const char* vtk_type_name() {
@@ -92,4 +92,4 @@ VtkGroup vtk_points(std::size_t n, Get get) {
 void append_vtk_file(Sink& sink, const std::string& grid_type, const std::string& counts,
                      const std::vector<VtkGroup>& groups, Encoding encoding);
 
-}  // namespace tetloft::io
+}  // namespace tetloft::internal::io

@@ -8,7 +8,7 @@
 #include "io/vtk_write.hpp"
 #include "model/fields.hpp"
 
-namespace tetloft::io {
+namespace tetloft::internal::io {
 
 namespace {
 
@@ -98,4 +98,4 @@ extern constinit const Format vtp_format{.name = "vtp",
                                          .write_surface = write_surface_vtp,
                                          .write_lines = write_lines_vtp};
 
-}  // namespace tetloft::io
+}  // namespace tetloft::internal::io

@@ -16,7 +16,7 @@
 #include "model/fields.hpp"
 #include "model/well_formed.hpp"
 
-namespace tetloft::io {
+namespace tetloft::internal::io {
 
 namespace {
 
@@ -90,9 +90,11 @@ extern constinit const Format vtu_format{.name = "vtu",
                                          .read_model = read_vtu_source,
                                          .write_model = write_grid};
 
-}  // namespace tetloft::io
+}  // namespace tetloft::internal::io
 
 namespace tetloft {
+
+using namespace internal;
 
 Result<void> write_vtu(const std::string& path, const std::vector<Point3>& points,
                        const std::vector<TetVertices>& tets, Encoding encoding) {

@@ -15,7 +15,7 @@
 #include "io/xml.hpp"
 #include "model/fields.hpp"
 
-namespace tetloft::io {
+namespace tetloft::internal::io {
 
 namespace {
 
@@ -220,4 +220,4 @@ Result<ReadModel> read_vtu_source(const Source& source, const ReadOptions& /*opt
   return ReadModel{*std::move(model), {}};
 }
 
-}  // namespace tetloft::io
+}  // namespace tetloft::internal::io

@@ -5,7 +5,7 @@
 
 #include "io/format.hpp"
 
-namespace tetloft::io {
+namespace tetloft::internal::io {
 
 /// A tetrahedron, among the types of VTK's cells.
 inline constexpr std::uint8_t kVtkTetra = 10;
@@ -13,4 +13,4 @@ inline constexpr std::uint8_t kVtkTetra = 10;
 /// As read_vtu() in io.hpp.
 [[nodiscard]] Result<ReadModel> read_vtu_source(const Source& source, const ReadOptions& options);
 
-}  // namespace tetloft::io
+}  // namespace tetloft::internal::io

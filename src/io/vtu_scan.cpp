@@ -12,7 +12,7 @@
 #include "io/numbers.hpp"
 #include "model/fields.hpp"
 
-namespace tetloft::io {
+namespace tetloft::internal::io {
 
 namespace {
 
@@ -244,4 +244,4 @@ const DataArray* VtuDeclaration::find(std::size_t piece, VtuRole role,
 
 Result<VtuDeclaration> scan_vtu(XmlScanner& scanner) { return VtuScanner(scanner).scan(); }
 
-}  // namespace tetloft::io
+}  // namespace tetloft::internal::io

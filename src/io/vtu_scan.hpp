@@ -15,7 +15,7 @@
 #include "io/vtk_data.hpp"
 #include "io/xml.hpp"
 
-namespace tetloft::io {
+namespace tetloft::internal::io {
 
 enum class VtuRole : std::uint8_t { points, connectivity, offsets, types, field };
 
@@ -44,4 +44,4 @@ struct VtuDeclaration {
 /// Scans all tags. The scanner must outlive the result.
 [[nodiscard]] Result<VtuDeclaration> scan_vtu(XmlScanner& scanner);
 
-}  // namespace tetloft::io
+}  // namespace tetloft::internal::io

@@ -7,7 +7,7 @@
 #include "io/cursor.hpp"
 #include "io/numbers.hpp"
 
-namespace tetloft::io {
+namespace tetloft::internal::io {
 
 namespace {
 
@@ -139,4 +139,4 @@ Result<XmlTag> XmlScanner::next_tag() {
   }
 }
 
-}  // namespace tetloft::io
+}  // namespace tetloft::internal::io

@@ -11,7 +11,7 @@
 
 #include <tetloft/result.hpp>
 
-namespace tetloft::io {
+namespace tetloft::internal::io {
 
 struct XmlTag {
   enum class Kind { open, close, open_close, end_of_file };
@@ -56,4 +56,4 @@ class XmlScanner {
   std::size_t at_ = 0;
 };
 
-}  // namespace tetloft::io
+}  // namespace tetloft::internal::io

@@ -6,7 +6,7 @@
 #include "io/numbers.hpp"
 #include "io/rows.hpp"
 
-namespace tetloft::io {
+namespace tetloft::internal::io {
 
 namespace {
 
@@ -49,4 +49,4 @@ extern constinit const Format xyz_format{.name = "xyz",
                                          .read_points = read_xyz,
                                          .write_points = write_xyz};
 
-}  // namespace tetloft::io
+}  // namespace tetloft::internal::io

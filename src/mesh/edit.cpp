@@ -12,6 +12,8 @@
 
 namespace tetloft {
 
+using namespace internal;
+
 using namespace mesh_detail;
 
 namespace {

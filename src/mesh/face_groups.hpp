@@ -13,7 +13,7 @@
 
 #include "core/buckets.hpp"
 
-namespace tetloft::mesh_detail {
+namespace tetloft::internal::mesh_detail {
 
 /// The vertices of a face by id, and which way its half-face lists them.
 struct SortedFace {
@@ -94,4 +94,4 @@ void for_each_boundary_face(std::size_t vertex_count, std::size_t tet_count, con
                       });
 }
 
-}  // namespace tetloft::mesh_detail
+}  // namespace tetloft::internal::mesh_detail

@@ -13,6 +13,8 @@
 
 namespace tetloft {
 
+using namespace internal;
+
 using namespace mesh_detail;
 
 namespace {

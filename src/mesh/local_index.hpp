@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-namespace tetloft::mesh_detail {
+namespace tetloft::internal::mesh_detail {
 
 /// For local vertices i != j, the k for which (i, j, k, l) is an even permutation of
 /// (0, 1, 2, 3); −1 for i = j. In a positive tet, k → l turns counter-clockwise about
@@ -16,4 +16,4 @@ inline constexpr std::array<std::array<int, 4>, 4> kTurn{
   return kTurn[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
 }
 
-}  // namespace tetloft::mesh_detail
+}  // namespace tetloft::internal::mesh_detail

@@ -8,6 +8,8 @@
 
 namespace tetloft {
 
+using namespace internal;
+
 using namespace mesh_detail;
 
 VertexId TetMesh::smallest_star(std::span<const VertexId> candidates) const {

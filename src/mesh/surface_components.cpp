@@ -9,6 +9,8 @@
 
 namespace tetloft {
 
+using namespace internal;
+
 namespace {
 
 /// Side k of a triangle joins its vertices k and k + 1 (mod 3).

@@ -11,6 +11,8 @@
 
 namespace tetloft {
 
+using namespace internal;
+
 using namespace mesh_detail;
 
 namespace {

@@ -1,6 +1,6 @@
 #include "mesh/tet_soup.hpp"
 
-namespace tetloft::mesh_detail {
+namespace tetloft::internal::mesh_detail {
 
 std::optional<Error> refuse_tet(const TetVertices& tet, std::size_t vertex_count, TetId name) {
   for (std::size_t i = 0; i < 4; ++i) {
@@ -28,4 +28,4 @@ std::string face_text(const std::array<std::uint32_t, 3>& vertices) {
   return text;
 }
 
-}  // namespace tetloft::mesh_detail
+}  // namespace tetloft::internal::mesh_detail

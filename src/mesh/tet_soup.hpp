@@ -9,7 +9,7 @@
 
 #include <tetloft/tet_mesh.hpp>
 
-namespace tetloft::mesh_detail {
+namespace tetloft::internal::mesh_detail {
 
 /// The half-face 4 t + i must stay below HalfFaceId::kInvalid = 2^32 − 1.
 /// Ids are 32 bits, one of them the invalid one.
@@ -26,4 +26,4 @@ inline constexpr std::size_t kMaxTetSlots = (std::size_t{1} << 30) - 1;
 /// "face (1, 2, 3)".
 [[nodiscard]] std::string face_text(const std::array<std::uint32_t, 3>& vertices);
 
-}  // namespace tetloft::mesh_detail
+}  // namespace tetloft::internal::mesh_detail

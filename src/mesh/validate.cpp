@@ -9,6 +9,8 @@
 
 namespace tetloft {
 
+using namespace internal;
+
 using namespace mesh_detail;
 
 namespace {

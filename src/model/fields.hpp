@@ -14,7 +14,7 @@
 
 #include "core/enums.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 /// How values of one type are stored: as what, and which numbers are values.
 template <class Value>
@@ -76,4 +76,4 @@ void for_each_field(Visit&& visit) {
   visit(ModelField{"origin", &Model::origin});
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

@@ -11,6 +11,8 @@
 
 namespace tetloft {
 
+using namespace internal;
+
 const char* name_of(TetKind kind) {
   switch (kind) {
     case TetKind::t1_internal: return "t1_internal";

@@ -4,7 +4,7 @@
 
 #include "core/unit_of_length.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 bool scale_exactly(Model& model, int exponent) {
   const bool exact = std::all_of(model.points.begin(), model.points.end(),
@@ -14,4 +14,4 @@ bool scale_exactly(Model& model, int exponent) {
   return true;
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

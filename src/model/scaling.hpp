@@ -3,10 +3,10 @@
 
 #include <tetloft/model.hpp>
 
-namespace tetloft {
+namespace tetloft::internal {
 
 /// Multiplies all coordinates by 2^exponent. False, and nothing changed, where one would lose a
 /// bit or is too large.
 [[nodiscard]] bool scale_exactly(Model& model, int exponent);
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

@@ -4,7 +4,7 @@
 
 #include "model/fields.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 namespace {
 
@@ -58,4 +58,4 @@ Result<void> check_well_formed(const Model& model) {
   return fine;
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

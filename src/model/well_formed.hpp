@@ -7,7 +7,7 @@
 #include <tetloft/model.hpp>
 #include <tetloft/result.hpp>
 
-namespace tetloft {
+namespace tetloft::internal {
 
 /// A model, or mesh, holds fewer tets than this: half-faces have 32 bits.
 inline constexpr std::size_t kMostModelTets = std::size_t{1} << 30;
@@ -19,4 +19,4 @@ inline constexpr std::size_t kMostModelTets = std::size_t{1} << 30;
 /// or a kind or origin that there is none of.
 [[nodiscard]] Result<void> check_well_formed(const Model& model);
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

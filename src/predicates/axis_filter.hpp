@@ -20,7 +20,7 @@
 #include "predicates/determinants.hpp"
 #include "predicates/filter.hpp"
 
-namespace tetloft::predicates {
+namespace tetloft::internal::predicates {
 
 /// The differences p[i] − q by axis, and the largest magnitude on each.
 template <std::size_t n>
@@ -95,4 +95,4 @@ inline int insphere_axis_filter(const Point3& a, const Point3& b, const Point3& 
           kTiny);
 }
 
-}  // namespace tetloft::predicates
+}  // namespace tetloft::internal::predicates

@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-namespace tetloft::predicates {
+namespace tetloft::internal::predicates {
 
 /// A finite double as mantissa · 2^exponent; mantissa 0 for zero.
 struct Decomposed {
@@ -161,4 +161,4 @@ BigInteger<M + N> operator*(const BigInteger<M>& a, const BigInteger<N>& b) {
   return result;
 }
 
-}  // namespace tetloft::predicates
+}  // namespace tetloft::internal::predicates

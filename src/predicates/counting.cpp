@@ -1,13 +1,15 @@
 // The scope that counts which stages answered.
 #include "predicates/counting.hpp"
 
-namespace tetloft {
-
-namespace predicates {
+namespace tetloft::internal::predicates {
 
 constinit thread_local PredicateCounters* counters = nullptr;
 
-}  // namespace predicates
+}  // namespace tetloft::internal::predicates
+
+namespace tetloft {
+
+using namespace internal;
 
 PredicateCounting::PredicateCounting(PredicateCounters& counters) : outer_(predicates::counters) {
   predicates::counters = &counters;

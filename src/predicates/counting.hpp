@@ -8,7 +8,7 @@
 
 #include <tetloft/predicates.hpp>
 
-namespace tetloft::predicates {
+namespace tetloft::internal::predicates {
 
 using Stages = PredicateCounters::Stages;
 using Stage = std::uint64_t Stages::*;
@@ -23,4 +23,4 @@ inline void count(Predicate predicate, Stage stage) {
   }
 }
 
-}  // namespace tetloft::predicates
+}  // namespace tetloft::internal::predicates

@@ -4,7 +4,7 @@
 // Arguments are differences: a translation moves one of the points into the origin.
 #pragma once
 
-namespace tetloft::predicates {
+namespace tetloft::internal::predicates {
 
 /// b × c, for b and c relative to a.
 template <class T>
@@ -71,4 +71,4 @@ auto two_plane_insphere_determinant(const T& qx, const T& qy, const T& ux, const
   return qlift * (ux * vy - uy * vx) + (vlift * (qx * uy - qy * ux) - ulift * (qx * vy - qy * vx));
 }
 
-}  // namespace tetloft::predicates
+}  // namespace tetloft::internal::predicates

@@ -12,7 +12,7 @@
 
 #include "predicates/expansion.hpp"
 
-namespace tetloft::predicates {
+namespace tetloft::internal::predicates {
 
 struct DoubleDouble {
   double high = 0;
@@ -38,4 +38,4 @@ inline DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
   return normalised(two_product(Halves(a.high), Halves(b.high)), a.high * b.low + a.low * b.high);
 }
 
-}  // namespace tetloft::predicates
+}  // namespace tetloft::internal::predicates

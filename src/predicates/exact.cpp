@@ -23,7 +23,7 @@
 #include "predicates/filter.hpp"
 #include "predicates/lattice.hpp"
 
-namespace tetloft::predicates {
+namespace tetloft::internal::predicates {
 
 namespace {
 
@@ -283,4 +283,4 @@ Answer exact_insphere(const Point3& a, const Point3& b, const Point3& c, const P
       });
 }
 
-}  // namespace tetloft::predicates
+}  // namespace tetloft::internal::predicates

@@ -5,7 +5,7 @@
 
 #include "predicates/counting.hpp"
 
-namespace tetloft::predicates {
+namespace tetloft::internal::predicates {
 
 /// An exact sign and the stage that found it.
 struct Answer {
@@ -30,4 +30,4 @@ struct Answer {
 [[nodiscard]] Answer exact_two_plane_insphere(const Point2& p, const Point2& q, const Point2& r,
                                               const Point2& s, const Point2& t);
 
-}  // namespace tetloft::predicates
+}  // namespace tetloft::internal::predicates

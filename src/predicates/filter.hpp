@@ -31,7 +31,7 @@
 
 #include "predicates/determinants.hpp"
 
-namespace tetloft::predicates {
+namespace tetloft::internal::predicates {
 
 inline constexpr double kRounding = 0x1p-53;
 inline constexpr double kLargest = 0x1p+160;
@@ -145,4 +145,4 @@ inline int insphere_filter(const Point3& a, const Point3& b, const Point3& c, co
                       kInsphereError * mx * my * mz * (mx * mx + my * my + mz * mz) + kTiny);
 }
 
-}  // namespace tetloft::predicates
+}  // namespace tetloft::internal::predicates

@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace tetloft::predicates {
+namespace tetloft::internal::predicates {
 
 /// Integers of magnitude below 2^bits that have the ratios of `differences`, if such exist
 /// with the unit 2^-bits of the power of two above the largest difference.
@@ -38,4 +38,4 @@ std::optional<std::array<std::int64_t, n>> to_lattice(const std::array<double, n
   return result;
 }
 
-}  // namespace tetloft::predicates
+}  // namespace tetloft::internal::predicates

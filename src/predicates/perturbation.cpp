@@ -27,6 +27,8 @@
 
 namespace tetloft {
 
+using namespace internal;
+
 namespace {
 
 using predicates::Answer;

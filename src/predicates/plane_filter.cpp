@@ -7,7 +7,7 @@
 
 #include "predicates/big_integer.hpp"
 
-namespace tetloft::predicates {
+namespace tetloft::internal::predicates {
 
 namespace {
 
@@ -53,4 +53,4 @@ bool PlaneFilter::on_lattice(const Point2& p) const {
   return std::floor(x) == x && std::floor(y) == y && (x != 0 || p.x == 0) && (y != 0 || p.y == 0);
 }
 
-}  // namespace tetloft::predicates
+}  // namespace tetloft::internal::predicates

@@ -14,7 +14,7 @@
 #include "predicates/determinants.hpp"
 #include "predicates/filter.hpp"
 
-namespace tetloft::predicates {
+namespace tetloft::internal::predicates {
 
 class PlaneFilter {
  public:
@@ -58,4 +58,4 @@ class PlaneFilter {
 [[nodiscard]] Sign perturbed_incircle_of_cocircular(const Point2& a, const Point2& b,
                                                     const Point2& c, const Point2& d);
 
-}  // namespace tetloft::predicates
+}  // namespace tetloft::internal::predicates

@@ -7,6 +7,8 @@
 
 namespace tetloft {
 
+using namespace internal;
+
 using predicates::Answer;
 using predicates::count;
 using predicates::Stages;

@@ -7,7 +7,7 @@
 
 #include "predicates/big_integer.hpp"
 
-namespace tetloft::predicates {
+namespace tetloft::internal::predicates {
 
 namespace {
 
@@ -51,4 +51,4 @@ SetFilter::SetFilter(std::span<const Point3> points)
   if (exact_) orient3d_bound_ = insphere_bound_ = 0;
 }
 
-}  // namespace tetloft::predicates
+}  // namespace tetloft::internal::predicates

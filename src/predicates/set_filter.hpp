@@ -14,7 +14,7 @@
 #include "predicates/determinants.hpp"
 #include "predicates/filter.hpp"
 
-namespace tetloft::predicates {
+namespace tetloft::internal::predicates {
 
 class SetFilter {
  public:
@@ -52,4 +52,4 @@ class SetFilter {
                                                      const Point3& c, const Point3& d,
                                                      const Point3& e);
 
-}  // namespace tetloft::predicates
+}  // namespace tetloft::internal::predicates

@@ -7,7 +7,7 @@
 
 #include "reconstruct/stack_errors.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 SlabBuilds::SlabBuilds(PreparedStack& prepared, Decision& decision, Plan& plan,
                        const ReconstructOptions& options, WatchedWork& work)
@@ -124,4 +124,4 @@ std::vector<Part> SlabBuilds::take_parts() {
   return parts;
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

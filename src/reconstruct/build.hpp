@@ -13,7 +13,7 @@
 #include "reconstruct/prepare.hpp"
 #include "reconstruct/slab_solid.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 class SlabBuilds {
  public:
@@ -49,4 +49,4 @@ class SlabBuilds {
   std::uint64_t refinements_ = 0;
 };
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

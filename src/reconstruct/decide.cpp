@@ -8,7 +8,7 @@
 #include "reconstruct/stack_errors.hpp"
 #include "slab/delaunay.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 Result<Correspondence> Decision::make(const std::vector<SlabId>& slabs, const WatchedWork& work) {
   auto error = first_error(slabs, options_.execution.threads, work,
@@ -53,4 +53,4 @@ std::optional<Error> Decision::add_drift_links(const WatchedWork& work) {
   return error;
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

@@ -7,7 +7,7 @@
 #include "correspondence/correspondence.hpp"
 #include "reconstruct/prepare.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 class Decision {
  public:
@@ -33,4 +33,4 @@ class Decision {
   IdVector<SlabId, std::vector<Link>> candidates_;
 };
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

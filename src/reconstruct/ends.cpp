@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tetloft {
+namespace tetloft::internal {
 
 namespace {
 
@@ -57,4 +57,4 @@ Result<std::optional<EndPlanes>> place_ends(const PreparedStack& prepared,
   return std::optional(ends);
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

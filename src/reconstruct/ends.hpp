@@ -7,7 +7,7 @@
 #include "reconstruct/plan.hpp"
 #include "reconstruct/prepare.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 /// The planes of the prisms beyond the first and last section; none where it ends at these. Warns
 /// where a thickness had to be chosen. Fails (unrepresentable) where no double lies beyond.
@@ -15,4 +15,4 @@ namespace tetloft {
                                                           const ReconstructOptions& options,
                                                           std::vector<Warning>& warnings);
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

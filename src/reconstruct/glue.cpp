@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace tetloft {
+namespace tetloft::internal {
 
 namespace {
 
@@ -114,4 +114,4 @@ Model glue(const IdVector<SectionId, ConformingSection>& sections,
   return Gluing(sections, component).run(std::move(parts));
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

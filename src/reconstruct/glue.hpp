@@ -12,7 +12,7 @@
 
 #include "reconstruct/slab_solid.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 /// A solid to be glued: the slab it counts to and its sections (invalid: none).
 struct Part {
@@ -31,4 +31,4 @@ using RegionComponents = IdVector<SectionId, IdVector<RegionId, ComponentId>>;
 [[nodiscard]] Model glue(const IdVector<SectionId, ConformingSection>& sections,
                          const RegionComponents& component, std::vector<Part> parts);
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

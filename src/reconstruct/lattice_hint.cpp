@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-namespace tetloft {
+namespace tetloft::internal {
 
 int merging_bits(const ConformingSection& lower, const ConformingSection& upper) {
   std::vector<double> x;
@@ -39,4 +39,4 @@ int merging_bits(const ConformingSection& lower, const ConformingSection& upper)
   return 0;
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

@@ -7,7 +7,7 @@
 
 #include "correspondence/correspondence.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 /// Where the prisms beyond the first and last section end.
 struct EndPlanes {
@@ -25,4 +25,4 @@ struct Plan {
   Correspondence correspondence;
 };
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

@@ -7,7 +7,7 @@
 #include "sections/scaling.hpp"
 #include "slab/work_limit.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 std::optional<Error> PreparedStack::conform_section(SectionId s,
                                                     const IdVector<ContourId, bool>& gabriel) {
@@ -46,4 +46,4 @@ Result<PreparedStack> prepare(const SectionStack& given, Unit unit,
   return *error;
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

@@ -9,7 +9,7 @@
 
 #include "core/watched_work.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 /// In which unit of length a model is made: README.md, "Scale".
 enum class Unit : std::uint8_t { of_the_stack, as_given };
@@ -33,4 +33,4 @@ struct PreparedStack {
 [[nodiscard]] Result<PreparedStack> prepare(const SectionStack& given, Unit unit,
                                             const ReconstructOptions& options, WatchedWork& work);
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

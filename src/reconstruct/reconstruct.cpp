@@ -24,6 +24,8 @@
 
 namespace tetloft {
 
+using namespace internal;
+
 namespace {
 
 using Clock = std::chrono::steady_clock;

@@ -8,7 +8,7 @@
 #include "core/guard.hpp"
 #include "core/record.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 namespace {
 
@@ -216,4 +216,4 @@ Result<SlabSolid> solid_from_record(std::string_view bytes, const std::string& n
   });
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

@@ -9,7 +9,7 @@
 #include "reconstruct/plan.hpp"
 #include "reconstruct/slab_solid.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 [[nodiscard]] std::string to_record(const Plan& plan);
 
@@ -23,4 +23,4 @@ namespace tetloft {
 /// positive and embedded is the writer's.
 [[nodiscard]] Result<SlabSolid> solid_from_record(std::string_view bytes, const std::string& name);
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

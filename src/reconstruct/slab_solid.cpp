@@ -12,7 +12,7 @@
 #include "subdivision/embedding.hpp"
 #include "subdivision/trimming.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 namespace {
 
@@ -248,4 +248,4 @@ Result<SlabOutcome> build_slab(SlabId id, const ConformingSection& lower,
   return SlabOutcome(SlabSolid{});
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

@@ -16,7 +16,7 @@
 #include "slab/rules.hpp"
 #include "subdivision/truncation.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 /// Tets over the vertices of two sections and constructed ones, and what making them took.
 struct SlabSolid {
@@ -69,4 +69,4 @@ struct SlabOptions {
 /// lower one of a slab whose upper one is empty; below, the other way round.
 [[nodiscard]] SlabSolid build_end(const ConformingSection& section, double z);
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

@@ -11,7 +11,7 @@
 #include "core/parallel.hpp"
 #include "core/watched_work.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 /// Runs body(id) -> std::optional<Error> for all ids, while the caller does not stop it; the error
 /// of the first id that has one.
@@ -38,4 +38,4 @@ std::vector<IdType> all_ids(std::size_t n) {
   return ids;
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace tetloft::render {
+namespace tetloft::internal::render {
 
 namespace {
 
@@ -311,4 +311,4 @@ std::string zlib_compressed(std::string_view bytes) {
   return out;
 }
 
-}  // namespace tetloft::render
+}  // namespace tetloft::internal::render

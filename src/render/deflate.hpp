@@ -4,9 +4,9 @@
 #include <string>
 #include <string_view>
 
-namespace tetloft::render {
+namespace tetloft::internal::render {
 
 /// The zlib stream of `bytes`: matches by hash chains, one dynamic Huffman code for each block.
 [[nodiscard]] std::string zlib_compressed(std::string_view bytes);
 
-}  // namespace tetloft::render
+}  // namespace tetloft::internal::render

@@ -6,7 +6,7 @@
 #include "render/raster.hpp"
 #include "render/vector.hpp"
 
-namespace tetloft::render {
+namespace tetloft::internal::render {
 
 namespace {
 
@@ -181,4 +181,4 @@ Picture draw(const Scene& scene, const RenderOptions& options, WatchedWork& work
   return picture;
 }
 
-}  // namespace tetloft::render
+}  // namespace tetloft::internal::render

@@ -23,6 +23,8 @@
 
 namespace tetloft {
 
+using namespace internal;
+
 namespace {
 
 using render::Rgb;

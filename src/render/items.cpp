@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace tetloft::render {
+namespace tetloft::internal::render {
 
 namespace {
 
@@ -285,4 +285,4 @@ ItemBuffer draw_items(const Scene& scene, const View& view, std::size_t width, s
   return buffer;
 }
 
-}  // namespace tetloft::render
+}  // namespace tetloft::internal::render

@@ -10,7 +10,7 @@
 #include "render/scene.hpp"
 #include "render/view.hpp"
 
-namespace tetloft::render {
+namespace tetloft::internal::render {
 
 /// A square of pixels knows the depth of the farthest it shows: what lies behind it is hidden.
 /// Squares of 8 × 8 pixels, and of 2 × 2 squares each, up to one.
@@ -54,4 +54,4 @@ struct ItemBuffer {
 [[nodiscard]] ItemBuffer draw_items(const Scene& scene, const View& view, std::size_t width,
                                     std::size_t height);
 
-}  // namespace tetloft::render
+}  // namespace tetloft::internal::render

@@ -7,7 +7,7 @@
 #include "render/subject.hpp"
 #include "render/vector.hpp"
 
-namespace tetloft::render {
+namespace tetloft::internal::render {
 
 namespace {
 
@@ -57,4 +57,4 @@ std::vector<std::array<Point3, 3>> smooth_normals(const Subject& subject) {
   return normals;
 }
 
-}  // namespace tetloft::render
+}  // namespace tetloft::internal::render

@@ -6,7 +6,7 @@
 
 #include <tetloft/point.hpp>
 
-namespace tetloft::render {
+namespace tetloft::internal::render {
 
 struct Subject;
 
@@ -17,4 +17,4 @@ struct Subject;
 /// Cosine of 42 degrees: ends and walls stay sharp, facets of a fine contour do not show.
 inline constexpr double kCrease = 0.743;
 
-}  // namespace tetloft::render
+}  // namespace tetloft::internal::render

@@ -11,7 +11,7 @@
 
 #include <tetloft/tet_mesh.hpp>
 
-namespace tetloft::render {
+namespace tetloft::internal::render {
 
 namespace {
 
@@ -125,4 +125,4 @@ void add_contours(const Model& model, const SectionStack* given, double stretch,
   }
 }
 
-}  // namespace tetloft::render
+}  // namespace tetloft::internal::render

@@ -6,10 +6,10 @@
 
 #include "render/subject.hpp"
 
-namespace tetloft::render {
+namespace tetloft::internal::render {
 
 /// Adds sections and contours to a subject that has its points, tets and slabs. `given`: null for
 /// the model's own outlines, none where it does not tell the sections of its points.
 void add_contours(const Model& model, const SectionStack* given, double stretch, Subject& subject);
 
-}  // namespace tetloft::render
+}  // namespace tetloft::internal::render

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <span>
 
-namespace tetloft::render {
+namespace tetloft::internal::render {
 
 namespace {
 
@@ -77,4 +77,4 @@ Rgb slab_colour(double t) { return along(kSlabs, t); }
 
 Rgb dihedral_colour(double t) { return along(kDihedral, t); }
 
-}  // namespace tetloft::render
+}  // namespace tetloft::internal::render

@@ -6,7 +6,7 @@
 
 #include <tetloft/model.hpp>
 
-namespace tetloft::render {
+namespace tetloft::internal::render {
 
 /// sRGB.
 struct Rgb {
@@ -25,4 +25,4 @@ inline constexpr double kBestDihedral = 70.53;
 
 inline constexpr Rgb kContourColour{32, 36, 44};
 
-}  // namespace tetloft::render
+}  // namespace tetloft::internal::render

@@ -13,6 +13,8 @@
 
 namespace tetloft {
 
+using namespace internal;
+
 namespace {
 
 using render::Picture;

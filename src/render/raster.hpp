@@ -12,7 +12,7 @@
 #include "render/scene.hpp"
 #include "render/view.hpp"
 
-namespace tetloft::render {
+namespace tetloft::internal::render {
 
 /// Lines lie on surfaces: they are seen up to this far behind, in parts of the picture's larger
 /// side.
@@ -43,4 +43,4 @@ struct Picture {
 [[nodiscard]] Picture draw(const Scene& scene, const RenderOptions& options, WatchedWork& work);
 inline constexpr std::size_t kDrawSteps = 5;
 
-}  // namespace tetloft::render
+}  // namespace tetloft::internal::render

@@ -6,7 +6,7 @@
 
 #include "render/vector.hpp"
 
-namespace tetloft::render {
+namespace tetloft::internal::render {
 
 namespace {
 
@@ -186,4 +186,4 @@ Result<Scene> scene_of(const Model& model, const SectionStack* contours, const P
   return Builder(*subject, toward, options).build();
 }
 
-}  // namespace tetloft::render
+}  // namespace tetloft::internal::render

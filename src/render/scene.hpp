@@ -9,7 +9,7 @@
 
 #include "render/subject.hpp"
 
-namespace tetloft::render {
+namespace tetloft::internal::render {
 
 struct SceneTriangle {
   std::array<Point3, 3> corner;  ///< counter-clockwise from outside
@@ -28,4 +28,4 @@ struct Scene {
 [[nodiscard]] Result<Scene> scene_of(const Model& model, const SectionStack* contours,
                                      const Point3& toward, const RenderOptions& options);
 
-}  // namespace tetloft::render
+}  // namespace tetloft::internal::render

@@ -18,6 +18,8 @@
 
 namespace tetloft {
 
+using namespace internal;
+
 const char* name_of(ColourBy colour) {
   switch (colour) {
     case ColourBy::component: return "component";
@@ -30,7 +32,7 @@ const char* name_of(ColourBy colour) {
 
 }  // namespace tetloft
 
-namespace tetloft::render {
+namespace tetloft::internal::render {
 
 namespace {
 
@@ -244,4 +246,4 @@ Result<Subject> subject_of(const Model& model, const SectionStack* contours,
   return subject;
 }
 
-}  // namespace tetloft::render
+}  // namespace tetloft::internal::render

@@ -12,7 +12,7 @@
 
 #include "render/palette.hpp"
 
-namespace tetloft::render {
+namespace tetloft::internal::render {
 
 /// A piece of a contour, between two slabs or at an end.
 struct ContourPiece {
@@ -54,4 +54,4 @@ struct Subject {
 [[nodiscard]] Result<Subject> subject_of(const Model& model, const SectionStack* contours,
                                          const RenderOptions& options);
 
-}  // namespace tetloft::render
+}  // namespace tetloft::internal::render

@@ -16,6 +16,8 @@
 
 namespace tetloft {
 
+using namespace internal;
+
 namespace {
 
 using render::ItemBuffer;

@@ -5,7 +5,7 @@
 
 #include <tetloft/point.hpp>
 
-namespace tetloft::render {
+namespace tetloft::internal::render {
 
 [[nodiscard]] constexpr Point3 operator+(const Point3& a, const Point3& b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};
@@ -31,4 +31,4 @@ namespace tetloft::render {
   return axis == 0 ? a.x : axis == 1 ? a.y : a.z;
 }
 
-}  // namespace tetloft::render
+}  // namespace tetloft::internal::render

@@ -8,7 +8,7 @@
 #include "render/raster.hpp"
 #include "render/vector.hpp"
 
-namespace tetloft::render {
+namespace tetloft::internal::render {
 
 Point3 View::toward(const RenderOptions& options) {
   const double azimuth = options.azimuth * std::numbers::pi / 180;
@@ -143,4 +143,4 @@ Light lit(const Rgb& colour, const Point3& normal, float openness) {
   return {base.r * diffuse + shine, base.g * diffuse + shine, base.b * diffuse + shine};
 }
 
-}  // namespace tetloft::render
+}  // namespace tetloft::internal::render

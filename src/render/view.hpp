@@ -5,7 +5,7 @@
 
 #include "render/scene.hpp"
 
-namespace tetloft::render {
+namespace tetloft::internal::render {
 
 /// On the picture: pixels from its upper left corner, and height towards the eye, in pixels.
 struct Projected {
@@ -33,4 +33,4 @@ class View {
   double x_ = 0, y_ = 0;
 };
 
-}  // namespace tetloft::render
+}  // namespace tetloft::internal::render

@@ -10,6 +10,8 @@
 
 namespace tetloft {
 
+using namespace internal;
+
 namespace {
 
 using sections::BigInteger;

@@ -4,7 +4,7 @@
 
 #include "sections/segments.hpp"
 
-namespace tetloft::sections {
+namespace tetloft::internal::sections {
 
 namespace {
 
@@ -160,4 +160,4 @@ void Arrangement::apply(std::vector<std::vector<NodeId>>& splits) {
   pieces_ = std::move(result);
 }
 
-}  // namespace tetloft::sections
+}  // namespace tetloft::internal::sections

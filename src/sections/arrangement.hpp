@@ -12,7 +12,7 @@
 #include <tetloft/ids.hpp>
 #include <tetloft/point.hpp>
 
-namespace tetloft::sections {
+namespace tetloft::internal::sections {
 
 using NodeId = Id<struct ArrangementNodeTag>;
 
@@ -98,4 +98,4 @@ class Arrangement {
   std::vector<ArrangementEvent> events_;
 };
 
-}  // namespace tetloft::sections
+}  // namespace tetloft::internal::sections

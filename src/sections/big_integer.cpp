@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-namespace tetloft::sections {
+namespace tetloft::internal::sections {
 
 Dyadic::Dyadic(double value) {
   if (value == 0) return;
@@ -158,4 +158,4 @@ BigInteger operator<<(const BigInteger& a, std::size_t shift) {
   return result;
 }
 
-}  // namespace tetloft::sections
+}  // namespace tetloft::internal::sections

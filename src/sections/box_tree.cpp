@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace tetloft::sections {
+namespace tetloft::internal::sections {
 
 BoxTree::BoxTree(std::span<const Box> boxes) : order_(boxes.size()) {
   const std::size_t n = boxes.size();
@@ -40,4 +40,4 @@ BoxTree::BoxTree(std::span<const Box> boxes) : order_(boxes.size()) {
   }
 }
 
-}  // namespace tetloft::sections
+}  // namespace tetloft::internal::sections

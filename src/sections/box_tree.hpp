@@ -14,7 +14,7 @@
 
 #include <tetloft/point.hpp>
 
-namespace tetloft::sections {
+namespace tetloft::internal::sections {
 
 /// A closed box; the default one is empty.
 struct Box {
@@ -144,4 +144,4 @@ class BoxTree {
   std::vector<std::size_t> level_;    // level_[h]: the first node of level h
 };
 
-}  // namespace tetloft::sections
+}  // namespace tetloft::internal::sections

@@ -23,6 +23,8 @@
 
 namespace tetloft {
 
+using namespace internal;
+
 namespace {
 
 // Contour vertices numbered through; segment i starts at vertex i.

@@ -12,6 +12,8 @@
 
 namespace tetloft {
 
+using namespace internal;
+
 namespace {
 
 // A side of a triangle, seen from the lower end of its edge.

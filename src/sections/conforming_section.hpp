@@ -5,7 +5,7 @@
 
 #include <tetloft/conforming_section.hpp>
 
-namespace tetloft::sections {
+namespace tetloft::internal::sections {
 
 /// Renumbers the vertices of `triangulation` in canonical order and its triangles
 /// canonically, and fills triangulation, edges (kinds left external) and first_edge of
@@ -18,4 +18,4 @@ void classify_edges(ConformingSection& section);
 /// Throws std::invalid_argument unless all ids and sizes are those of one section.
 void require_consistent(const ConformingSection& section);
 
-}  // namespace tetloft::sections
+}  // namespace tetloft::internal::sections

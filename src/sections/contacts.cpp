@@ -13,7 +13,7 @@
 #include "sections/segments.hpp"
 #include "sections/sweep.hpp"
 
-namespace tetloft::sections {
+namespace tetloft::internal::sections {
 
 namespace {
 
@@ -204,4 +204,4 @@ std::optional<Defect> first_contact(const Section& section, const std::vector<bo
   return ContactSearch(section, usable).first(limit);
 }
 
-}  // namespace tetloft::sections
+}  // namespace tetloft::internal::sections

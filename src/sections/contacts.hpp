@@ -8,7 +8,7 @@
 
 #include <tetloft/section_stack.hpp>
 
-namespace tetloft::sections {
+namespace tetloft::internal::sections {
 
 inline constexpr std::size_t kWholeContour = static_cast<std::size_t>(-1);
 
@@ -32,4 +32,4 @@ struct Defect {
                                                   const std::vector<bool>& usable,
                                                   const std::optional<Defect>& limit);
 
-}  // namespace tetloft::sections
+}  // namespace tetloft::internal::sections

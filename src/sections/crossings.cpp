@@ -24,6 +24,8 @@
 
 namespace tetloft {
 
+using namespace internal;
+
 namespace {
 
 using sections::Box;

@@ -18,7 +18,7 @@
 #include "sections/segments.hpp"
 #include "sections/sweep.hpp"
 
-namespace tetloft::sections {
+namespace tetloft::internal::sections {
 
 namespace {
 
@@ -168,4 +168,4 @@ bool interiors_meet(const RegionOutline& a, const RegionOutline& b) {
   return meet;
 }
 
-}  // namespace tetloft::sections
+}  // namespace tetloft::internal::sections

@@ -5,7 +5,7 @@
 
 #include "sections/box_tree.hpp"
 
-namespace tetloft::sections {
+namespace tetloft::internal::sections {
 
 /// The bounding box of a region.
 [[nodiscard]] Box bounds(const RegionOutline& region);
@@ -19,4 +19,4 @@ void require_finite(const Contour& contour);
 /// The same for an outline, which has a contour at least, and none that is null.
 void require_outline(const RegionOutline& region);
 
-}  // namespace tetloft::sections
+}  // namespace tetloft::internal::sections

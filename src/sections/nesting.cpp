@@ -15,6 +15,8 @@
 
 namespace tetloft {
 
+using namespace internal;
+
 bool sections::is_counter_clockwise(const Contour& contour) {
   const std::vector<Point2>& vertices = contour.vertices;
   const std::size_t n = vertices.size();

@@ -3,7 +3,7 @@
 
 #include <tetloft/overlap.hpp>
 
-namespace tetloft::sections {
+namespace tetloft::internal::sections {
 
 /// Does the contour run counter-clockwise? Requires a simple one; exact, linear.
 [[nodiscard]] bool is_counter_clockwise(const Contour& contour);
@@ -11,4 +11,4 @@ namespace tetloft::sections {
 /// What can be nested at all: contours of three finite vertices or more.
 [[nodiscard]] bool has_contours(const Section& section);
 
-}  // namespace tetloft::sections
+}  // namespace tetloft::internal::sections

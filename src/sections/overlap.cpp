@@ -17,6 +17,8 @@
 
 namespace tetloft {
 
+using namespace internal;
+
 namespace {
 
 using sections::Interval;

@@ -12,7 +12,7 @@
 
 #include "sections/overlap_pairs.hpp"
 
-namespace tetloft::sections {
+namespace tetloft::internal::sections {
 
 namespace {
 
@@ -187,4 +187,4 @@ double rounded_ratio(const ExactOverlap& overlap, int bits) {
   return std::ldexp(std::floor(std::ldexp(mantissa, bits) + 0.5), exponent - bits - shift);
 }
 
-}  // namespace tetloft::sections
+}  // namespace tetloft::internal::sections

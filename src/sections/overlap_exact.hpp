@@ -4,7 +4,7 @@
 #include "sections/big_integer.hpp"
 #include "sections/trapezoids.hpp"
 
-namespace tetloft::sections {
+namespace tetloft::internal::sections {
 
 /// Areas in one unit: the overlap is numerator / denominator, the smaller area `smaller`;
 /// denominator and smaller are positive.
@@ -21,4 +21,4 @@ struct ExactOverlap {
 /// a positive overlap.
 [[nodiscard]] double rounded_ratio(const ExactOverlap& overlap, int bits);
 
-}  // namespace tetloft::sections
+}  // namespace tetloft::internal::sections

@@ -13,7 +13,7 @@
 
 #include "sections/trapezoids.hpp"
 
-namespace tetloft::sections {
+namespace tetloft::internal::sections {
 
 /// The edges that have a common range of x with `box`, sorted as visit_pairs() needs them
 /// and independently of the order of contours and vertices.
@@ -69,4 +69,4 @@ void visit_pairs(const std::vector<Trapezoid>& a, const std::vector<Trapezoid>& 
   }
 }
 
-}  // namespace tetloft::sections
+}  // namespace tetloft::internal::sections

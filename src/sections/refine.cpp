@@ -15,6 +15,8 @@
 
 namespace tetloft {
 
+using namespace internal;
+
 namespace {
 
 // More parts than this in all are a slip in the unit of length.

@@ -28,6 +28,8 @@
 
 namespace tetloft {
 
+using namespace internal;
+
 namespace {
 
 using sections::Arrangement;

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace tetloft::sections {
+namespace tetloft::internal::sections {
 
 UnitOfLength unit_of(const SectionStack& stack) {
   UnitOfLength unit;
@@ -18,7 +18,7 @@ UnitOfLength unit_of(const SectionStack& stack) {
 Section scaled_in_plane(const Section& section, int exponent) {
   Section result = section;
   for (Contour& contour : result.contours) {
-    for (Point2& p : contour.vertices) p = tetloft::scaled(p, exponent);
+    for (Point2& p : contour.vertices) p = internal::scaled(p, exponent);
   }
   return result;
 }
@@ -33,4 +33,4 @@ SectionStack scaled(const SectionStack& stack, int exponent) {
   return result;
 }
 
-}  // namespace tetloft::sections
+}  // namespace tetloft::internal::sections

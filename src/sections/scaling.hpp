@@ -5,7 +5,7 @@
 
 #include "core/unit_of_length.hpp"
 
-namespace tetloft::sections {
+namespace tetloft::internal::sections {
 
 /// The unit of all coordinates.
 [[nodiscard]] UnitOfLength unit_of(const SectionStack& stack);
@@ -15,4 +15,4 @@ namespace tetloft::sections {
 /// The same of the contours; z stays as it is.
 [[nodiscard]] Section scaled_in_plane(const Section& section, int exponent);
 
-}  // namespace tetloft::sections
+}  // namespace tetloft::internal::sections

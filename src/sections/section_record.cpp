@@ -12,7 +12,7 @@
 #include "core/record.hpp"
 #include "sections/conforming_section.hpp"
 
-namespace tetloft::sections {
+namespace tetloft::internal::sections {
 
 namespace {
 
@@ -194,4 +194,4 @@ Result<ConformingSection> section_from_record(std::string_view bytes, const std:
   });
 }
 
-}  // namespace tetloft::sections
+}  // namespace tetloft::internal::sections

@@ -6,7 +6,7 @@
 
 #include <tetloft/conforming_section.hpp>
 
-namespace tetloft::sections {
+namespace tetloft::internal::sections {
 
 [[nodiscard]] std::string to_record(const ConformingSection& section);
 
@@ -17,4 +17,4 @@ namespace tetloft::sections {
 [[nodiscard]] Result<ConformingSection> section_from_record(std::string_view bytes,
                                                             const std::string& name);
 
-}  // namespace tetloft::sections
+}  // namespace tetloft::internal::sections

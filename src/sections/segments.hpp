@@ -4,7 +4,7 @@
 #include <tetloft/point.hpp>
 #include <tetloft/predicates.hpp>
 
-namespace tetloft::sections {
+namespace tetloft::internal::sections {
 
 /// Requires a ≠ b. Is p, known to be collinear with a and b, strictly between them?
 [[nodiscard]] inline bool strictly_between(const Point2& a, const Point2& b, const Point2& p) {
@@ -26,4 +26,4 @@ namespace tetloft::sections {
   return cda != Sign::zero && orient2d(c, d, b) == -cda;
 }
 
-}  // namespace tetloft::sections
+}  // namespace tetloft::internal::sections

@@ -10,6 +10,8 @@
 
 namespace tetloft {
 
+using namespace internal;
+
 namespace {
 
 Point2 dual_vertex(const ConformingSection& section, TriangleId t) {

@@ -15,6 +15,8 @@
 
 namespace tetloft {
 
+using namespace internal;
+
 namespace {
 
 // The exponent of the least power of two not below the largest coordinate magnitude.

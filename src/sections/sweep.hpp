@@ -19,7 +19,7 @@
 #include <tetloft/point.hpp>
 #include <tetloft/predicates.hpp>
 
-namespace tetloft::sections {
+namespace tetloft::internal::sections {
 
 /// An edge from its lower to its higher end in canonical order; the ends differ.
 struct SweepEdge {
@@ -135,4 +135,4 @@ class Sweep {
   std::vector<Iterator> place_;  // place_[edge]: where it is in the status
 };
 
-}  // namespace tetloft::sections
+}  // namespace tetloft::internal::sections

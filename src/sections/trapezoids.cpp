@@ -7,7 +7,7 @@
 
 #include "sections/nesting.hpp"
 
-namespace tetloft::sections {
+namespace tetloft::internal::sections {
 
 namespace {
 
@@ -142,4 +142,4 @@ BigInteger twice_area(const std::vector<IntegerTrapezoid<Int128>>& edges) {
   return twice_area_of(edges);
 }
 
-}  // namespace tetloft::sections
+}  // namespace tetloft::internal::sections

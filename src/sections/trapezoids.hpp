@@ -16,7 +16,7 @@
 #include "sections/box_tree.hpp"
 #include "sections/interval.hpp"
 
-namespace tetloft::sections {
+namespace tetloft::internal::sections {
 
 /// The edge from left to right, left.x < right.x.
 struct Trapezoid {
@@ -62,4 +62,4 @@ template <class Int>
 [[nodiscard]] BigInteger twice_area(const std::vector<IntegerTrapezoid<BigInteger>>& edges);
 [[nodiscard]] BigInteger twice_area(const std::vector<IntegerTrapezoid<Int128>>& edges);
 
-}  // namespace tetloft::sections
+}  // namespace tetloft::internal::sections

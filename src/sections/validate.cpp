@@ -22,6 +22,8 @@
 
 namespace tetloft {
 
+using namespace internal;
+
 namespace {
 
 using sections::Defect;

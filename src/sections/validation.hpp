@@ -6,9 +6,9 @@
 
 #include "core/watched_work.hpp"
 
-namespace tetloft::sections {
+namespace tetloft::internal::sections {
 
 /// validate() that tells a step of `work` for each section. Throws what its steps throw.
 [[nodiscard]] Result<void> validate_within(const SectionStack& stack, WatchedWork& work);
 
-}  // namespace tetloft::sections
+}  // namespace tetloft::internal::sections

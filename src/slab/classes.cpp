@@ -2,7 +2,7 @@
 
 #include "core/union_find.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 SlabClasses::SlabClasses(const ConformingSection& lower, const ConformingSection& upper,
                          const std::vector<Link>& links)
@@ -37,4 +37,4 @@ SlabClasses::SlabClasses(const ConformingSection& lower, const ConformingSection
   }
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

@@ -9,7 +9,7 @@
 #include "slab/link.hpp"
 #include "slab/numbering.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 using ClassId = Id<struct ClassTag>;
 
@@ -42,4 +42,4 @@ class SlabClasses {
   IdVector<SlabVertexId, SlabRegionId> region_of_vertex_;
 };
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

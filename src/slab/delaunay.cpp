@@ -5,7 +5,7 @@
 #include "core/guard.hpp"
 #include "slab/work_limit.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 namespace {
 
@@ -54,4 +54,4 @@ Result<TetMesh> slab_delaunay(SlabId id, const ConformingSection& lower,
   return too_much_work(id, lower, upper, most_tets);
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

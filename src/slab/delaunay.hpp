@@ -6,7 +6,7 @@
 #include <tetloft/result.hpp>
 #include <tetloft/tet_mesh.hpp>
 
-namespace tetloft {
+namespace tetloft::internal {
 
 /// D of a slab: canonical tets over the points of both planes, lower first. Fails (work_limit)
 /// naming the slab, where it has more tets than `work_limit` allows (ReconstructOptions).
@@ -14,4 +14,4 @@ namespace tetloft {
                                             const ConformingSection& upper, DelaunayEngine engine,
                                             double work_limit);
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

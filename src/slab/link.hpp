@@ -5,7 +5,7 @@
 
 #include <tetloft/ids.hpp>
 
-namespace tetloft {
+namespace tetloft::internal {
 
 /// A link between a region below and a region above one slab.
 struct Link {
@@ -15,4 +15,4 @@ struct Link {
   friend auto operator<=>(const Link&, const Link&) = default;
 };
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

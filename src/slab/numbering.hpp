@@ -10,7 +10,7 @@
 
 #include <tetloft/ids.hpp>
 
-namespace tetloft {
+namespace tetloft::internal {
 
 /// A vertex of a slab: of its lower section, then of its upper one, each by (x, y).
 using SlabVertexId = Id<struct SlabVertexTag>;
@@ -63,4 +63,4 @@ class StackVertices {
   std::vector<std::size_t> first_{0};
 };
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

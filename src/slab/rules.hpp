@@ -8,7 +8,7 @@
 
 #include "core/cpu_clock.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 using RuleCounts = std::array<std::uint64_t, kRules>;
 /// CPU seconds by step.
@@ -33,4 +33,4 @@ class StepClock {
   WorkStopwatch watch_;
 };
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

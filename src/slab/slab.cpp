@@ -4,7 +4,7 @@
 
 #include "core/guard.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 Slab::Slab(const ConformingSection& lower, const ConformingSection& upper, TetMesh mesh)
     : lower_(&lower),
@@ -77,4 +77,4 @@ TetId Slab::tet_at_edge(bool in_upper, EdgeId e) const {
   return tet_on_[in_upper ? 1 : 0][triangle];
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

@@ -16,7 +16,7 @@
 
 #include "slab/numbering.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 /// Is corner i in a mask over a tet's corners?
 [[nodiscard]] constexpr bool has_corner(unsigned mask, int i) { return ((mask >> i) & 1U) != 0; }
@@ -104,4 +104,4 @@ class Slab {
   std::array<IdVector<TriangleId, TetId>, 2> tet_on_;
 };
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace tetloft {
+namespace tetloft::internal {
 
 /// Sections and slabs of fewer vertices may take as much work as one of so many: seconds, and
 /// some hundred megabytes, by the default limit.
@@ -28,4 +28,4 @@ inline constexpr std::size_t kWorkPerInserted = 16;
   return std::max<std::size_t>(1, most_work(limit, vertices) / kWorkPerInserted);
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

@@ -8,7 +8,7 @@
 
 #include <tetloft/predicates.hpp>
 
-namespace tetloft {
+namespace tetloft::internal {
 
 namespace {
 
@@ -134,4 +134,4 @@ void squeeze_cuts(IdVector<NodeId, Point3>& points, const SlabClasses& classes,
   }
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

@@ -16,7 +16,7 @@
 #include "subdivision/subdivision.hpp"
 #include "subdivision/truncation.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 /// Moves cuts of the pieces `bad` (indices into truncation.pieces), and of the children they
 /// lie in, to where the children split by them are positive. `heights` are the doubles between the
@@ -25,4 +25,4 @@ void squeeze_cuts(IdVector<NodeId, Point3>& points, const SlabClasses& classes,
                   const Subdivision& subdivision, const Truncation& truncation,
                   std::span<const std::size_t> bad, DoubleRange heights);
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

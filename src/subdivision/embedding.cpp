@@ -10,7 +10,7 @@
 #include "mesh/face_groups.hpp"
 #include "subdivision/cut_squeezing.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 namespace {
 
@@ -235,4 +235,4 @@ Embedding::Outcome Embedding::settle() {
   return Outcome::failed;
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

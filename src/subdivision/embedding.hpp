@@ -32,7 +32,7 @@
 #include "subdivision/lifting.hpp"
 #include "subdivision/prism.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 /// A lone class and how it ends.
 struct LoneEnd {
@@ -120,4 +120,4 @@ class Embedding {
   std::uint64_t work_ = 0;
 };
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

@@ -9,7 +9,7 @@
 
 #include "subdivision/squeeze.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 namespace {
 
@@ -239,4 +239,4 @@ double Lifting::smallest_fraction() const {
   return smallest;
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

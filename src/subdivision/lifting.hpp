@@ -27,7 +27,7 @@
 #include "core/buckets.hpp"
 #include "subdivision/subdivision.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 /// A lifted vertex rises at least this share of its external edge's length, or of the gap
 /// if that is less, or the slab is refused. So little only where features are as thin: two nearly
@@ -86,4 +86,4 @@ class Lifting {
   Point3 at_;
 };
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

@@ -8,7 +8,7 @@
 
 #include "slab/numbering.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 using NodeId = Id<struct NodeTag>;
 /// A vertex that left its section plane: subdivision.hpp.
@@ -64,4 +64,4 @@ class Nodes {
   std::size_t first_cap_ = 0;
 };
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

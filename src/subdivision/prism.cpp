@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace tetloft {
+namespace tetloft::internal {
 
 IdVector<RegionId, std::vector<TriangleId>> triangles_by_region(const ConformingSection& section) {
   IdVector<RegionId, std::vector<TriangleId>> result(section.nesting.outer.size());
@@ -41,4 +41,4 @@ void extrude(const ConformingSection& section, const std::vector<TriangleId>& tr
   }
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

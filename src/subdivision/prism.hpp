@@ -11,7 +11,7 @@
 
 #include "subdivision/truncation.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 /// The internal triangles of each region of a section.
 [[nodiscard]] IdVector<RegionId, std::vector<TriangleId>> triangles_by_region(
@@ -35,4 +35,4 @@ void extrude(const ConformingSection& section, const std::vector<TriangleId>& tr
              const std::vector<PlaneVertexId>& vertices, SlabRegionId region,
              const PrismNodes& prism, std::vector<Piece>& pieces);
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

@@ -6,7 +6,7 @@
 
 #include <tetloft/predicates.hpp>
 
-namespace tetloft {
+namespace tetloft::internal {
 
 namespace {
 
@@ -101,4 +101,4 @@ bool squeeze(IdVector<NodeId, Point3>& points, std::span<const std::array<NodeId
   return false;
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

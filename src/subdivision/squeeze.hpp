@@ -18,7 +18,7 @@
 
 #include "subdivision/nodes.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 /// The doubles from `first` to `last`.
 struct DoubleRange {
@@ -44,4 +44,4 @@ enum class Axis : std::uint8_t { x, y, z };
                            std::span<const std::array<NodeId, 4>> tets, NodeId v,
                            DoubleRange heights, double reach);
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

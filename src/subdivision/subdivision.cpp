@@ -5,7 +5,7 @@
 
 #include "core/guard.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 namespace {
 
@@ -257,4 +257,4 @@ Subdivision subdivide(const Slab& slab, const Complex& complex, RuleCounts& rule
   return Subdivider(slab, complex, rules).run();
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

@@ -16,7 +16,7 @@
 #include "completion/complex.hpp"
 #include "subdivision/nodes.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 /// A vertex that will leave its section plane: the midpoint of an external edge, or the
 /// interior vertex of a triangular hole.
@@ -44,4 +44,4 @@ struct Subdivision {
 
 [[nodiscard]] Subdivision subdivide(const Slab& slab, const Complex& complex, RuleCounts& rules);
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

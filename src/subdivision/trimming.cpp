@@ -8,7 +8,7 @@
 #include "core/union_find.hpp"
 #include "subdivision/trimming_distance.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 namespace {
 
@@ -152,4 +152,4 @@ IdVector<LiftedId, std::uint8_t> choose_trimmed(const Slab& slab, const SlabClas
   return Trimmer(slab, classes, complex, subdivision, lifting).run();
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

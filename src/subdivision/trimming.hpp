@@ -17,7 +17,7 @@
 
 #include "subdivision/lifting.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 /// Lifted vertices further sideways of both regions than this are trimmed, in gaps.
 inline constexpr double kLargestOverhang = 0.5;
@@ -29,4 +29,4 @@ inline constexpr double kLargestOverhang = 0.5;
                                                               const Subdivision& subdivision,
                                                               const Lifting& lifting);
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

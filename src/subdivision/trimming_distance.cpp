@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace tetloft {
+namespace tetloft::internal {
 
 namespace {
 
@@ -62,4 +62,4 @@ bool RegionDistance::contains(const Point2& p) const {
   return inside;
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

@@ -10,7 +10,7 @@
 
 #include "sections/box_tree.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 class RegionDistance {
  public:
@@ -33,4 +33,4 @@ class RegionDistance {
   double largest_ = 0;       // coordinate of theirs
 };
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

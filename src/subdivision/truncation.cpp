@@ -6,7 +6,7 @@
 
 #include "core/guard.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 std::array<std::array<NodeId, 4>, 3> split_prism(const std::array<NodeId, 6>& prism) {
   // The symmetries of the prism that keep its orientation and bring vertex i to the front.
@@ -195,4 +195,4 @@ Truncation truncate(const Slab& slab, const SlabClasses& classes, const Complex&
   return Truncator(slab, classes, complex, subdivision, trimmed).run();
 }
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

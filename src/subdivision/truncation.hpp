@@ -18,7 +18,7 @@
 
 #include "subdivision/subdivision.hpp"
 
-namespace tetloft {
+namespace tetloft::internal {
 
 /// Cuts are at weight 1/2 + ε where nothing asks for more. Two classes that share an edge
 /// end 2 ε of its length apart.
@@ -59,4 +59,4 @@ struct Truncation {
 /// tets by diagonals from lowest ids. Tets are positive if (a, b, c, d) and the prism are.
 [[nodiscard]] std::array<std::array<NodeId, 4>, 3> split_prism(const std::array<NodeId, 6>& prism);
 
-}  // namespace tetloft
+}  // namespace tetloft::internal

@@ -7,6 +7,8 @@
 #include "core/little_endian.hpp"
 
 namespace tetloft {
+
+using namespace internal;
 namespace {
 
 using test::expect_failure;

@@ -12,6 +12,9 @@
 #include "unit/io/io_support.hpp"
 
 namespace tetloft::cli {
+
+using namespace internal;
+
 namespace {
 
 // A program that has written most of three files when it is asked to end.

@@ -21,6 +21,8 @@
 #include "support/stacks/generate.hpp"
 
 namespace tetloft::testing {
+
+using namespace internal;
 namespace {
 
 constexpr std::uint64_t kFirstSeed = 700;

@@ -20,6 +20,8 @@
 #include "support/stacks/generate.hpp"
 
 namespace tetloft::testing {
+
+using namespace internal;
 namespace {
 
 constexpr std::uint64_t kSeed = 20261128;

@@ -15,6 +15,8 @@
 #include "support/stacks/shrink.hpp"
 
 namespace tetloft::testing {
+
+using namespace internal;
 namespace {
 
 constexpr std::array kCriteria{Criterion::overlap, Criterion::reverse};

@@ -15,6 +15,8 @@
 #include "robustness/inputs.hpp"
 
 namespace tetloft::test {
+
+using namespace internal;
 namespace {
 
 TEST(Threads, ThatCannotBeMadeAreDoneWithout) {

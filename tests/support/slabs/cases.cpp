@@ -12,6 +12,8 @@
 
 namespace tetloft::testing {
 
+using namespace internal;
+
 namespace {
 
 template <class T>

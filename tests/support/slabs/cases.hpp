@@ -20,6 +20,8 @@
 
 namespace tetloft::testing {
 
+using namespace internal;
+
 /// A stack from NUAGES text. Requires valid text.
 [[nodiscard]] SectionStack stack_from(std::string_view text);
 /// A file of the repository's data folder, by its path in it.

@@ -11,6 +11,8 @@
 
 namespace tetloft::testing {
 
+using namespace internal;
+
 struct Completed {
   IdVector<ClassId, std::uint8_t> active;
   Complex seed;

@@ -11,6 +11,8 @@
 
 namespace tetloft::testing {
 
+using namespace internal;
+
 class Bitmap {
  public:
   Bitmap(int width, int height) : width_(width), height_(height), pixels_(size()) {}

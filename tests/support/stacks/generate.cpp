@@ -9,6 +9,8 @@
 #include "support/stacks/shapes.hpp"
 
 namespace tetloft::testing {
+
+using namespace internal;
 namespace {
 
 SectionStack draft_for_labels(Prng& prng) {

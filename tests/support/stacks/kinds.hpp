@@ -10,6 +10,8 @@
 
 namespace tetloft::testing {
 
+using namespace internal;
+
 // kinds_lattice.cpp
 SectionStack draft_lattice_marching_squares(Prng& prng);
 SectionStack draft_lattice_staircase(Prng& prng);

@@ -11,6 +11,8 @@
 
 namespace tetloft::testing {
 
+using namespace internal;
+
 using Layer = std::vector<Contour>;  ///< the contours of one section
 
 inline constexpr double kPi = 3.141592653589793;

@@ -12,6 +12,8 @@
 
 namespace tetloft::testing {
 
+using namespace internal;
+
 /// A region with a triangulation that has no vertices but those of its contours.
 struct Shape {
   std::vector<Contour> contours;

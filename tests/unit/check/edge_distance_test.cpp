@@ -9,6 +9,8 @@
 #include "support/exact/rational.hpp"
 
 namespace tetloft {
+
+using namespace internal;
 namespace {
 
 using checking::advances;

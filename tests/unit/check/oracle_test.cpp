@@ -17,6 +17,9 @@
 #include "unit/check/verdict_text.hpp"
 
 namespace tetloft {
+
+using namespace internal;
+
 namespace {
 
 using testing::Case;

@@ -15,6 +15,8 @@
 #include "support/stacks/generate.hpp"
 
 namespace tetloft {
+
+using namespace internal;
 namespace {
 
 using checking::Link;

@@ -15,6 +15,8 @@
 #include "unit/check/verdict_text.hpp"
 
 namespace tetloft {
+
+using namespace internal;
 namespace {
 
 using testing::Case;

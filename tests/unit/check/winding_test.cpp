@@ -8,6 +8,8 @@
 #include "unit/check/columns.hpp"
 
 namespace tetloft {
+
+using namespace internal;
 namespace {
 
 // Adds the surface of a cube, outward or inward; returns nothing of it shared.

@@ -12,6 +12,8 @@
 #include "support/slabs/steps.hpp"
 
 namespace tetloft::testing {
+
+using namespace internal;
 namespace {
 
 using Triangle = std::set<SlabVertexId>;

@@ -9,6 +9,8 @@
 #include "support/slabs/steps.hpp"
 
 namespace tetloft::testing {
+
+using namespace internal;
 namespace {
 
 // The regions of a class fall into so many sets if those joined by an edge of D hang together.

@@ -10,6 +10,8 @@
 #include "support/slabs/steps.hpp"
 
 namespace tetloft::testing {
+
+using namespace internal;
 namespace {
 
 Contour convex(Prng& prng, std::size_t corners) {

@@ -10,6 +10,8 @@
 #include "support/slabs/cases.hpp"
 
 namespace tetloft::testing {
+
+using namespace internal;
 namespace {
 
 Contour rectangle_hole() { return box(2, -3, 8, 3); }

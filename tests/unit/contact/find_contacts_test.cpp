@@ -10,6 +10,8 @@
 #include "core/prng.hpp"
 
 namespace tetloft::contact_test {
+
+using namespace internal;
 namespace {
 
 struct Soup {

@@ -8,6 +8,8 @@
 #include "unit/contact/oracle.hpp"
 
 namespace tetloft::contact_test {
+
+using namespace internal;
 namespace {
 
 using contact_detail::segments_meet;

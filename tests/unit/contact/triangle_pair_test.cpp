@@ -12,6 +12,8 @@
 #include "unit/contact/oracle.hpp"
 
 namespace tetloft::contact_test {
+
+using namespace internal;
 namespace {
 
 TriangleVertices triangle(std::size_t a, std::size_t b, std::size_t c) {

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <vector>
 
-namespace tetloft::core {
+namespace tetloft::internal::core {
 namespace {
 
 // Walks over all cells of a grid.
@@ -61,4 +61,4 @@ TEST(HilbertIndex, UsesAllBits) {
 }
 
 }  // namespace
-}  // namespace tetloft::core
+}  // namespace tetloft::internal::core

@@ -10,6 +10,8 @@
 #include <vector>
 
 namespace tetloft {
+
+using namespace internal;
 namespace {
 
 TEST(ThreadCount, IsWhatWasAskedForOrAtLeastOne) {

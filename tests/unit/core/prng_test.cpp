@@ -9,6 +9,8 @@
 #include <vector>
 
 namespace tetloft {
+
+using namespace internal;
 namespace {
 
 TEST(Prng, YieldsTheReferenceSequenceOfSplitMix64) {

@@ -8,6 +8,8 @@
 #include <vector>
 
 namespace tetloft::testing {
+
+using namespace internal;
 namespace {
 
 constexpr RecordKind kKind{"test", 3, "a test"};

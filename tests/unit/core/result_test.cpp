@@ -12,6 +12,8 @@
 #include "core/guard.hpp"
 
 namespace tetloft {
+
+using namespace internal;
 namespace {
 
 TEST(Result, HoldsAValue) {

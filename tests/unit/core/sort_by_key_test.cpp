@@ -4,7 +4,7 @@
 
 #include "core/prng.hpp"
 
-namespace tetloft::core {
+namespace tetloft::internal::core {
 namespace {
 
 void expect_sorted(std::vector<Keyed> entries) {
@@ -32,4 +32,4 @@ TEST(SortByKey, SortsByKeyThenPlace) {
 }
 
 }  // namespace
-}  // namespace tetloft::core
+}  // namespace tetloft::internal::core

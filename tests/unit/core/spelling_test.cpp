@@ -10,6 +10,8 @@
 #include "core/prng.hpp"
 
 namespace tetloft {
+
+using namespace internal;
 namespace {
 
 const std::vector<std::string_view> kWords{"reconstruct", "check",  "delaunay",

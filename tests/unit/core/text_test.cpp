@@ -10,6 +10,8 @@
 #include "core/prng.hpp"
 
 namespace tetloft {
+
+using namespace internal;
 namespace {
 
 // By the definition instead of the table: decode as the lead byte says, then require the shortest

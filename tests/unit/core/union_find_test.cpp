@@ -10,6 +10,8 @@
 #include "core/prng.hpp"
 
 namespace tetloft {
+
+using namespace internal;
 namespace {
 
 TEST(UnionFind, StartsWithEveryElementAlone) {

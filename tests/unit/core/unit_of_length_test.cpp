@@ -9,6 +9,8 @@
 #include "core/prng.hpp"
 
 namespace tetloft {
+
+using namespace internal;
 namespace {
 
 int unit_exponent(const std::vector<double>& numbers) {

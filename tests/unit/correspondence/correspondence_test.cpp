@@ -13,6 +13,8 @@
 #include "support/slabs/cases.hpp"
 
 namespace tetloft::testing {
+
+using namespace internal;
 namespace {
 
 // The partition by contours of the original order, renumbered by first contour.

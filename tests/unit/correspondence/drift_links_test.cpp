@@ -13,6 +13,8 @@
 #include "support/slabs/cases.hpp"
 
 namespace tetloft::testing {
+
+using namespace internal;
 namespace {
 
 using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;

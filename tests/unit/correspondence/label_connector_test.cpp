@@ -10,6 +10,8 @@
 #include "support/slabs/cases.hpp"
 
 namespace tetloft::testing {
+
+using namespace internal;
 namespace {
 
 Result<Reconstruction> reconstruct_labelled(const SectionStack& stack, std::string_view labels) {

@@ -11,6 +11,8 @@
 #include "support/slabs/cases.hpp"
 
 namespace tetloft::testing {
+
+using namespace internal;
 namespace {
 
 // By triangles: both incident ones in the region, or none (and the edge off the contours).

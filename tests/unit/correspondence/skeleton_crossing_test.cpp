@@ -18,6 +18,8 @@
 #include "support/voronoi_crossings.hpp"
 
 namespace tetloft::testing {
+
+using namespace internal;
 namespace {
 
 using oracle::Meeting;

@@ -13,6 +13,8 @@
 #include "correspondence/labelled_sets.hpp"
 
 namespace tetloft::testing {
+
+using namespace internal;
 namespace {
 
 IdVector<SectionId, Nesting> nestings_of(const std::vector<std::size_t>& regions) {

@@ -5,7 +5,7 @@
 #include "planar_sets.hpp"
 #include "support/exact/rational.hpp"
 
-namespace tetloft::delaunay2_detail {
+namespace tetloft::internal::delaunay2_detail {
 namespace {
 
 /// Every end of every segment against every other end there.
@@ -82,4 +82,4 @@ TEST(AcuteEnds, RightAnglesAreNotAcute) {
 }
 
 }  // namespace
-}  // namespace tetloft::delaunay2_detail
+}  // namespace tetloft::internal::delaunay2_detail

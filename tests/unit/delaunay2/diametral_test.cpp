@@ -7,7 +7,7 @@
 #include "planar_sets.hpp"
 #include "support/exact/rational.hpp"
 
-namespace tetloft::delaunay2_detail {
+namespace tetloft::internal::delaunay2_detail {
 namespace {
 
 int oracle_sign(const Point2& a, const Point2& v, const Point2& b) {
@@ -68,4 +68,4 @@ TEST(AngleSign, AgreesWithRationalsAtAllScales) {
 }
 
 }  // namespace
-}  // namespace tetloft::delaunay2_detail
+}  // namespace tetloft::internal::delaunay2_detail

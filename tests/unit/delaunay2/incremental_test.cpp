@@ -6,7 +6,7 @@
 
 #include "planar_sets.hpp"
 
-namespace tetloft::delaunay2_detail {
+namespace tetloft::internal::delaunay2_detail {
 namespace {
 
 const SiteId v1{1}, v2{2}, v3{3};
@@ -99,4 +99,4 @@ TEST(Incremental2, LabelsSurviveWhileTheirEdgeDoes) {
 }
 
 }  // namespace
-}  // namespace tetloft::delaunay2_detail
+}  // namespace tetloft::internal::delaunay2_detail

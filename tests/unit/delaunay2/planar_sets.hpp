@@ -10,6 +10,8 @@
 
 namespace tetloft::test {
 
+using namespace internal;
+
 using Points = std::vector<Point2>;
 
 /// Points and segments between them.

@@ -8,7 +8,7 @@
 #include "core/prng.hpp"
 #include "support/exact/rational.hpp"
 
-namespace tetloft::delaunay2_detail {
+namespace tetloft::internal::delaunay2_detail {
 namespace {
 
 using oracle::Rational;
@@ -137,4 +137,4 @@ TEST(Ray, MeasuresLengthsOfAnyScale) {
 }
 
 }  // namespace
-}  // namespace tetloft::delaunay2_detail
+}  // namespace tetloft::internal::delaunay2_detail

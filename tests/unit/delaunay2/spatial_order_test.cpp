@@ -9,7 +9,7 @@
 
 #include "planar_sets.hpp"
 
-namespace tetloft::delaunay2_detail {
+namespace tetloft::internal::delaunay2_detail {
 namespace {
 
 TEST(InsertionOrder, IsAPermutation) {
@@ -67,4 +67,4 @@ TEST(InsertionOrder, KeepsNeighboursTogether) {
 }
 
 }  // namespace
-}  // namespace tetloft::delaunay2_detail
+}  // namespace tetloft::internal::delaunay2_detail

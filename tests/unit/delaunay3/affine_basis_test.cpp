@@ -5,6 +5,8 @@
 #include "support.hpp"
 
 namespace tetloft::test {
+
+using namespace internal;
 namespace {
 
 using delaunay3_detail::affine_basis;

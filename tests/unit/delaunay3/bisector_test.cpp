@@ -10,6 +10,8 @@
 #include "support.hpp"
 
 namespace tetloft::test {
+
+using namespace internal;
 namespace {
 
 using delaunay3_detail::Bisector;

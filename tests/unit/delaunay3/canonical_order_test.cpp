@@ -8,6 +8,8 @@
 #include "support.hpp"
 
 namespace tetloft::test {
+
+using namespace internal;
 namespace {
 
 void expect_canonical(const Points& points) {

@@ -9,6 +9,8 @@
 #include "support.hpp"
 
 namespace tetloft::test {
+
+using namespace internal;
 namespace {
 
 using delaunay3_detail::insertion_order;

@@ -16,6 +16,8 @@
 
 namespace tetloft::test {
 
+using namespace internal;
+
 using Points = std::vector<Point3>;
 
 /// delaunay3 of valid points; a failure ends the test as an exception.

@@ -21,6 +21,8 @@
 #include "support/stacks/generate.hpp"
 
 namespace tetloft::testing {
+
+using namespace internal;
 namespace {
 
 Contour ngon(std::size_t n, double x, double y, double r) {

@@ -13,6 +13,8 @@
 #include "unit/io/io_support.hpp"
 
 namespace tetloft {
+
+using namespace internal;
 namespace {
 
 // A convex polygon with numbers of many digits.

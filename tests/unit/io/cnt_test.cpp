@@ -10,6 +10,8 @@
 #include "unit/io/io_support.hpp"
 
 namespace tetloft {
+
+using namespace internal;
 namespace {
 
 using test::bits;

@@ -20,7 +20,7 @@
 #include "io/stage.hpp"
 #include "unit/io/io_support.hpp"
 
-namespace tetloft::io {
+namespace tetloft::internal::io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -311,4 +311,4 @@ TEST(ExtensionOf, IsLowerCaseAndOfTheLastPart) {
 }
 
 }  // namespace
-}  // namespace tetloft::io
+}  // namespace tetloft::internal::io

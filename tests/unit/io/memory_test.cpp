@@ -45,6 +45,8 @@ void operator delete(void* p, std::size_t) noexcept { uncounted(p); }
 void operator delete[](void* p, std::size_t) noexcept { uncounted(p); }
 
 namespace tetloft {
+
+using namespace internal;
 namespace {
 
 // The most that `work` held beyond what there was.

@@ -11,7 +11,7 @@
 #include "core/prng.hpp"
 #include "unit/io/io_support.hpp"
 
-namespace tetloft::io {
+namespace tetloft::internal::io {
 namespace {
 
 using test::bits;
@@ -133,4 +133,4 @@ TEST(InQuotes, IsShortAndPrintable) {
 }
 
 }  // namespace
-}  // namespace tetloft::io
+}  // namespace tetloft::internal::io

@@ -18,6 +18,8 @@
 
 namespace tetloft::mesh_test {
 
+using namespace internal;
+
 using Soup = std::vector<TetVertices>;
 
 inline TetVertices tet(int a, int b, int c, int d) {

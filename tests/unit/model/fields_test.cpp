@@ -11,6 +11,8 @@
 #include "model/well_formed.hpp"
 
 namespace tetloft {
+
+using namespace internal;
 namespace {
 
 TEST(ModelFields, AreNamedOnceAndSomeAreOnSurfaces) {

@@ -13,7 +13,7 @@
 #include "support/exact/big_int.hpp"
 #include "support/exact/rational.hpp"
 
-namespace tetloft::predicates {
+namespace tetloft::internal::predicates {
 
 namespace {
 
@@ -131,4 +131,4 @@ TEST(Lattice, RefusesWhatDoesNotFit) {
 
 }  // namespace
 
-}  // namespace tetloft::predicates
+}  // namespace tetloft::internal::predicates

@@ -13,6 +13,8 @@
 
 namespace tetloft::test {
 
+using namespace internal;
+
 /// Arguments of any predicate; those of fewer points take the first, those in the plane
 /// x and y.
 using Points = std::array<Point3, 5>;

@@ -12,6 +12,8 @@
 
 namespace tetloft::oracle {
 
+using namespace internal;
+
 namespace {
 
 std::int64_t small(Prng& prng) {

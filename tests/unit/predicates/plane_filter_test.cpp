@@ -11,6 +11,8 @@
 #include "predicates/plane_filter.hpp"
 
 namespace tetloft::test {
+
+using namespace internal;
 namespace {
 
 using predicates::PlaneFilter;

@@ -10,6 +10,8 @@
 #include "predicates/set_filter.hpp"
 
 namespace tetloft::test {
+
+using namespace internal;
 namespace {
 
 using predicates::SetFilter;

@@ -12,6 +12,8 @@
 #include "support/slabs/cases.hpp"
 
 namespace tetloft::testing {
+
+using namespace internal;
 namespace {
 
 struct Deciding {

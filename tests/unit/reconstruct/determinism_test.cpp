@@ -12,6 +12,8 @@
 #include "support/slabs/cases.hpp"
 
 namespace tetloft::testing {
+
+using namespace internal;
 namespace {
 
 constexpr std::uint64_t kSeed = 500;

@@ -14,6 +14,8 @@
 #include "support/slabs/cases.hpp"
 
 namespace tetloft::testing {
+
+using namespace internal;
 namespace {
 
 // Three sections of one, two and one regions at z = 0, 1, 2, each region with a component of its

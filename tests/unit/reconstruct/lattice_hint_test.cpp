@@ -9,6 +9,8 @@
 #include <utility>
 
 namespace tetloft::testing {
+
+using namespace internal;
 namespace {
 
 using Computed = std::function<double(int)>;

@@ -10,6 +10,8 @@
 #include "support/slabs/cases.hpp"
 
 namespace tetloft::testing {
+
+using namespace internal;
 namespace {
 
 Result<PreparedStack> prepared(const SectionStack& stack, Unit unit,

@@ -15,6 +15,8 @@
 #include "support/slabs/cases.hpp"
 
 namespace tetloft::testing {
+
+using namespace internal;
 namespace {
 
 struct Sections {

@@ -8,7 +8,7 @@
 #include "core/prng.hpp"
 #include "render/items.hpp"
 
-namespace tetloft::render {
+namespace tetloft::internal::render {
 namespace {
 
 constexpr std::size_t kSide = 512;
@@ -132,4 +132,4 @@ TEST(DepthPyramid, HidesWhatLiesBehindSquaresThatAreFull) {
 }
 
 }  // namespace
-}  // namespace tetloft::render
+}  // namespace tetloft::internal::render

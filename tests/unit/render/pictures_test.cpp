@@ -18,6 +18,8 @@
 #include "unit/render/inflate.hpp"
 
 namespace tetloft {
+
+using namespace internal;
 namespace {
 
 // Boxes [0, 2] × [0, 2] × [3 k, 3 k + 3] with k = 0 … slabs − 1, side by side in x by components:

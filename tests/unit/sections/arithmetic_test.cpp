@@ -9,6 +9,8 @@
 #include "support/exact/rational.hpp"
 
 namespace tetloft::testing {
+
+using namespace internal;
 namespace {
 
 using oracle::Rational;

@@ -8,6 +8,8 @@
 #include "sections/box_tree.hpp"
 
 namespace tetloft::testing {
+
+using namespace internal;
 namespace {
 
 using sections::Box;

@@ -9,6 +9,8 @@
 #include "unit/sections/shapes.hpp"
 
 namespace tetloft::testing {
+
+using namespace internal;
 namespace {
 
 using oracle::Rational;

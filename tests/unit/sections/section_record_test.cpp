@@ -11,6 +11,8 @@
 #include "support/stacks/generate.hpp"
 
 namespace tetloft::testing {
+
+using namespace internal;
 namespace {
 
 bool same_edges(const ConformingSection& a, const ConformingSection& b) {

@@ -11,6 +11,8 @@
 
 namespace tetloft::testing {
 
+using namespace internal;
+
 [[nodiscard]] Contour contour(std::initializer_list<Point2> vertices);
 /// The axis-parallel rectangle [x0, x1] × [y0, y1], counter-clockwise.
 [[nodiscard]] Contour rectangle(double x0, double y0, double x1, double y1);

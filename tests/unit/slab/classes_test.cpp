@@ -8,6 +8,8 @@
 #include "support/slabs/cases.hpp"
 
 namespace tetloft::testing {
+
+using namespace internal;
 namespace {
 
 TEST(SlabClasses, AreTheUnionsOfLinksNumberedByFirstRegion) {

@@ -11,6 +11,8 @@
 #include "support/slabs/cases.hpp"
 
 namespace tetloft::testing {
+
+using namespace internal;
 namespace {
 
 std::vector<Point3> points_of(const SlabCase& c) {

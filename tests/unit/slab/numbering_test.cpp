@@ -8,6 +8,8 @@
 #include <vector>
 
 namespace tetloft::testing {
+
+using namespace internal;
 namespace {
 
 TEST(SlabNumbering, CountsTheLowerSectionThenTheUpperOne) {

@@ -15,6 +15,8 @@
 #include "support/slabs/cases.hpp"
 
 namespace tetloft::testing {
+
+using namespace internal;
 namespace {
 
 // The kind of an in-plane edge, from the triangles on it alone.

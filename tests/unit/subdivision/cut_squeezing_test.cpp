@@ -12,6 +12,8 @@
 #include "support/slabs/steps.hpp"
 
 namespace tetloft::testing {
+
+using namespace internal;
 namespace {
 
 std::vector<std::size_t> not_positive(const Truncation& truncation,

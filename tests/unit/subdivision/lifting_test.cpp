@@ -11,6 +11,8 @@
 #include "support/slabs/steps.hpp"
 
 namespace tetloft::testing {
+
+using namespace internal;
 namespace {
 
 void expect_lifted(const SlabCase& c, const Subdivision& subdivision, const Lifting& lifting) {

@@ -13,6 +13,8 @@
 #include "support/slabs/steps.hpp"
 
 namespace tetloft::testing {
+
+using namespace internal;
 namespace {
 
 // Where a node lies before it is lifted.

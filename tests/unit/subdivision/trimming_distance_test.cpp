@@ -10,6 +10,8 @@
 #include "core/prng.hpp"
 
 namespace tetloft::testing {
+
+using namespace internal;
 namespace {
 
 double by_all_edges(const ConformingSection& section, const Point2& p) {

@@ -14,6 +14,8 @@
 #include "support/slabs/steps.hpp"
 
 namespace tetloft::testing {
+
+using namespace internal;
 namespace {
 
 using Simplex = std::set<NodeId>;

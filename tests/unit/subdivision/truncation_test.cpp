@@ -13,6 +13,8 @@
 #include "support/slabs/cases.hpp"
 
 namespace tetloft::testing {
+
+using namespace internal;
 namespace {
 
 // A skew prism without parallel quads would be no prism; this one is affine.
