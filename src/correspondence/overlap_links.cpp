@@ -24,8 +24,9 @@ std::vector<Link> overlap_links(SlabId slab, const Section& below, const Nesting
   }
 
   std::vector<Candidate> candidates;
-  std::vector<std::uint32_t> strong_below(lows, 0);  // number of strong links of a region
-  std::vector<std::uint32_t> strong_above(highs, 0);
+  // Has a region a strong link?
+  IdVector<RegionId, std::uint8_t> strong_below(lows, 0);
+  IdVector<RegionId, std::uint8_t> strong_above(highs, 0);
   for (std::size_t i = 0; i < lows; ++i) {
     const ContourBox low_box = box_of(below.contours[nesting_below.outer[RegionId(i)]]);
     for (std::size_t j = 0; j < highs; ++j) {
@@ -33,10 +34,7 @@ std::vector<Link> overlap_links(SlabId slab, const Section& below, const Nesting
       const auto [against_strong, against_tau] = compare_overlap(
           low_outline[RegionId(i)], high_outline[RegionId(j)], std::array{kStrongOverlap, tau});
       const bool strong = against_strong != Sign::negative;
-      if (strong) {
-        ++strong_below[i];
-        ++strong_above[j];
-      }
+      if (strong) strong_below[RegionId(i)] = strong_above[RegionId(j)] = 1;
       if (against_tau != Sign::positive) continue;
       candidates.push_back({{slab, RegionId(i), RegionId(j)}, strong});
     }
@@ -46,8 +44,7 @@ std::vector<Link> overlap_links(SlabId slab, const Section& below, const Nesting
   for (const Candidate& c : candidates) {
     // The guard: a weak link between two regions that are well connected elsewhere is
     // taken for a coincidence of neighbours.
-    if (!c.strong && strong_below[c.link.lower.index()] > 0 &&
-        strong_above[c.link.upper.index()] > 0) {
+    if (!c.strong && strong_below[c.link.lower] != 0 && strong_above[c.link.upper] != 0) {
       continue;
     }
     links.push_back(c.link);

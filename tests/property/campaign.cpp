@@ -30,7 +30,7 @@ bool parse_number(std::string_view text, auto& value) {
 std::string meant_kind(std::string_view value) {
   std::vector<std::string_view> names;
   for (const StackKind kind : all_kinds()) names.emplace_back(name_of(kind));
-  return internal::did_you_mean(value, names);
+  return tetloft::internal::did_you_mean(value, names);
 }
 
 // What is wrong with the command line, or nothing.
