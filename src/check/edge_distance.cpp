@@ -8,16 +8,11 @@
 #include <initializer_list>
 #include <limits>
 
-#include "predicates/big_integer.hpp"
+#include "arithmetic/bounded_integer.hpp"
 
 namespace tetloft::internal::checking {
 
 namespace {
-
-using predicates::BigCoordinate;
-using predicates::BigInteger;
-using predicates::Decomposed;
-using predicates::to_big_integer;
 
 // The largest power of two that all values are multiples of by their exponents.
 int common_unit(std::initializer_list<double> values) {
@@ -34,7 +29,7 @@ struct Scaled {
 };
 
 template <int Capacity>
-Scaled rounded(const BigInteger<Capacity>& value) {
+Scaled rounded(const BoundedInteger<Capacity>& value) {
   double mantissa = 0;
   const int limbs = std::min(value.size(), 3);
   for (int i = value.size() - 1; i >= value.size() - limbs; --i) {

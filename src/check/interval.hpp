@@ -1,5 +1,6 @@
 // Intervals that contain the exact result whatever rounding did: every bound is moved one
 // double outwards. For boxes around constructed points, never for decisions.
+// An oracle's: it shares nothing with arithmetic/interval.hpp, which the reconstruction uses.
 #pragma once
 
 #include <algorithm>

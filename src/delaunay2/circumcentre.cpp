@@ -5,7 +5,7 @@
 
 #include <tetloft/delaunay2.hpp>
 
-#include "predicates/expansion.hpp"
+#include "arithmetic/expansion.hpp"
 
 namespace tetloft {
 
@@ -15,7 +15,7 @@ namespace {
 
 /// Components summed from the smallest: within two ulps of the exact value.
 template <int Capacity>
-double estimate(const predicates::Expansion<Capacity>& e) {
+double estimate(const Expansion<Capacity>& e) {
   double sum = 0;
   for (int i = 0; i < e.size(); ++i) sum += e[i];
   return sum;
@@ -36,9 +36,7 @@ Point2 circumcentre(const Point2& a, const Point2& b, const Point2& c) {
   const int exponent = largest > 0 ? std::ilogb(largest) + 1 : 0;
   for (Point2& q : p) q = {std::ldexp(q.x, -exponent), std::ldexp(q.y, -exponent)};
 
-  const auto difference = [](double u, double v) {
-    return predicates::to_expansion(predicates::two_difference(u, v));
-  };
+  const auto difference = [](double u, double v) { return to_expansion(two_difference(u, v)); };
   const auto bx = difference(p[1].x, p[0].x);
   const auto by = difference(p[1].y, p[0].y);
   const auto cx = difference(p[2].x, p[0].x);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "predicates/big_integer.hpp"
+#include "arithmetic/bounded_integer.hpp"
 #include "predicates/filter.hpp"
 
 namespace tetloft::internal::delaunay2_detail {
@@ -14,10 +14,10 @@ namespace {
 Sign exact_angle_sign(const Point2& a, const Point2& v, const Point2& b) {
   int unit = 971;  // that of the largest double
   for (const double coordinate : {a.x, a.y, b.x, b.y, v.x, v.y}) {
-    if (coordinate != 0) unit = std::min(unit, predicates::Decomposed(coordinate).exponent);
+    if (coordinate != 0) unit = std::min(unit, Decomposed(coordinate).exponent);
   }
   const auto difference = [unit](double p, double q) {
-    return predicates::to_big_integer(p, unit) - predicates::to_big_integer(q, unit);
+    return to_big_integer(p, unit) - to_big_integer(q, unit);
   };
   const auto x = difference(a.x, v.x) * difference(b.x, v.x);
   const auto y = difference(a.y, v.y) * difference(b.y, v.y);

@@ -15,11 +15,11 @@
 #include <cstdint>
 #include <optional>
 
+#include "arithmetic/bounded_integer.hpp"
+#include "arithmetic/double_double.hpp"
+#include "arithmetic/expansion.hpp"
 #include "predicates/axis_filter.hpp"
-#include "predicates/big_integer.hpp"
 #include "predicates/determinants.hpp"
-#include "predicates/double_double.hpp"
-#include "predicates/expansion.hpp"
 #include "predicates/filter.hpp"
 #include "predicates/lattice.hpp"
 
@@ -66,7 +66,7 @@ Answer exact_sign(const std::array<double, n>& p, const std::array<double, n>& q
                   const Range& range, const Determinant& determinant) {
   if (!range.holds(p) || !range.holds(q)) {
     const int unit = common_unit(p, q);
-    std::array<BigInteger<kCoordinateLimbs + 1>, n> difference;
+    std::array<BoundedInteger<kCoordinateLimbs + 1>, n> difference;
     for (std::size_t i = 0; i < n; ++i) {
       difference[i] = to_big_integer(p[i], unit) - to_big_integer(q[i], unit);
     }

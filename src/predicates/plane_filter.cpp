@@ -5,7 +5,7 @@
 #include <bit>
 #include <cmath>
 
-#include "predicates/big_integer.hpp"
+#include "arithmetic/bounded_integer.hpp"
 
 namespace tetloft::internal::predicates {
 

@@ -14,8 +14,6 @@ using namespace internal;
 
 namespace {
 
-using sections::BigInteger;
-using sections::Interval;
 using sections::Trapezoid;
 using sections::Trapezoids;
 

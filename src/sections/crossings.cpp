@@ -18,9 +18,9 @@
 
 #include <tetloft/skeleton.hpp>
 
+#include "arithmetic/interval.hpp"
 #include "sections/box_tree.hpp"
 #include "sections/conforming_section.hpp"
-#include "sections/interval.hpp"
 
 namespace tetloft {
 
@@ -30,7 +30,6 @@ namespace {
 
 using sections::Box;
 using sections::BoxTree;
-using sections::Interval;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr Interval kAnywhere{-kInfinity, kInfinity};
@@ -55,17 +54,17 @@ struct Centre {
 // The circumcentre; anywhere if the triangle is too thin to tell. Numerators stay below 2^6, so
 // that quotients by more than 2^-900 are far from overflow.
 Centre circumcentre_range(const Point2& a, const Point2& b, const Point2& c) {
-  const Interval bx = sections::difference(b.x, a.x);
-  const Interval by = sections::difference(b.y, a.y);
-  const Interval cx = sections::difference(c.x, a.x);
-  const Interval cy = sections::difference(c.y, a.y);
+  const Interval bx = difference(b.x, a.x);
+  const Interval by = difference(b.y, a.y);
+  const Interval cx = difference(c.x, a.x);
+  const Interval cy = difference(c.y, a.y);
   const Interval turn = bx * cy - by * cx;
   const Interval divisor = turn + turn;
   if (divisor.lo <= 0x1p-900) return {};
   const Interval b2 = bx * bx + by * by;
   const Interval c2 = cx * cx + cy * cy;
-  return {Interval{a.x, a.x} + sections::quotient(cy * b2 - by * c2, divisor),
-          Interval{a.y, a.y} + sections::quotient(bx * c2 - cx * b2, divisor)};
+  return {Interval{a.x, a.x} + quotient(cy * b2 - by * c2, divisor),
+          Interval{a.y, a.y} + quotient(bx * c2 - cx * b2, divisor)};
 }
 
 int compare(double a, double b) { return a < b ? -1 : (a > b ? 1 : 0); }

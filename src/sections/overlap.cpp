@@ -21,7 +21,6 @@ using namespace internal;
 
 namespace {
 
-using sections::Interval;
 using sections::Trapezoid;
 using sections::Trapezoids;
 
@@ -37,20 +36,20 @@ constexpr std::size_t kMostExactPairs = 1'000'000;
 // Bounds of ∫ 2 min(p (1 − t) + q t, 0) dt over 0 ≤ t ≤ 1; it increases with p and q.
 double lower_bound_below(double p, double q) {
   if (p >= 0 && q >= 0) return 0;
-  if (p <= 0 && q <= 0) return sections::downwards(p + q);
+  if (p <= 0 && q <= 0) return downwards(p + q);
   const double n = std::min(p, q);
-  const double drop = sections::downwards(std::max(p, q) - n);
+  const double drop = downwards(std::max(p, q) - n);
   // Denormals: the triangle is never larger than its height.
   if (drop <= 0) return n;
-  return -sections::upwards(sections::upwards(n * n) / drop);
+  return -upwards(upwards(n * n) / drop);
 }
 
 double upper_bound_below(double p, double q) {
   if (p >= 0 && q >= 0) return 0;
-  if (p <= 0 && q <= 0) return std::min(0.0, sections::upwards(p + q));
+  if (p <= 0 && q <= 0) return std::min(0.0, upwards(p + q));
   const double n = std::min(p, q);
-  const double square = std::max(0.0, sections::downwards(n * n));
-  const double part = sections::downwards(square / sections::upwards(std::max(p, q) - n));
+  const double square = std::max(0.0, downwards(n * n));
+  const double part = downwards(square / upwards(std::max(p, q) - n));
   return -std::max(0.0, part);
 }
 
@@ -71,7 +70,7 @@ class IntervalOverlap {
 
   // Twice the area of the overlap; counts pairs. Requires finite slopes.
   [[nodiscard]] Interval twice_area(std::size_t& pairs) const {
-    sections::IntervalSum sum;
+    IntervalSum sum;
     sections::visit_pairs(a_, b_, [&](std::uint32_t i, std::uint32_t j) {
       ++pairs;
       const Trapezoid& e = a_[i];
@@ -83,7 +82,7 @@ class IntervalOverlap {
       if (at_l.lo >= 0 && at_r.lo >= 0) return;
       const Interval below{lower_bound_below(at_l.lo, at_r.lo),
                            upper_bound_below(at_l.hi, at_r.hi)};
-      const Interval term = sections::difference(r, l) * below;
+      const Interval term = difference(r, l) * below;
       sum.add(e.side == f.side ? term : -term);
     });
     return sum.total();
@@ -95,8 +94,8 @@ class IntervalOverlap {
     result.reserve(edges.size());
     for (const Trapezoid& e : edges) {
       const double dx = e.right.x - e.left.x;  // not zero: doubles underflow gradually
-      const Interval width{std::max(sections::downwards(dx), 0x1p-1074), sections::upwards(dx)};
-      result.push_back(sections::quotient(sections::difference(e.right.y, e.left.y), width));
+      const Interval width{std::max(downwards(dx), 0x1p-1074), upwards(dx)};
+      result.push_back(quotient(difference(e.right.y, e.left.y), width));
     }
     return result;
   }
@@ -106,13 +105,12 @@ class IntervalOverlap {
                          const Interval& slope_f, double x) {
     const bool end_e = x == e.right.x;
     const bool end_f = x == f.right.x;
-    Interval result =
-        sections::difference(end_e ? e.right.y : e.left.y, end_f ? f.right.y : f.left.y);
+    Interval result = difference(end_e ? e.right.y : e.left.y, end_f ? f.right.y : f.left.y);
     if (!end_e && x != e.left.x) {
-      result = result + slope_e * sections::difference(x, e.left.x);
+      result = result + slope_e * difference(x, e.left.x);
     }
     if (!end_f && x != f.left.x) {
-      result = result - slope_f * sections::difference(x, f.left.x);
+      result = result - slope_f * difference(x, f.left.x);
     }
     return result;
   }
@@ -146,7 +144,7 @@ Bounds bounds(const Trapezoids& a, const Trapezoids& b) {
   if (!overlap.has_finite_slopes()) return unknown;
   Bounds result;
   result.overlap = overlap.twice_area(result.pairs);
-  result.smaller = sections::minimum(sections::twice_area(all_a), sections::twice_area(all_b));
+  result.smaller = minimum(sections::twice_area(all_a), sections::twice_area(all_b));
   return result;
 }
 
@@ -221,7 +219,7 @@ double overlap_ratio(const RegionOutline& a, const RegionOutline& b) {
   const Bounds areas = bounds(edges_a, edges_b);
   if (!areas.overlap.positive() && !sections::interiors_meet(a, b)) return 0;
   if (areas.overlap.positive() && areas.smaller.positive()) {
-    const Interval ratio = sections::quotient(areas.overlap, areas.smaller);
+    const Interval ratio = quotient(areas.overlap, areas.smaller);
     const double rounded = to_ratio_bits(ratio.lo);
     if (ratio.lo > 0 && rounded == to_ratio_bits(ratio.hi)) return rounded;
     if (areas.pairs > kMostExactPairs) {

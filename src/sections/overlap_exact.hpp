@@ -1,7 +1,7 @@
 // The overlap of two regions in integers, for what intervals cannot decide.
 #pragma once
 
-#include "sections/big_integer.hpp"
+#include "arithmetic/big_integer.hpp"
 #include "sections/trapezoids.hpp"
 
 namespace tetloft::internal::sections {

@@ -12,9 +12,9 @@
 
 #include <tetloft/overlap.hpp>
 
-#include "sections/big_integer.hpp"
+#include "arithmetic/big_integer.hpp"
+#include "arithmetic/interval.hpp"
 #include "sections/box_tree.hpp"
-#include "sections/interval.hpp"
 
 namespace tetloft::internal::sections {
 

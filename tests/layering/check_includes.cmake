@@ -8,23 +8,24 @@ cmake_minimum_required(VERSION 3.25)
 
 # may_<module>: the modules that a module may include besides itself.
 set(may_core)
-set(may_predicates core)
+set(may_arithmetic core)
+set(may_predicates core arithmetic)
 set(may_mesh core)
-set(may_delaunay2 core predicates)
+set(may_delaunay2 core arithmetic predicates)
 set(may_delaunay3 core predicates mesh delaunay2)
-set(may_sections core predicates delaunay2)
+set(may_sections core arithmetic predicates delaunay2)
 set(may_contact core predicates mesh)
 set(may_model core mesh)
 set(may_slab core predicates mesh delaunay2 delaunay3 sections model)
 set(may_correspondence core predicates mesh sections model slab)
 set(may_completion core predicates mesh delaunay2 sections model slab)
 set(may_subdivision core predicates mesh sections contact model slab completion)
-set(may_reconstruct core predicates mesh delaunay2 delaunay3 sections contact model slab correspondence completion subdivision)
+set(may_reconstruct core arithmetic predicates mesh delaunay2 delaunay3 sections contact model slab correspondence completion subdivision)
 set(may_geiger core predicates mesh delaunay2 delaunay3 sections model slab)
-set(may_check core predicates mesh sections contact model)
+set(may_check core arithmetic predicates mesh sections contact model)
 set(may_io core sections model)
 set(may_render core mesh sections model io)
-set(modules core predicates mesh delaunay2 delaunay3 sections contact model slab correspondence completion subdivision
+set(modules core arithmetic predicates mesh delaunay2 delaunay3 sections contact model slab correspondence completion subdivision
   reconstruct geiger check io render)
 
 # Public headers whose name is not their module's. delaunay.hpp and sections.hpp are all of their

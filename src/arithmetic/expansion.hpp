@@ -15,7 +15,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace tetloft::internal::predicates {
+namespace tetloft::internal {
 
 /// A rounded result and what rounding lost: the exact result is value + error.
 struct Rounded {
@@ -190,4 +190,4 @@ Expansion<product_capacity(M, N)> operator*(const Expansion<M>& e, const Expansi
   }
 }
 
-}  // namespace tetloft::internal::predicates
+}  // namespace tetloft::internal

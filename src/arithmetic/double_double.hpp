@@ -10,9 +10,9 @@
 // magnitudes, and the bounds of filter.hpp hold with 10 u² for u. Underflow is as there.
 #pragma once
 
-#include "predicates/expansion.hpp"
+#include "arithmetic/expansion.hpp"
 
-namespace tetloft::internal::predicates {
+namespace tetloft::internal {
 
 struct DoubleDouble {
   double high = 0;
@@ -38,4 +38,4 @@ inline DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
   return normalised(two_product(Halves(a.high), Halves(b.high)), a.high * b.low + a.low * b.high);
 }
 
-}  // namespace tetloft::internal::predicates
+}  // namespace tetloft::internal

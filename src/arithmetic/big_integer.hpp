@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace tetloft::internal::sections {
+namespace tetloft::internal {
 
 /// 128 bits: room for the products of small lattice coordinates, and for a limb product.
 __extension__ using Int128 = __int128;
@@ -56,4 +56,4 @@ struct Dyadic {
   explicit Dyadic(double value);
 };
 
-}  // namespace tetloft::internal::sections
+}  // namespace tetloft::internal

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace tetloft::internal::sections {
+namespace tetloft::internal {
 
 /// A double not below any real that rounds to x. For 2^k ≤ |x| < 2^(k+1) the unit in the
 /// last place is 2^(k−52) ≤ |x| 2^−52, the spacing towards zero at most that; the last
@@ -87,4 +87,4 @@ class IntervalSum {
   Interval partial_[64];
 };
 
-}  // namespace tetloft::internal::sections
+}  // namespace tetloft::internal

@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-namespace tetloft::internal::predicates {
+namespace tetloft::internal {
 
 /// A finite double as mantissa · 2^exponent; mantissa 0 for zero.
 struct Decomposed {
@@ -31,9 +31,9 @@ struct Decomposed {
 };
 
 template <int Capacity>
-class BigInteger {
+class BoundedInteger {
  public:
-  BigInteger() = default;
+  BoundedInteger() = default;
 
   [[nodiscard]] int size() const { return size_; }
   [[nodiscard]] std::uint32_t operator[](int i) const { return limb_[i]; }
@@ -56,7 +56,7 @@ class BigInteger {
 
 /// A coordinate in units of 2^-1074 needs 2098 bits, the difference of two 2099.
 inline constexpr int kCoordinateLimbs = 66;
-using BigCoordinate = BigInteger<kCoordinateLimbs>;
+using BigCoordinate = BoundedInteger<kCoordinateLimbs>;
 
 /// value / 2^unit. Requires unit not above Decomposed(value).exponent for nonzero values.
 inline BigCoordinate to_big_integer(double value, int unit) {
@@ -81,7 +81,7 @@ inline BigCoordinate to_big_integer(double value, int unit) {
 
 /// -1, 0 or 1 as |a| is less than, equal to or greater than |b|.
 template <int M, int N>
-int compare_magnitudes(const BigInteger<M>& a, const BigInteger<N>& b) {
+int compare_magnitudes(const BoundedInteger<M>& a, const BoundedInteger<N>& b) {
   if (a.size() != b.size()) return a.size() < b.size() ? -1 : 1;
   for (int i = a.size() - 1; i >= 0; --i) {
     if (a[i] != b[i]) return a[i] < b[i] ? -1 : 1;
@@ -91,8 +91,8 @@ int compare_magnitudes(const BigInteger<M>& a, const BigInteger<N>& b) {
 
 /// result = ±(|a| + |b|).
 template <int M, int N, int R>
-void add_magnitudes(const BigInteger<M>& a, const BigInteger<N>& b, bool negative,
-                    BigInteger<R>& result) {
+void add_magnitudes(const BoundedInteger<M>& a, const BoundedInteger<N>& b, bool negative,
+                    BoundedInteger<R>& result) {
   std::uint64_t carry = 0;
   int i = 0;
   for (; i < std::max(a.size(), b.size()); ++i) {
@@ -107,8 +107,8 @@ void add_magnitudes(const BigInteger<M>& a, const BigInteger<N>& b, bool negativ
 
 /// result = ±(|a| − |b|). Requires |a| >= |b|.
 template <int M, int N, int R>
-void subtract_magnitudes(const BigInteger<M>& a, const BigInteger<N>& b, bool negative,
-                         BigInteger<R>& result) {
+void subtract_magnitudes(const BoundedInteger<M>& a, const BoundedInteger<N>& b, bool negative,
+                         BoundedInteger<R>& result) {
   std::int64_t borrow = 0;
   for (int i = 0; i < a.size(); ++i) {
     borrow += std::int64_t{a[i]} - (i < b.size() ? std::int64_t{b[i]} : 0);
@@ -119,9 +119,9 @@ void subtract_magnitudes(const BigInteger<M>& a, const BigInteger<N>& b, bool ne
 }
 
 template <int M, int N>
-BigInteger<std::max(M, N) + 1> add_signed(const BigInteger<M>& a, const BigInteger<N>& b,
-                                          bool b_negative) {
-  BigInteger<std::max(M, N) + 1> result;
+BoundedInteger<std::max(M, N) + 1> add_signed(const BoundedInteger<M>& a,
+                                              const BoundedInteger<N>& b, bool b_negative) {
+  BoundedInteger<std::max(M, N) + 1> result;
   if (a.negative() == b_negative) {
     add_magnitudes(a, b, a.negative(), result);
   } else if (compare_magnitudes(a, b) >= 0) {
@@ -133,19 +133,19 @@ BigInteger<std::max(M, N) + 1> add_signed(const BigInteger<M>& a, const BigInteg
 }
 
 template <int M, int N>
-auto operator+(const BigInteger<M>& a, const BigInteger<N>& b) {
+auto operator+(const BoundedInteger<M>& a, const BoundedInteger<N>& b) {
   return add_signed(a, b, b.negative());
 }
 
 template <int M, int N>
-auto operator-(const BigInteger<M>& a, const BigInteger<N>& b) {
+auto operator-(const BoundedInteger<M>& a, const BoundedInteger<N>& b) {
   return add_signed(a, b, !b.negative());
 }
 
 /// Schoolbook multiplication; a column never exceeds (2^32 − 1)² + 2 (2^32 − 1) < 2^64.
 template <int M, int N>
-BigInteger<M + N> operator*(const BigInteger<M>& a, const BigInteger<N>& b) {
-  BigInteger<M + N> result;
+BoundedInteger<M + N> operator*(const BoundedInteger<M>& a, const BoundedInteger<N>& b) {
+  BoundedInteger<M + N> result;
   std::uint32_t* limb = result.limbs();
   std::fill(limb, limb + a.size() + b.size(), 0U);
   for (int i = 0; i < a.size(); ++i) {
@@ -161,4 +161,4 @@ BigInteger<M + N> operator*(const BigInteger<M>& a, const BigInteger<N>& b) {
   return result;
 }
 
-}  // namespace tetloft::internal::predicates
+}  // namespace tetloft::internal

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
+#include "arithmetic/big_integer.hpp"
+#include "arithmetic/interval.hpp"
 #include "core/prng.hpp"
-#include "sections/big_integer.hpp"
-#include "sections/interval.hpp"
 #include "support/exact/rational.hpp"
 
 namespace tetloft::testing {
@@ -14,8 +14,6 @@ using namespace internal;
 namespace {
 
 using oracle::Rational;
-using sections::BigInteger;
-using sections::Interval;
 
 double random_double(Prng& prng) {
   const double value = std::ldexp(prng.between(-1, 1), static_cast<int>(prng.below(60)) - 30);
@@ -41,31 +39,31 @@ TEST(Interval, ContainsTheTruth) {
     const Rational x = Rational::exactly(a);
     const Rational y = Rational::exactly(b);
     const Rational z = Rational::exactly(c);
-    const Interval d = sections::difference(a, b);
-    const Interval f = sections::difference(b, c);
+    const Interval d = difference(a, b);
+    const Interval f = difference(b, c);
     expect_contains(d, x - y);
     expect_contains(d + f, x - z);
     expect_contains(d - f, x - y - y + z);
     expect_contains(d * f, (x - y) * (y - z));
-    expect_contains(sections::absolute(d), (x - y).abs());
+    expect_contains(absolute(d), (x - y).abs());
     // Quotients by denormals may overflow: not for intervals.
-    if (f.lo > 0x1p-100) expect_contains(sections::quotient(d, f), (x - y) / (y - z));
+    if (f.lo > 0x1p-100) expect_contains(quotient(d, f), (x - y) / (y - z));
   }
 }
 
 TEST(Interval, BoundsAreNextToTheTruth) {
   for (const double x : {1.0, 1.5, 0x1p-1022, 0x1p-1000, 3e-320, 1e300}) {
     for (const double y : {x, -x}) {
-      EXPECT_GE(sections::upwards(y), std::nextafter(y, INFINITY));
-      EXPECT_LE(sections::downwards(y), std::nextafter(y, -INFINITY));
-      EXPECT_LE(std::abs(sections::upwards(y) - y), std::abs(y) * 0x1p-51 + 0x1p-1073);
+      EXPECT_GE(upwards(y), std::nextafter(y, INFINITY));
+      EXPECT_LE(downwards(y), std::nextafter(y, -INFINITY));
+      EXPECT_LE(std::abs(upwards(y) - y), std::abs(y) * 0x1p-51 + 0x1p-1073);
     }
   }
 }
 
 TEST(IntervalSum, StaysNarrow) {
   Prng prng(2);
-  sections::IntervalSum sum;
+  IntervalSum sum;
   Rational truth;
   for (int k = 0; k < 5000; ++k) {
     const double a = prng.unit();
@@ -141,7 +139,7 @@ TEST(BigInteger, TakesDoublesOfAllMagnitudes) {
 }
 
 TEST(BigInteger, TakesTheLowest128BitInteger) {
-  const sections::Int128 lowest = -(static_cast<sections::Int128>(1) << 126) * 2;
+  const Int128 lowest = -(static_cast<Int128>(1) << 126) * 2;
   EXPECT_EQ(-BigInteger(lowest), BigInteger(1) << 127);
 }
 

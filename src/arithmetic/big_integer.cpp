@@ -1,12 +1,12 @@
 // Schoolbook arithmetic on 64-bit limbs.
-#include "sections/big_integer.hpp"
+#include "arithmetic/big_integer.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <utility>
 
-namespace tetloft::internal::sections {
+namespace tetloft::internal {
 
 Dyadic::Dyadic(double value) {
   if (value == 0) return;
@@ -158,4 +158,4 @@ BigInteger operator<<(const BigInteger& a, std::size_t shift) {
   return result;
 }
 
-}  // namespace tetloft::internal::sections
+}  // namespace tetloft::internal

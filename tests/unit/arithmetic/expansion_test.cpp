@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <limits>
 
+#include "arithmetic/bounded_integer.hpp"
+#include "arithmetic/expansion.hpp"
 #include "core/prng.hpp"
-#include "predicates/big_integer.hpp"
-#include "predicates/expansion.hpp"
 #include "predicates/lattice.hpp"
 #include "support/exact/big_int.hpp"
 #include "support/exact/rational.hpp"
@@ -28,7 +28,7 @@ Rational value_of(const Expansion<N>& e) {
 }
 
 template <int N>
-BigInt value_of(const BigInteger<N>& n) {
+BigInt value_of(const BoundedInteger<N>& n) {
   BigInt sum;
   for (int i = n.size() - 1; i >= 0; --i) sum = sum.shifted_left(32) + BigInt(std::int64_t{n[i]});
   return n.negative() ? -sum : sum;
