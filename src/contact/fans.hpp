@@ -14,7 +14,7 @@
 #include <tetloft/ids.hpp>
 #include <tetloft/tet_mesh.hpp>
 
-#include "contact/box_tree.hpp"
+#include "contact/triangle_tree.hpp"
 
 namespace tetloft::internal::contact_detail {
 

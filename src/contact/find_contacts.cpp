@@ -3,19 +3,19 @@
 #include <numeric>
 #include <utility>
 
-#include "contact/box_tree.hpp"
 #include "contact/contact.hpp"
 #include "contact/fans.hpp"
 #include "contact/triangle_pair.hpp"
+#include "contact/triangle_tree.hpp"
 
 namespace tetloft::internal {
 
 namespace {
 
 using contact_detail::Box;
-using contact_detail::BoxTree;
 using contact_detail::Facing;
 using contact_detail::Fans;
+using contact_detail::TriangleTree;
 
 /// Keeps the lowest `limit` of the contacts it is given, in memory linear in `limit`.
 class LowestContacts {
@@ -97,18 +97,18 @@ void test_fans(std::span<const Point3> points, std::span<const TriangleVertices>
   if (fans.fans.empty()) return;
   std::vector<std::uint32_t> all(triangles.size());
   std::iota(all.begin(), all.end(), 0U);
-  const BoxTree everything(points, triangles, all);
+  const TriangleTree everything(points, triangles, all);
   for (std::uint32_t f = 0; f < fans.fans.size(); ++f) {
     const VertexId apex = fans.fans[f].apex;
     const std::vector<std::uint32_t>& members = fans.fans[f].members;
     if (members.empty()) continue;
-    std::vector<BoxTree::Item> directions;
+    std::vector<TriangleTree::Item> directions;
     Box box = contact_detail::box_of(points, triangles[members.front()]);
     for (const std::uint32_t i : members) {
       directions.push_back({contact_detail::directions_of(points, apex, triangles[i]), i});
       box.extend(contact_detail::box_of(points, triangles[i]));
     }
-    const BoxTree fan(points, triangles, directions);
+    const TriangleTree fan(points, triangles, directions);
     fan.for_each_pair([&](std::uint32_t i, std::uint32_t j) { tester.test(i, j); });
     everything.for_each_meeting(box, [&](std::uint32_t j) {
       if (fans.fan_of[j] != Fans::kNone && fans.fan_of[j] <= f) return;
@@ -128,7 +128,7 @@ void test_rest(std::span<const Point3> points, std::span<const TriangleVertices>
                std::span<const std::uint32_t> rest, std::span<const std::uint8_t> active,
                Tester& tester) {
   if (rest.empty()) return;
-  const BoxTree tree(points, triangles, rest);
+  const TriangleTree tree(points, triangles, rest);
   tree.for_each_pair([&](std::uint32_t i, std::uint32_t j) { tester.test(i, j); });
   // One by one: most meet nothing there.
   for (std::uint32_t j = 0; j < active.size(); ++j) {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "core/hilbert.hpp"
 #include "core/prng.hpp"
-#include "core/sort_by_key.hpp"
+#include "spatial/hilbert.hpp"
+#include "spatial/sort_by_key.hpp"
 
 namespace tetloft::internal::delaunay2_detail {
 
@@ -37,8 +37,7 @@ struct Grid {
   }
 
   [[nodiscard]] std::uint64_t place(const Point2& p) const {
-    return core::hilbert_index<2>({cell(0.5 * p.x - origin_x), cell(0.5 * p.y - origin_y)},
-                                  kGridBits);
+    return hilbert_index<2>({cell(0.5 * p.x - origin_x), cell(0.5 * p.y - origin_y)}, kGridBits);
   }
 
   [[nodiscard]] std::uint32_t cell(double offset) const {
@@ -61,14 +60,14 @@ std::uint64_t draw_round(const Point2& p) {
 
 std::vector<std::uint32_t> insertion_order(std::span<const Point2> points) {
   const Grid grid(points);
-  std::vector<core::Keyed> places(points.size());
+  std::vector<Keyed> places(points.size());
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     places[i] = {draw_round(points[i]) << (2 * kGridBits) | grid.place(points[i]), i};
   }
-  core::sort_by_key(places);
+  sort_by_key(places);
   std::vector<std::uint32_t> order(points.size());
   std::transform(places.begin(), places.end(), order.begin(),
-                 [](const core::Keyed& entry) { return entry.place; });
+                 [](const Keyed& entry) { return entry.place; });
   return order;
 }
 

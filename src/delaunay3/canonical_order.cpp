@@ -3,13 +3,12 @@
 #include <bit>
 #include <cstddef>
 
-#include "core/sort_by_key.hpp"
+#include "spatial/sort_by_key.hpp"
 
 namespace tetloft::internal::delaunay3_detail {
 
 namespace {
 
-using core::Keyed;
 using Coordinate = double Point3::*;
 
 /// Most significant first.
@@ -25,7 +24,7 @@ std::uint64_t key_of(double value) {
 /// Sorts points that agree in all coordinates before `coordinate`.
 void sort_from(std::size_t coordinate, std::span<const Point3> points, std::span<Keyed> run) {
   for (Keyed& entry : run) entry.key = key_of(points[entry.place].*kSignificance[coordinate]);
-  core::sort_by_key(run);
+  sort_by_key(run);
   if (coordinate + 1 == std::size(kSignificance)) return;
   for (std::size_t begin = 0, end = 0; begin < run.size(); begin = end) {
     while (end < run.size() && run[end].key == run[begin].key) ++end;

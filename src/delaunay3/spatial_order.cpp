@@ -4,15 +4,13 @@
 #include <array>
 #include <cstddef>
 
-#include "core/hilbert.hpp"
 #include "core/prng.hpp"
-#include "core/sort_by_key.hpp"
+#include "spatial/hilbert.hpp"
+#include "spatial/sort_by_key.hpp"
 
 namespace tetloft::internal::delaunay3_detail {
 
 namespace {
-
-using core::Keyed;
 
 // A sort key is the round (4 bits) above the Hilbert index (20 bits for each axis).
 constexpr int kAxisBits = 20;
@@ -62,7 +60,7 @@ class Grid {
     for (std::size_t k = 0; k < 3; ++k) {
       cell[k] = static_cast<std::uint32_t>((p[k] - low_[k]) / extent_ * kLastCell);
     }
-    return core::hilbert_index<3>(cell, kAxisBits);
+    return hilbert_index<3>(cell, kAxisBits);
   }
 
  private:
@@ -84,7 +82,7 @@ bool sort_along_curve(std::span<const Point3> points, std::span<Keyed> run, bool
   for (Keyed& entry : run) {
     entry.key = (entry.key >> kHilbertBits << kHilbertBits) | grid.hilbert(points[entry.place]);
   }
-  core::sort_by_key(run);
+  sort_by_key(run);
   return true;
 }
 

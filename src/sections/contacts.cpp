@@ -9,9 +9,9 @@
 #include <cstdint>
 #include <utility>
 
-#include "sections/box_tree.hpp"
 #include "sections/segments.hpp"
 #include "sections/sweep.hpp"
+#include "spatial/box_tree.hpp"
 
 namespace tetloft::internal::sections {
 
@@ -22,7 +22,7 @@ namespace {
 class ContactSearch {
  public:
   explicit ContactSearch(const Section& section, const std::vector<bool>& usable) {
-    std::vector<Box> boxes;
+    std::vector<Box2> boxes;
     for (std::size_t c = 0; c < section.contours.size(); ++c) {
       if (!usable[c]) continue;
       const std::vector<Point2>& vertices = section.contours[ContourId(c)].vertices;
@@ -158,7 +158,7 @@ class ContactSearch {
   }
 
   std::vector<Corner> corners_;
-  std::optional<BoxTree> tree_;
+  std::optional<BoxTree2> tree_;
 };
 
 }  // namespace

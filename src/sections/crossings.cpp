@@ -19,17 +19,14 @@
 #include <tetloft/skeleton.hpp>
 
 #include "arithmetic/interval.hpp"
-#include "sections/box_tree.hpp"
 #include "sections/conforming_section.hpp"
+#include "spatial/box_tree.hpp"
 
 namespace tetloft {
 
 using namespace internal;
 
 namespace {
-
-using sections::Box;
-using sections::BoxTree;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr Interval kAnywhere{-kInfinity, kInfinity};
@@ -80,7 +77,7 @@ Interval range(int direction, const Interval& from, const Interval& to, double a
 // The edges of one kind in a section, and boxes around their Voronoi edges.
 struct Skeleton {
   std::vector<EdgeId> edges;
-  std::vector<Box> boxes;
+  std::vector<Box2> boxes;
 };
 
 class Skeletons {
@@ -116,7 +113,7 @@ class Skeletons {
 
   // A Voronoi edge runs from the centre left of a → b to the one right of it, so at right angles
   // to the right. This holds for rays too, which lack one end, and for an end that is not known.
-  [[nodiscard]] Box box_of(const ConformingSection::Edge& edge) const {
+  [[nodiscard]] Box2 box_of(const ConformingSection::Edge& edge) const {
     const Centre from = centre(edge.left);
     const Centre to = centre(edge.right);
     const Point2 a = scaled(edge.a);
@@ -220,7 +217,7 @@ std::vector<SkeletonCrossing> skeleton_crossings(const ConformingSection& below,
   std::vector<SkeletonCrossing> result;
   for (const EdgeKind kind_above : {EdgeKind::internal, EdgeKind::external}) {
     const Skeleton skeleton_above = upper.of_kind(kind_above);
-    const BoxTree tree(skeleton_above.boxes);
+    const BoxTree2 tree(skeleton_above.boxes);
     for (const EdgeKind kind_below : {EdgeKind::internal, EdgeKind::external}) {
       if (kind_below == EdgeKind::external && kind_above == EdgeKind::external) continue;
       const Skeleton skeleton_below = lower.of_kind(kind_below);

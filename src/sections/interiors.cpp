@@ -13,10 +13,10 @@
 #include <vector>
 
 #include "core/entry.hpp"
-#include "sections/box_tree.hpp"
 #include "sections/nesting.hpp"
 #include "sections/segments.hpp"
 #include "sections/sweep.hpp"
+#include "spatial/box_tree.hpp"
 
 namespace tetloft::internal::sections {
 
@@ -39,7 +39,7 @@ struct Cut {
 
 // The edges of `region` that reach into the range of x of `common`. The others decide
 // nothing: where they end, the other region is absent.
-void collect(const RegionOutline& region, std::uint8_t owner, const Box& common,
+void collect(const RegionOutline& region, std::uint8_t owner, const Box2& common,
              std::vector<OwnedEdge>& edges) {
   for (std::size_t k = 0; k < region.contours.size(); ++k) {
     const std::vector<Point2>& vertices = region.contours[k]->vertices;
@@ -57,12 +57,12 @@ void collect(const RegionOutline& region, std::uint8_t owner, const Box& common,
 
 // Finds where vertices of one region lie in edges of the other. False if two edges cross.
 bool find_cuts(const std::vector<OwnedEdge>& edges, std::size_t first_b, std::vector<Cut>& cuts) {
-  std::vector<Box> boxes;
+  std::vector<Box2> boxes;
   boxes.reserve(edges.size() - first_b);
   for (std::size_t j = first_b; j < edges.size(); ++j) {
     boxes.push_back(box_of(edges[j].edge.low, edges[j].edge.high));
   }
-  const BoxTree tree(boxes);
+  const BoxTree2 tree(boxes);
   bool crossing = false;
   for (std::size_t i = 0; i < first_b && !crossing; ++i) {
     const SweepEdge& e = edges[i].edge;
@@ -132,15 +132,15 @@ void require_outline(const RegionOutline& region) {
   }
 }
 
-Box bounds(const RegionOutline& region) {
-  Box box;
+Box2 bounds(const RegionOutline& region) {
+  Box2 box;
   for (const Point2& p : region.contours.front()->vertices) box.add(p);
   return box;
 }
 
 bool interiors_meet(const RegionOutline& a, const RegionOutline& b) {
-  const Box box_a = bounds(a);
-  const Box box_b = bounds(b);
+  const Box2 box_a = bounds(a);
+  const Box2 box_b = bounds(b);
   if (!box_a.overlaps(box_b)) return false;
   std::vector<OwnedEdge> edges;
   collect(a, 1, box_b, edges);

@@ -3,12 +3,12 @@
 
 #include <tetloft/overlap.hpp>
 
-#include "sections/box_tree.hpp"
+#include "spatial/box_tree.hpp"
 
 namespace tetloft::internal::sections {
 
 /// The bounding box of a region.
-[[nodiscard]] Box bounds(const RegionOutline& region);
+[[nodiscard]] Box2 bounds(const RegionOutline& region);
 
 /// Is area(a ∩ b) positive? Touching boundaries, shared vertices and shared edges alone do
 /// not count. Requires outlines of valid sections.

@@ -130,7 +130,7 @@ struct Bounds {
 Bounds bounds(const Trapezoids& a, const Trapezoids& b) {
   // All that is known of areas of coordinates below 1.
   const Bounds unknown{{0, 8}, {0, 8}, 0};
-  sections::Box box = a.box;
+  Box2 box = a.box;
   box.add(b.box);
   const int scale = sections::scale_of(box);
   std::vector<Trapezoid> all_a = a.edges;

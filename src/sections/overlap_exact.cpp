@@ -140,7 +140,7 @@ ExactOverlap overlap_in(const Trapezoids& a, const Trapezoids& b, const Point2& 
 }  // namespace
 
 ExactOverlap exact_overlap(const Trapezoids& a, const Trapezoids& b) {
-  Box box = a.box;
+  Box2 box = a.box;
   box.add(b.box);
   const Point2 origin{box.x0, box.y0};
   const int unit = std::min(lattice_exponent(a.edges), lattice_exponent(b.edges));

@@ -17,7 +17,8 @@ namespace tetloft::internal::sections {
 
 /// The edges that have a common range of x with `box`, sorted as visit_pairs() needs them
 /// and independently of the order of contours and vertices.
-inline std::vector<Trapezoid> edges_for_pairs(const std::vector<Trapezoid>& edges, const Box& box) {
+inline std::vector<Trapezoid> edges_for_pairs(const std::vector<Trapezoid>& edges,
+                                              const Box2& box) {
   std::vector<Trapezoid> result;
   for (const Trapezoid& e : edges) {
     if (e.left.x < box.x1 && box.x0 < e.right.x) result.push_back(e);

@@ -68,7 +68,7 @@ Trapezoids trapezoids_of(const RegionOutline& region) {
   return result;
 }
 
-int scale_of(const Box& box) {
+int scale_of(const Box2& box) {
   const double x = std::max(std::abs(box.x0), std::abs(box.x1));
   const double y = std::max(std::abs(box.y0), std::abs(box.y1));
   int exponent = 0;

@@ -14,7 +14,7 @@
 
 #include "arithmetic/big_integer.hpp"
 #include "arithmetic/interval.hpp"
-#include "sections/box_tree.hpp"
+#include "spatial/box_tree.hpp"
 
 namespace tetloft::internal::sections {
 
@@ -26,7 +26,7 @@ struct Trapezoid {
 
 struct Trapezoids {
   std::vector<Trapezoid> edges;
-  Box box;  ///< of all edges, vertical ones included
+  Box2 box;  ///< of all edges, vertical ones included
 };
 
 /// The trapezoids of a closed polygon; those of the reversed one with the sides negated.
@@ -36,7 +36,7 @@ struct Trapezoids {
 
 /// The power of two that scales the largest coordinate of `box` into [1/2, 1), or as near
 /// to it as scales go.
-[[nodiscard]] int scale_of(const Box& box);
+[[nodiscard]] int scale_of(const Box2& box);
 /// Multiplies by 2^scale. False, and the edges unusable, if that is not exact.
 [[nodiscard]] bool rescale(std::vector<Trapezoid>& edges, int scale);
 

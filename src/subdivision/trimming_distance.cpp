@@ -22,16 +22,16 @@ double magnitude(const Point2& p) { return std::max(std::abs(p.x), std::abs(p.y)
 }  // namespace
 
 RegionDistance::RegionDistance(const ConformingSection& section) : tree_({}) {
-  std::vector<sections::Box> boxes;
+  std::vector<Box2> boxes;
   for (std::size_t k = 0; k < section.vertex_count(); ++k) {
     const PlaneVertexId v(k);
     if (!section.next[v].valid()) continue;
     const Edge edge{section.point(v), section.point(section.next[v])};
     edges_.push_back(edge);
-    boxes.push_back(sections::box_of(edge.a, edge.b));
+    boxes.push_back(box_of(edge.a, edge.b));
     largest_ = std::max(largest_, magnitude(edge.a));
   }
-  tree_ = sections::BoxTree(boxes);
+  tree_ = BoxTree2(boxes);
 }
 
 /// More than distances and abscissae of points on edges are off by rounding: some ten roundings
@@ -53,7 +53,7 @@ double RegionDistance::distance(const Point2& p, double enough) const {
 /// Odd number of edges to the right.
 bool RegionDistance::contains(const Point2& p) const {
   bool inside = false;
-  const sections::Box right{p.x - tolerance(p), p.y, std::numeric_limits<double>::infinity(), p.y};
+  const Box2 right{p.x - tolerance(p), p.y, std::numeric_limits<double>::infinity(), p.y};
   tree_.query(right, [&](std::size_t e) {
     const auto& [a, b] = edges_[e];
     if ((a.y > p.y) == (b.y > p.y)) return;

@@ -8,7 +8,7 @@
 #include <tetloft/conforming_section.hpp>
 #include <tetloft/point.hpp>
 
-#include "sections/box_tree.hpp"
+#include "spatial/box_tree.hpp"
 
 namespace tetloft::internal {
 
@@ -29,7 +29,7 @@ class RegionDistance {
   [[nodiscard]] bool contains(const Point2& p) const;
 
   std::vector<Edge> edges_;  // of contours
-  sections::BoxTree tree_;   // over edges_
+  BoxTree2 tree_;            // over edges_
   double largest_ = 0;       // coordinate of theirs
 };
 

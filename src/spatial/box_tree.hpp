@@ -14,10 +14,10 @@
 
 #include <tetloft/point.hpp>
 
-namespace tetloft::internal::sections {
+namespace tetloft::internal {
 
 /// A closed box; the default one is empty.
-struct Box {
+struct Box2 {
   double x0 = std::numeric_limits<double>::infinity();
   double y0 = std::numeric_limits<double>::infinity();
   double x1 = -std::numeric_limits<double>::infinity();
@@ -29,7 +29,7 @@ struct Box {
     x1 = std::max(x1, p.x);
     y1 = std::max(y1, p.y);
   }
-  void add(const Box& b) {
+  void add(const Box2& b) {
     x0 = std::min(x0, b.x0);
     y0 = std::min(y0, b.y0);
     x1 = std::max(x1, b.x1);
@@ -40,30 +40,30 @@ struct Box {
     return {std::max({x0 - p.x, p.x - x1, 0.0}), std::max({y0 - p.y, p.y - y1, 0.0})};
   }
   /// Do the closed boxes share a point?
-  [[nodiscard]] bool meets(const Box& b) const {
+  [[nodiscard]] bool meets(const Box2& b) const {
     return x0 <= b.x1 && b.x0 <= x1 && y0 <= b.y1 && b.y0 <= y1;
   }
   /// Do the open boxes share a point?
-  [[nodiscard]] bool overlaps(const Box& b) const {
+  [[nodiscard]] bool overlaps(const Box2& b) const {
     return x0 < b.x1 && b.x0 < x1 && y0 < b.y1 && b.y0 < y1;
   }
 };
 
-[[nodiscard]] inline Box box_of(const Point2& a, const Point2& b) {
-  Box box;
+[[nodiscard]] inline Box2 box_of(const Point2& a, const Point2& b) {
+  Box2 box;
   box.add(a);
   box.add(b);
   return box;
 }
 
-class BoxTree {
+class BoxTree2 {
  public:
-  explicit BoxTree(std::span<const Box> boxes);
+  explicit BoxTree2(std::span<const Box2> boxes);
 
   /// Calls visit(i) for every box i that meets `query`, in no particular but reproducible
   /// order.
   template <class Visit>
-  void query(const Box& query, Visit visit) const {
+  void query(const Box2& query, Visit visit) const {
     if (level_.empty() || !nodes_[level_.back()].meets(query)) return;
     // At most kFanOut − 1 siblings wait on each of at most 11 levels (8^11 > 2^32).
     Waiting stack[kFanOut * 12];
@@ -99,7 +99,7 @@ class BoxTree {
       double offset;
       Waiting node;
     };
-    const auto offset_of = [&](const Box& box) {
+    const auto offset_of = [&](const Box2& box) {
       const Point2 offset = box.offset(p);
       return std::max(offset.x, offset.y);
     };
@@ -139,9 +139,9 @@ class BoxTree {
   };
 
   std::vector<std::uint32_t> order_;  // box indices, tile by tile
-  std::vector<Box> leaf_;             // leaf_[k] is box order_[k]
-  std::vector<Box> nodes_;            // level by level, leaves' parents first
+  std::vector<Box2> leaf_;            // leaf_[k] is box order_[k]
+  std::vector<Box2> nodes_;           // level by level, leaves' parents first
   std::vector<std::size_t> level_;    // level_[h]: the first node of level h
 };
 
-}  // namespace tetloft::internal::sections
+}  // namespace tetloft::internal

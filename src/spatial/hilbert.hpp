@@ -11,7 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace tetloft::internal::core {
+namespace tetloft::internal {
 
 namespace hilbert_detail {
 
@@ -95,4 +95,4 @@ template <unsigned dimension>
   return index;
 }
 
-}  // namespace tetloft::internal::core
+}  // namespace tetloft::internal

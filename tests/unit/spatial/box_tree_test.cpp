@@ -2,33 +2,31 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "core/prng.hpp"
-#include "sections/box_tree.hpp"
+#include "spatial/box_tree.hpp"
 
 namespace tetloft::testing {
 
 using namespace internal;
 namespace {
 
-using sections::Box;
-using sections::BoxTree;
-
-Box random_box(Prng& prng, double size) {
+Box2 random_box(Prng& prng, double size) {
   const double x = prng.between(0, 100);
   const double y = prng.between(0, 100);
   return {x, y, x + prng.between(0, size), y + prng.between(0, size)};
 }
 
-TEST(BoxTree, FindsWhatASearchOfAllFinds) {
+TEST(BoxTree2, FindsWhatASearchOfAllFinds) {
   Prng prng(1);
   for (const std::size_t n : {0U, 1U, 7U, 8U, 9U, 64U, 65U, 1000U, 5000U}) {
-    std::vector<Box> boxes;
+    std::vector<Box2> boxes;
     for (std::size_t k = 0; k < n; ++k) boxes.push_back(random_box(prng, k % 50 == 0 ? 80 : 3));
-    const BoxTree tree(boxes);
+    const BoxTree2 tree(boxes);
     for (int round = 0; round < 50; ++round) {
-      const Box query = random_box(prng, 20);
+      const Box2 query = random_box(prng, 20);
       std::vector<std::size_t> found;
       tree.query(query, [&](std::size_t k) { found.push_back(k); });
       std::sort(found.begin(), found.end());
@@ -41,12 +39,12 @@ TEST(BoxTree, FindsWhatASearchOfAllFinds) {
   }
 }
 
-TEST(BoxTree, FindsTheNearest) {
+TEST(BoxTree2, FindsTheNearest) {
   Prng prng(2);
   for (const std::size_t n : {0U, 1U, 8U, 9U, 65U, 1000U, 5000U}) {
-    std::vector<Box> boxes;
+    std::vector<Box2> boxes;
     for (std::size_t k = 0; k < n; ++k) boxes.push_back(random_box(prng, k % 50 == 0 ? 80 : 3));
-    const BoxTree tree(boxes);
+    const BoxTree2 tree(boxes);
     std::size_t visited = 0;
     for (int round = 0; round < 50; ++round) {
       const Point2 p{prng.between(-50, 150), prng.between(-50, 150)};
@@ -70,12 +68,43 @@ TEST(BoxTree, FindsTheNearest) {
   }
 }
 
-TEST(Box, MeetsClosedAndOverlapsOpen) {
-  const Box box{0, 0, 2, 2};
+// As trimming asks: the edges of contours, from points beside them.
+TEST(BoxTree2, TheNearestIsFoundAmongAFewHoweverManyThereAre) {
+  Prng prng(3);
+  for (const std::size_t n : {1000U, 8000U, 64000U}) {
+    const auto at = [&](std::size_t k, double radius) {
+      const double angle = 2 * 3.141592653589793 * static_cast<double>(k) / static_cast<double>(n);
+      return Point2{radius * std::cos(angle), radius * std::sin(angle)};
+    };
+    std::vector<Box2> edges;
+    for (std::size_t k = 0; k < n; ++k) edges.push_back(box_of(at(k, 100), at(k + 1, 100)));
+    const BoxTree2 tree(edges);
+    std::size_t visited = 0;
+    constexpr std::size_t kQueries = 500;
+    for (std::size_t round = 0; round < kQueries; ++round) {
+      // An edge's length or ten away, inside or outside.
+      const double away = prng.between(-10, 10) * 600 / static_cast<double>(n);
+      const Point2 p = at(static_cast<std::size_t>(prng.below(n)), 100 + away);
+      double found = std::numeric_limits<double>::infinity();
+      tree.query_nearest(
+          p,
+          [&](std::size_t k) {
+            const Point2 of = edges[k].offset(p);
+            found = std::min(found, std::max(of.x, of.y));
+            ++visited;
+          },
+          [&] { return found; });
+    }
+    EXPECT_LT(visited, 60 * kQueries) << n;
+  }
+}
+
+TEST(Box2, MeetsClosedAndOverlapsOpen) {
+  const Box2 box{0, 0, 2, 2};
   EXPECT_TRUE(box.meets({2, 2, 3, 3}));
   EXPECT_FALSE(box.overlaps({2, 0, 3, 2}));
   EXPECT_TRUE(box.overlaps({1, 1, 3, 3}));
-  EXPECT_FALSE(Box{}.meets(box));
+  EXPECT_FALSE(Box2{}.meets(box));
 }
 
 }  // namespace

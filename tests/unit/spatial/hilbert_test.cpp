@@ -1,4 +1,4 @@
-#include "core/hilbert.hpp"
+#include "spatial/hilbert.hpp"
 
 #include <gtest/gtest.h>
 

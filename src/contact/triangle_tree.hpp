@@ -1,5 +1,8 @@
 // A balanced tree of axis-parallel boxes over the triangles of a soup, in flat arrays.
 //
+// Apart from spatial/box_tree: contacts ask for the pairs within one tree, and for boxes of another
+// kind that are near in space besides; both want a binary tree whose nodes are runs of triangles.
+//
 // Each node halves its triangles at the median of their box centres along the longest
 // extent of these. Everything but exact box comparisons is a matter of speed, not of truth.
 #pragma once
@@ -27,11 +30,11 @@ struct Box {
 
 [[nodiscard]] Box box_of(std::span<const Point3> points, const TriangleVertices& t);
 
-class BoxTree {
+class TriangleTree {
  public:
   /// A tree over the given triangles of a soup.
-  BoxTree(std::span<const Point3> points, std::span<const TriangleVertices> triangles,
-          std::span<const std::uint32_t> members);
+  TriangleTree(std::span<const Point3> points, std::span<const TriangleVertices> triangles,
+               std::span<const std::uint32_t> members);
 
   struct Item {
     Box box;
@@ -39,8 +42,8 @@ class BoxTree {
   };
   /// A tree over triangles of a soup by finite boxes of any kind. Nodes know their boxes in
   /// space as well.
-  BoxTree(std::span<const Point3> points, std::span<const TriangleVertices> triangles,
-          const std::vector<Item>& items);
+  TriangleTree(std::span<const Point3> points, std::span<const TriangleVertices> triangles,
+               const std::vector<Item>& items);
 
   /// Calls visit(i, j) once for each unordered pair of members, i != j, whose closed boxes
   /// meet. The order depends on the input alone.
@@ -87,7 +90,7 @@ class BoxTree {
 };
 
 template <class Visit>
-void BoxTree::visit_leaf(const Node& a, Visit& visit) const {
+void TriangleTree::visit_leaf(const Node& a, Visit& visit) const {
   for (std::uint32_t i = a.begin; i < a.end; ++i) {
     for (std::uint32_t j = i + 1; j < a.end; ++j) {
       const Item& p = items_[i];
@@ -98,7 +101,7 @@ void BoxTree::visit_leaf(const Node& a, Visit& visit) const {
 }
 
 template <class Visit>
-void BoxTree::visit_leaves(const Node& a, const Node& b, Visit& visit) const {
+void TriangleTree::visit_leaves(const Node& a, const Node& b, Visit& visit) const {
   for (std::uint32_t i = a.begin; i < a.end; ++i) {
     const Item& p = items_[i];
     if (!p.box.meets(b.box)) continue;
@@ -110,7 +113,7 @@ void BoxTree::visit_leaves(const Node& a, const Node& b, Visit& visit) const {
 }
 
 template <class Visit>
-void BoxTree::for_each_pair(Visit&& visit) const {
+void TriangleTree::for_each_pair(Visit&& visit) const {
   if (nodes_.empty()) return;
   struct Pair {
     std::uint32_t a, b;
@@ -145,19 +148,20 @@ void BoxTree::for_each_pair(Visit&& visit) const {
 }
 
 template <class Visit>
-void BoxTree::for_each_meeting(const Box& box, Visit&& visit) const {
+void TriangleTree::for_each_meeting(const Box& box, Visit&& visit) const {
   for_each_meeting_where(
       box, [](std::uint32_t) { return true; }, visit);
 }
 
 template <class Visit>
-void BoxTree::for_each_meeting(const Box& box, const Box& around, Visit&& visit) const {
+void TriangleTree::for_each_meeting(const Box& box, const Box& around, Visit&& visit) const {
   for_each_meeting_where(
       box, [&](std::uint32_t k) { return around_[k].meets(around); }, visit);
 }
 
 template <class Enters, class Visit>
-void BoxTree::for_each_meeting_where(const Box& box, const Enters& enters, Visit& visit) const {
+void TriangleTree::for_each_meeting_where(const Box& box, const Enters& enters,
+                                          Visit& visit) const {
   if (nodes_.empty()) return;
   // Depth first: at most one sibling waits at each of fewer than 32 levels.
   std::array<std::uint32_t, 33> stack;

@@ -1,12 +1,12 @@
 // Building the packed tree: tiles of boxes by x, then by y, then parents level by level.
-#include "sections/box_tree.hpp"
+#include "spatial/box_tree.hpp"
 
 #include <cmath>
 #include <numeric>
 
-namespace tetloft::internal::sections {
+namespace tetloft::internal {
 
-BoxTree::BoxTree(std::span<const Box> boxes) : order_(boxes.size()) {
+BoxTree2::BoxTree2(std::span<const Box2> boxes) : order_(boxes.size()) {
   const std::size_t n = boxes.size();
   if (n == 0) return;
   std::iota(order_.begin(), order_.end(), std::uint32_t{0});
@@ -25,19 +25,19 @@ BoxTree::BoxTree(std::span<const Box> boxes) : order_(boxes.size()) {
   leaf_.reserve(n);
   for (const std::uint32_t i : order_) leaf_.push_back(boxes[i]);
 
-  std::span<const Box> below = leaf_;
+  std::span<const Box2> below = leaf_;
   nodes_.reserve(n / (kFanOut - 1) + 12);  // never reallocates: `below` stays valid
   while (level_.empty() || below.size() > 1) {
     level_.push_back(nodes_.size());
     for (std::size_t first = 0; first < below.size(); first += kFanOut) {
-      Box box;
-      for (const Box& child : below.subspan(first, std::min(kFanOut, below.size() - first))) {
+      Box2 box;
+      for (const Box2& child : below.subspan(first, std::min(kFanOut, below.size() - first))) {
         box.add(child);
       }
       nodes_.push_back(box);
     }
-    below = std::span<const Box>(nodes_).subspan(level_.back());
+    below = std::span<const Box2>(nodes_).subspan(level_.back());
   }
 }
 
-}  // namespace tetloft::internal::sections
+}  // namespace tetloft::internal

@@ -1,4 +1,4 @@
-#include "contact/box_tree.hpp"
+#include "contact/triangle_tree.hpp"
 
 #include <algorithm>
 #include <array>
@@ -26,16 +26,18 @@ void Box::extend(const Box& b) {
   high = {std::max(high.x, b.high.x), std::max(high.y, b.high.y), std::max(high.z, b.high.z)};
 }
 
-BoxTree::BoxTree(std::span<const Point3> points, std::span<const TriangleVertices> triangles,
-                 std::span<const std::uint32_t> members) {
+TriangleTree::TriangleTree(std::span<const Point3> points,
+                           std::span<const TriangleVertices> triangles,
+                           std::span<const std::uint32_t> members) {
   std::vector<Item> items;
   items.reserve(members.size());
   for (const std::uint32_t i : members) items.push_back({box_of(points, triangles[i]), i});
   order(items);
 }
 
-BoxTree::BoxTree(std::span<const Point3> points, std::span<const TriangleVertices> triangles,
-                 const std::vector<Item>& items) {
+TriangleTree::TriangleTree(std::span<const Point3> points,
+                           std::span<const TriangleVertices> triangles,
+                           const std::vector<Item>& items) {
   order(items);
   around_.resize(nodes_.size());
   for (std::size_t k = nodes_.size(); k-- > 0;) {
@@ -52,7 +54,7 @@ BoxTree::BoxTree(std::span<const Point3> points, std::span<const TriangleVertice
   }
 }
 
-void BoxTree::order(const std::vector<Item>& unordered) {
+void TriangleTree::order(const std::vector<Item>& unordered) {
   const std::size_t n = unordered.size();
   if (n == 0) return;
   Box all = unordered.front().box;
@@ -79,7 +81,7 @@ void BoxTree::order(const std::vector<Item>& unordered) {
   fit_boxes();
 }
 
-void BoxTree::build(std::vector<Centre>& centres) {
+void TriangleTree::build(std::vector<Centre>& centres) {
   nodes_.reserve(2 * (centres.size() / (kLeafSize / 2) + 1));
   nodes_.emplace_back();
   nodes_[0].end = static_cast<std::uint32_t>(centres.size());
@@ -118,7 +120,7 @@ void BoxTree::build(std::vector<Centre>& centres) {
   }
 }
 
-void BoxTree::fit_boxes() {
+void TriangleTree::fit_boxes() {
   for (std::size_t k = nodes_.size(); k-- > 0;) {
     Node& node = nodes_[k];
     if (node.left != 0) {

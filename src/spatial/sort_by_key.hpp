@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace tetloft::internal::core {
+namespace tetloft::internal {
 
 /// What is sorted: a key and what it stands for.
 struct Keyed {
@@ -51,4 +51,4 @@ inline void sort_by_key(std::span<Keyed> entries) {
   if (from.data() != entries.data()) std::copy(from.begin(), from.end(), entries.begin());
 }
 
-}  // namespace tetloft::internal::core
+}  // namespace tetloft::internal

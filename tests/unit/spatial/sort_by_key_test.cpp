@@ -1,4 +1,4 @@
-#include "core/sort_by_key.hpp"
+#include "spatial/sort_by_key.hpp"
 
 #include <gtest/gtest.h>
 
