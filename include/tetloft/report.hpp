@@ -9,7 +9,7 @@
 
 namespace tetloft {
 
-/// How often each rule of the method fired; see src/README.md, "Rules and their counters", for
+/// How often each rule of the method fired; see src/slab/README.md, "Rules and their counters", for
 /// each.
 enum class Rule : std::uint8_t {
   run_at_contour_edge,
