@@ -1,5 +1,5 @@
 // Which contours form one component: the criteria of correspondence, as options and as a
-// result. Decided in reconstruct/correspondence; recomputed independently by check.
+// result. Decided in src/correspondence; recomputed independently by check.
 //
 // The rule, in full. Its objects are the regions of all sections, numbered by (section,
 // region). A link joins two regions of neighbouring sections.

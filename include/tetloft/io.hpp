@@ -43,7 +43,7 @@ enum class Validity { required, unchecked };
 /// Reads NUAGES .cnt: "S n", then for each section "v n z z" and contours "{ x y … }". Header
 /// letters in either case, any white space, LF or CRLF, commas or semicolons between numbers, #
 /// comments, any numeric form that strtod of the C locale accepts for finite numbers. Mends
-/// harmless slips (mend() in sections.hpp, wrong counts, the height as third number of every
+/// harmless slips (mend() in repair.hpp, wrong counts, the height as third number of every
 /// vertex) and validates; warns of suspicious_gaps(), and of contours that seem to be open lines
 /// cut off at a frame. At most about a thousand warnings. Errors name file and line.
 [[nodiscard]] TETLOFT_API Result<ReadStack> read_cnt(const std::string& path,

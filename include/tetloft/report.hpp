@@ -9,8 +9,8 @@
 
 namespace tetloft {
 
-/// How often each rule of the method fired; see "Rules and their counters" in the READMEs of
-/// src/completion, src/subdivision and src/reconstruct.
+/// How often each rule of the method fired; see src/slab/README.md, "Rules and their counters", for
+/// each.
 enum class Rule : std::uint8_t {
   run_at_contour_edge,
   run_at_external_edge,

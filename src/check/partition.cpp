@@ -27,7 +27,7 @@ std::vector<Box2> region_boxes(const Section& section, const Nesting& nesting) {
 
 struct Overlap {
   Link link;
-  bool strong = false;  // r ≥ 1/2
+  bool strong = false;  // r ≥ kStrongOverlap, 1/4
 };
 
 // All pairs of one slab with r > tau.

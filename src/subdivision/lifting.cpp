@@ -21,9 +21,11 @@ double volume6(const Point3& a, const Point3& b, const Point3& c, const Point3& 
   return (by * cz - bz * cy) * dx + (bz * cx - bx * cz) * dy + (bx * cy - by * cx) * dz;
 }
 
-// A child flatter than this share of its unlifted self is lifted less …
+// A child flatter than this share of its unlifted self is lifted less … A choice between the shape
+// of children and height: more keeps children fatter and vertices lower (README.md, "Constants").
 constexpr double kFlat = 0.1;
-// … unless its vertices are this low already: shape is a wish, positivity a must.
+// … unless its vertices are this low already: shape is a wish, positivity a must. A choice: four
+// halvings for shape. Half or twice as much changes two or one of the samples.
 constexpr double kLowEnough = 0x1p-5;
 // No child in particular.
 constexpr std::uint32_t kNone = 0xFFFFFFFFU;

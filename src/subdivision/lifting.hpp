@@ -32,9 +32,14 @@ namespace tetloft::internal {
 /// A lifted vertex rises at least this share of its external edge's length, or of the gap
 /// if that is less, or the slab is refused. So little only where features are as thin: two nearly
 /// parallel tets on one edge leave its midpoint about as much height as they are thick. (Of the
-/// edge's length, since two contours that nearly touch leave no more room.)
+/// edge's length, since two contours that nearly touch leave no more room.) The power is a choice:
+/// at coordinates about as large as the gap, 2^-36 of it is 2^16 ulps, enough to be told from the
+/// plane; it is also what ends halving, after 35 of them. Between 2^-37 and 2^-35 no sample
+/// changes.
 inline constexpr double kSmallestLift = 0x1p-36;
-/// Below this the next target is tried, if there is one left.
+/// Below this the next target is tried, if there is one left. A choice: seven halvings are given to
+/// each, since a vertex that low is as good as not lifted. Half or twice as much changes one
+/// sample.
 inline constexpr double kLowLift = 0x1p-8;
 
 class Lifting {

@@ -30,7 +30,9 @@ std::array<std::array<NodeId, 4>, 3> split_prism(const std::array<NodeId, 6>& pr
 namespace {
 
 // A cut is at least this many ulps of its coordinates from the corner kept, across the gap
-// and sideways, or rounding would decide the shape of what is left.
+// and sideways, or rounding would decide the shape of what is left: a constructed coordinate is off
+// by about an ulp (half for the product, half for the sum, and the step itself), which turns an
+// offset of 2^10 ulps by 2^-10 or so. How many bits of direction are enough is a choice.
 constexpr double kResolution = 0x1p10;
 
 double ulp(double value) { return std::nextafter(value, HUGE_VAL) - value; }

@@ -21,9 +21,13 @@
 namespace tetloft::internal {
 
 /// Cuts are at weight 1/2 + ε where nothing asks for more. Two classes that share an edge
-/// end 2 ε of its length apart.
+/// end 2 ε of its length apart. Any ε in (0, 1/2) keeps the proof. 1/16 is a choice: solids
+/// nearly fill their share of the edge, and what parts them, 1/8 of it, is far above rounding.
+/// What twice or half as much changes: README.md, "Constants".
 inline constexpr double kSeparation = 0x1p-4;
-/// κ: the most a cut may lie sideways of the corner kept, in gaps.
+/// κ: the most a cut may lie sideways of the corner kept, in gaps. A choice: an end leans by less
+/// than 45° where its cut is half the gap up. More allows longer spikes, less makes cuts nearly
+/// coincide with their corner, which costs lift (README.md, "Constants").
 inline constexpr double kLargestLean = 0.5;
 
 /// The cut of one directed edge of the subdivided slab.
