@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include <tetloft/result.hpp>
@@ -86,34 +87,66 @@ bool sort_face(TriangleVertices& f) {
   return even;
 }
 
-// Half-faces are gathered by their lowest vertex and sorted by the other two there: linear
-// for bounded stars.
-void match_faces(ModelView& view) {
-  const std::size_t half_faces = 4 * view.tets.size();
-  std::vector<std::uint32_t> first(view.points.size() + 1, 0);
-  const auto lowest = [&](std::size_t h) {
-    const TriangleVertices f = outward_face(view, h);
-    return std::min({f[0], f[1], f[2]}).index();
-  };
-  for (std::size_t h = 0; h < half_faces; ++h) ++first[lowest(h) + 1];
-  for (std::size_t v = 1; v < first.size(); ++v) first[v] += first[v - 1];
-  std::vector<Corner> corners(half_faces);
-  {
-    std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
-    for (std::size_t h = 0; h < half_faces; ++h) {
-      TriangleVertices f = outward_face(view, h);
-      const bool even = sort_face(f);
-      corners[next[f[0].index()]++] = {f[1].value(), f[2].value(), static_cast<std::uint32_t>(h),
-                                       even};
-    }
-  }
+// Half-faces by their lowest vertex: those of vertex v are corner[first[v] … first[v + 1]].
+struct FacesByVertex {
+  std::vector<std::uint32_t> first;
+  std::vector<Corner> corner;
+};
 
-  view.opposite.assign(half_faces, HalfFaceId());
+FacesByVertex faces_by_lowest_vertex(const ModelView& view) {
+  const std::size_t half_faces = 4 * view.tets.size();
+  FacesByVertex faces;
+  faces.first.assign(view.points.size() + 1, 0);
+  for (std::size_t h = 0; h < half_faces; ++h) {
+    const TriangleVertices f = outward_face(view, h);
+    ++faces.first[std::min({f[0], f[1], f[2]}).index() + 1];
+  }
+  for (std::size_t v = 1; v < faces.first.size(); ++v) faces.first[v] += faces.first[v - 1];
+  faces.corner.resize(half_faces);
+  std::vector<std::uint32_t> next(faces.first.begin(), faces.first.end() - 1);
+  for (std::size_t h = 0; h < half_faces; ++h) {
+    TriangleVertices f = outward_face(view, h);
+    const bool even = sort_face(f);
+    faces.corner[next[f[0].index()]++] = {f[1].value(), f[2].value(), static_cast<std::uint32_t>(h),
+                                          even};
+  }
+  return faces;
+}
+
+// The half-faces of one face: opposite each other if they are two, on the two sides of it.
+void match_face(std::span<const Corner> group, const TriangleVertices& face,
+                std::vector<std::uint8_t>& on_boundary, ModelView& view) {
+  if (group.size() == 1) {
+    on_boundary[group[0].half_face] = 1;
+  } else if (group.size() > 2) {
+    view.crowded_faces.push_back(face);
+  } else if (group[0].even == group[1].even) {
+    view.doubled_faces.push_back(face);
+  } else {
+    view.opposite[group[0].half_face] = HalfFaceId(group[1].half_face);
+    view.opposite[group[1].half_face] = HalfFaceId(group[0].half_face);
+  }
+}
+
+void number_components(const UnionFind& connected, ModelView& view) {
+  view.component.assign(view.tets.size(), 0);
+  for (std::size_t t = 0; t < view.tets.size(); ++t) {
+    // The representative is the lowest tet, so it has its number already.
+    const std::size_t root = connected.find(t);
+    view.component[t] =
+        root == t ? static_cast<std::uint32_t>(view.component_count++) : view.component[root];
+  }
+}
+
+// The faces of each vertex are sorted by the other two there: linear for bounded stars.
+void match_faces(ModelView& view) {
+  FacesByVertex faces = faces_by_lowest_vertex(view);
+  view.opposite.assign(faces.corner.size(), HalfFaceId());
   UnionFind connected(view.tets.size());
-  std::vector<std::uint8_t> on_boundary(half_faces, 0);
-  for (std::size_t v = 0; v + 1 < first.size(); ++v) {
-    const auto begin = corners.begin() + first[v];
-    const auto end = corners.begin() + first[v + 1];
+  std::vector<std::uint8_t> on_boundary(faces.corner.size(), 0);
+  for (std::size_t v = 0; v + 1 < faces.first.size(); ++v) {
+    const auto begin = faces.corner.begin() + faces.first[v];
+    const auto end = faces.corner.begin() + faces.first[v + 1];
     std::sort(begin, end, [](const Corner& a, const Corner& b) {
       if (a.middle != b.middle) return a.middle < b.middle;
       return a.high != b.high ? a.high < b.high : a.half_face < b.half_face;
@@ -125,33 +158,15 @@ void match_faces(ModelView& view) {
         connected.unite(group->half_face / 4, group_end->half_face / 4);
         ++group_end;
       }
-      const auto size = group_end - group;
-      const TriangleVertices face{VertexId(v), VertexId(group->middle), VertexId(group->high)};
-      if (size == 1) {
-        on_boundary[group->half_face] = 1;
-      } else if (size > 2) {
-        view.crowded_faces.push_back(face);
-      } else if (group[0].even == group[1].even) {
-        view.doubled_faces.push_back(face);
-      } else {
-        view.opposite[group[0].half_face] = HalfFaceId(group[1].half_face);
-        view.opposite[group[1].half_face] = HalfFaceId(group[0].half_face);
-      }
+      match_face({group, group_end}, {VertexId(v), VertexId(group->middle), VertexId(group->high)},
+                 on_boundary, view);
       group = group_end;
     }
   }
-
-  for (std::size_t h = 0; h < half_faces; ++h) {
+  for (std::size_t h = 0; h < on_boundary.size(); ++h) {
     if (on_boundary[h] != 0) view.boundary.push_back(outward_face(view, h));
   }
-  constexpr std::uint32_t kUnnumbered = 0xFFFFFFFFU;
-  view.component.assign(view.tets.size(), kUnnumbered);
-  for (std::size_t t = 0; t < view.tets.size(); ++t) {
-    // The representative is the lowest tet, so it has its number already.
-    const std::size_t root = connected.find(t);
-    view.component[t] =
-        root == t ? static_cast<std::uint32_t>(view.component_count++) : view.component[root];
-  }
+  number_components(connected, view);
 }
 
 }  // namespace

@@ -19,17 +19,10 @@ struct Side {
   std::uint32_t triangle = 0;
 };
 
-}  // namespace
-
-SurfaceComponents surface_components(std::span<const TriangleVertices> triangles) {
-  const std::size_t n = triangles.size();
-  require_fit(n < (std::size_t{1} << 32) / 3, "2^32 / 3 triangles or more");
-  std::size_t vertex_end = 0;
-  for (const TriangleVertices& t : triangles) {
-    require_named(t[0].valid() && t[1].valid() && t[2].valid(),
-                  "a triangle without three vertices");
-    for (const VertexId v : t) vertex_end = std::max(vertex_end, v.index() + 1);
-  }
+// Unites triangles across shared edges; owned[i]: how many edges are counted at triangle i, the
+// first that has them.
+std::vector<std::uint8_t> connect_by_edges(std::span<const TriangleVertices> triangles,
+                                           std::size_t vertex_end, UnionFind& connected) {
   // The lower and the higher end of side `s`.
   const auto side_ends = [&](std::size_t s) -> std::pair<std::uint32_t, std::uint32_t> {
     const TriangleVertices& t = triangles[s / 3];
@@ -37,11 +30,9 @@ SurfaceComponents surface_components(std::span<const TriangleVertices> triangles
     const std::uint32_t b = t[(s + 1) % 3].value();
     return {std::min(a, b), std::max(a, b)};
   };
-
-  // An edge is counted at the first of its triangles: owned[i] edges at triangle i.
-  UnionFind connected(n);
-  std::vector<std::uint8_t> owned(n, 0);
-  const Buckets sides(vertex_end, 3 * n, [&](std::size_t s) { return side_ends(s).first; });
+  std::vector<std::uint8_t> owned(triangles.size(), 0);
+  const Buckets sides(vertex_end, 3 * triangles.size(),
+                      [&](std::size_t s) { return side_ends(s).first; });
   std::vector<Side> bucket;
   for (std::size_t v = 0; v < vertex_end; ++v) {
     bucket.clear();
@@ -57,6 +48,39 @@ SurfaceComponents surface_components(std::span<const TriangleVertices> triangles
       }
     }
   }
+  return owned;
+}
+
+// A vertex counts once in each component it belongs to.
+void count_vertices(std::span<const TriangleVertices> triangles, std::size_t vertex_end,
+                    SurfaceComponents& result) {
+  // seen[c] is the last vertex + 1 counted for component c.
+  std::vector<std::size_t> seen(result.topology.size(), 0);
+  const Buckets corners(vertex_end, 3 * triangles.size(),
+                        [&](std::size_t c) { return triangles[c / 3][c % 3].index(); });
+  for (std::size_t v = 0; v < vertex_end; ++v) {
+    for (const std::uint32_t c : corners[v]) {
+      const std::uint32_t component = result.component[c / 3];
+      if (seen[component] == v + 1) continue;
+      seen[component] = v + 1;
+      ++result.topology[component].vertices;
+    }
+  }
+}
+
+}  // namespace
+
+SurfaceComponents surface_components(std::span<const TriangleVertices> triangles) {
+  const std::size_t n = triangles.size();
+  require_fit(n < (std::size_t{1} << 32) / 3, "2^32 / 3 triangles or more");
+  std::size_t vertex_end = 0;
+  for (const TriangleVertices& t : triangles) {
+    require_named(t[0].valid() && t[1].valid() && t[2].valid(),
+                  "a triangle without three vertices");
+    for (const VertexId v : t) vertex_end = std::max(vertex_end, v.index() + 1);
+  }
+  UnionFind connected(n);
+  const std::vector<std::uint8_t> owned = connect_by_edges(triangles, vertex_end, connected);
 
   // The representative of a component is its first triangle.
   SurfaceComponents result;
@@ -73,19 +97,7 @@ SurfaceComponents surface_components(std::span<const TriangleVertices> triangles
     ++topology.triangles;
     topology.edges += owned[i];
   }
-
-  // seen[c] is the last vertex + 1 counted for component c.
-  std::vector<std::size_t> seen(result.topology.size(), 0);
-  const Buckets corners(vertex_end, 3 * n,
-                        [&](std::size_t c) { return triangles[c / 3][c % 3].index(); });
-  for (std::size_t v = 0; v < vertex_end; ++v) {
-    for (const std::uint32_t c : corners[v]) {
-      const std::uint32_t component = result.component[c / 3];
-      if (seen[component] == v + 1) continue;
-      seen[component] = v + 1;
-      ++result.topology[component].vertices;
-    }
-  }
+  count_vertices(triangles, vertex_end, result);
   return result;
 }
 

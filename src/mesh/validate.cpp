@@ -39,45 +39,43 @@ std::string half_face_text(HalfFaceId h) {
          std::to_string(TetMesh::face_of(h)) + ")";
 }
 
-}  // namespace
-
-std::vector<MeshViolation> TetMesh::validate() const {
-  std::vector<MeshViolation> violations;
-  const std::size_t slots = tets_.size();
-  const auto live = [&](HalfFaceId h) { return h.index() < 4 * slots && is_live(tet_of(h)); };
-
-  Offences vertices_bad;
-  for (std::size_t t = 0; t < slots; ++t) {
-    if (!is_live(TetId(t))) continue;
+// Condition 1.
+void check_vertices(const TetMesh& mesh, std::vector<MeshViolation>& violations) {
+  Offences bad;
+  for (const TetId t : IdRange<TetId>(mesh.tet_slots())) {
+    if (!mesh.is_live(t)) continue;
+    const TetVertices& tet = mesh.vertices(t);
+    const auto named = [&](std::size_t i) {
+      return "tet " + std::to_string(t.value()) + ": vertex " + std::to_string(tet[i].value());
+    };
     for (std::size_t i = 0; i < 4; ++i) {
-      const VertexId v = tets_[t][i];
-      if (v.index() >= vertex_count()) {
-        vertices_bad.add("tet " + std::to_string(t) + ": vertex " + std::to_string(v.value()) +
-                         " out of range");
-      }
+      if (tet[i].index() >= mesh.vertex_count()) bad.add(named(i) + " out of range");
       for (std::size_t j = 0; j < i; ++j) {
-        if (tets_[t][j] == v) {
-          vertices_bad.add("tet " + std::to_string(t) + ": vertex " + std::to_string(v.value()) +
-                           " repeated");
-        }
+        if (tet[j] == tet[i]) bad.add(named(i) + " repeated");
       }
     }
   }
-  vertices_bad.report(1, violations);
+  bad.report(1, violations);
+}
 
+// Conditions 2 and 3.
+void check_opposites(const TetMesh& mesh, std::vector<MeshViolation>& violations) {
+  const std::size_t half_faces = 4 * mesh.tet_slots();
+  const auto live = [&](HalfFaceId h) {
+    return h.index() < half_faces && mesh.is_live(TetMesh::tet_of(h));
+  };
   Offences not_involution;
   Offences not_same_face;
-  for (std::size_t i = 0; i < 4 * slots; ++i) {
-    const HalfFaceId h(i);
-    const HalfFaceId o = opposite_[i];
+  for (const HalfFaceId h : IdRange<HalfFaceId>(half_faces)) {
+    const HalfFaceId o = mesh.opposite(h);
     if (!o.valid()) continue;
-    if (!live(h) || !live(o) || o == h || opposite(o) != h) {
+    if (!live(h) || !live(o) || o == h || mesh.opposite(o) != h) {
       not_involution.add(half_face_text(h) + ": opposite " + std::to_string(o.value()) +
                          " does not answer");
       continue;
     }
-    const SortedFace a = sorted_face(vertices(tet_of(h)), i % 4);
-    const SortedFace b = sorted_face(vertices(tet_of(o)), o.index() % 4);
+    const SortedFace a = sorted_face(mesh.vertices(TetMesh::tet_of(h)), h.index() % 4);
+    const SortedFace b = sorted_face(mesh.vertices(TetMesh::tet_of(o)), o.index() % 4);
     if (a.vertex != b.vertex) {
       not_same_face.add(half_face_text(h) + " and its opposite have different vertices");
     } else if (a.even == b.even) {
@@ -86,25 +84,37 @@ std::vector<MeshViolation> TetMesh::validate() const {
   }
   not_involution.report(2, violations);
   not_same_face.report(3, violations);
+}
 
-  Offences not_glued;
-  const auto corners = [&](std::size_t t) -> const TetVertices& { return tets_[t]; };
+// Condition 4.
+void check_faces(const TetMesh& mesh, std::vector<MeshViolation>& violations) {
+  const auto corners = [&](std::size_t t) -> const TetVertices& { return mesh.vertices(TetId(t)); };
   const auto sound = [&](std::size_t t) {
-    return std::all_of(tets_[t].begin(), tets_[t].end(),
-                       [&](VertexId v) { return v.index() < vertex_count(); });
+    return std::all_of(corners(t).begin(), corners(t).end(),
+                       [&](VertexId v) { return v.index() < mesh.vertex_count(); });
   };
-  for_each_face_group(
-      vertex_count(), slots, corners, sound, [&](std::size_t, std::span<const FaceMember> members) {
-        if (members.size() > 2) {
-          not_glued.add(half_face_text(members[0].half_face) + ": its face belongs to " +
-                        std::to_string(members.size()) + " tets");
-        } else if (members.size() == 2 && opposite(members[0].half_face) != members[1].half_face) {
-          not_glued.add(half_face_text(members[0].half_face) + " and " +
-                        half_face_text(members[1].half_face) + " share a face but are not glued");
-        }
-      });
+  Offences not_glued;
+  const auto check = [&](std::size_t, std::span<const FaceMember> members) {
+    const HalfFaceId first = members[0].half_face;
+    if (members.size() > 2) {
+      not_glued.add(half_face_text(first) + ": its face belongs to " +
+                    std::to_string(members.size()) + " tets");
+    } else if (members.size() == 2 && mesh.opposite(first) != members[1].half_face) {
+      not_glued.add(half_face_text(first) + " and " + half_face_text(members[1].half_face) +
+                    " share a face but are not glued");
+    }
+  };
+  for_each_face_group(mesh.vertex_count(), mesh.tet_slots(), corners, sound, check);
   not_glued.report(4, violations);
+}
 
+}  // namespace
+
+std::vector<MeshViolation> TetMesh::validate() const {
+  std::vector<MeshViolation> violations;
+  check_vertices(*this, violations);
+  check_opposites(*this, violations);
+  check_faces(*this, violations);
   check_corner_lists(violations);
   check_free_list(violations);
   return violations;
