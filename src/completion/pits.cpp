@@ -17,9 +17,9 @@ namespace {
 // Some vertex of every contour.
 IdVector<ContourId, PlaneVertexId> first_vertices(const ConformingSection& section) {
   IdVector<ContourId, PlaneVertexId> first(section.nesting.region.size());
-  for (std::size_t k = 0; k < section.vertex_count(); ++k) {
-    const ContourId c = section.contour[PlaneVertexId(k)];
-    if (c.valid() && !first[c].valid()) first[c] = PlaneVertexId(k);
+  for (const PlaneVertexId v : section.contour.ids()) {
+    const ContourId c = section.contour[v];
+    if (c.valid() && !first[c].valid()) first[c] = v;
   }
   return first;
 }
@@ -178,9 +178,9 @@ void Pits::open(ContourId hole, bool upper) {
   side.to_open[hole] = 0;
   const std::size_t before = across.exterior.size();
   const ConformingSection& section = *side.section;
-  for (std::size_t k = 0; k < section.vertex_count(); ++k) {
-    if (section.contour[PlaneVertexId(k)] != hole) continue;
-    const Point2& p = section.point(PlaneVertexId(k));
+  for (const PlaneVertexId v : section.contour.ids()) {
+    if (section.contour[v] != hole) continue;
+    const Point2& p = section.point(v);
     if (!is_outside(*across.section, p) || in_internal_circle(*across.section, p)) continue;
     across.exterior.push_back(p);
   }
@@ -195,10 +195,10 @@ void Pits::give_up() {
 
 IdVector<SlabVertexId, SlabVertexId> Pits::original_numbers() const {
   IdVector<SlabVertexId, SlabVertexId> numbers;
-  std::size_t next = 0;
+  std::uint32_t next = 0;
   for (const Side& side : side_) {
     for (const RegionId r : side.current().region) {
-      numbers.push_back(r.valid() ? SlabVertexId(next++) : SlabVertexId());
+      numbers.raw().push_back(r.valid() ? SlabVertexId(next++) : SlabVertexId());
     }
   }
   return numbers;

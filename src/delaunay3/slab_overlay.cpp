@@ -39,6 +39,7 @@ class SlabOverlay {
         most_tets_(most_tets),
         lower_(lower),
         upper_(upper),
+        first_upper_(VertexId(lower_.vertex_count()).value()),
         lower_centres_{&lower_, &upper_, true},
         upper_centres_{&upper_, &lower_, false} {
     if (std::max(lower_.reach(), upper_.reach()) > kFarthestFiltered) {
@@ -72,10 +73,10 @@ class SlabOverlay {
   // The vertices of the mesh: the lower plane's, then the upper's.
   [[nodiscard]] static VertexId lower_vertex(PlaneVertexId v) { return VertexId(v.value()); }
   [[nodiscard]] VertexId upper_vertex(PlaneVertexId v) const {
-    return VertexId(lower_.vertex_count() + v.index());
+    return VertexId(first_upper_ + v.value());
   }
   [[nodiscard]] PlaneVertexId in_upper_plane(VertexId v) const {
-    return PlaneVertexId(v.index() - lower_.vertex_count());
+    return PlaneVertexId(v.value() - first_upper_);
   }
   void glue(HalfFaceId a, HalfFaceId b) {
     opposite(a) = b;
@@ -115,6 +116,7 @@ class SlabOverlay {
   std::size_t most_tets_;
   PlaneDiagram lower_;
   PlaneDiagram upper_;
+  std::uint32_t first_upper_;  // the mesh's vertex that is the upper plane's first
   CentresAndSites lower_centres_;
   CentresAndSites upper_centres_;
 

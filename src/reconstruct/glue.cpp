@@ -56,9 +56,9 @@ class Gluing {
   }
 
   VertexId add_point(const Point3& p, SectionId section, ContourId contour, PointOrigin origin) {
-    model_.section.push_back(section);
-    model_.contour.push_back(contour);
-    model_.origin.push_back(origin);
+    model_.section.raw().push_back(section);
+    model_.contour.raw().push_back(contour);
+    model_.origin.raw().push_back(origin);
     return model_.points.push_back(p);
   }
 
@@ -79,10 +79,11 @@ class Gluing {
     };
     for (const Piece& piece : solid.pieces) {
       const auto& [a, b, c, d] = piece.node;
-      model_.tets.push_back({model_vertex(a), model_vertex(b), model_vertex(c), model_vertex(d)});
-      model_.component.push_back(component_of(part, piece.region));
-      model_.slab.push_back(part.slab);
-      model_.kind.push_back(piece.kind);
+      model_.tets.raw().push_back(
+          {model_vertex(a), model_vertex(b), model_vertex(c), model_vertex(d)});
+      model_.component.raw().push_back(component_of(part, piece.region));
+      model_.slab.raw().push_back(part.slab);
+      model_.kind.raw().push_back(piece.kind);
     }
   }
 

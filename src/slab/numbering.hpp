@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include <tetloft/ids.hpp>
@@ -29,22 +30,24 @@ template <class InSection, class InSlab>
 class SlabNumbering {
  public:
   SlabNumbering() = default;
-  SlabNumbering(std::size_t lower, std::size_t upper) : lower_(lower), size_(lower + upper) {}
+  SlabNumbering(std::size_t lower, std::size_t upper)
+      : lower_(InSlab(lower).value()), size_(InSlab(lower + upper).value()) {}
 
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] std::size_t lower_size() const { return lower_; }
   [[nodiscard]] std::size_t upper_size() const { return size_ - lower_; }
-  [[nodiscard]] bool is_upper(InSlab id) const { return id.index() >= lower_; }
+  [[nodiscard]] bool is_upper(InSlab id) const { return id.value() >= lower_; }
   [[nodiscard]] InSection in_section(InSlab id) const {
-    return InSection(is_upper(id) ? id.index() - lower_ : id.index());
+    return InSection(is_upper(id) ? id.value() - lower_ : id.value());
   }
   [[nodiscard]] InSlab in_slab(bool upper, InSection id) const {
-    return InSlab(upper ? id.index() + lower_ : id.index());
+    return InSlab(upper ? id.value() + lower_ : id.value());
   }
 
  private:
-  std::size_t lower_ = 0;
-  std::size_t size_ = 0;
+  // Both are ids, behind the last: sums of ids below them need no look at 32 bits.
+  std::uint32_t lower_ = 0;
+  std::uint32_t size_ = 0;
 };
 
 using SlabVertices = SlabNumbering<PlaneVertexId, SlabVertexId>;
@@ -53,14 +56,16 @@ using SlabRegions = SlabNumbering<RegionId, SlabRegionId>;
 /// The vertices of sections in one sequence, as a model numbers them.
 class StackVertices {
  public:
-  void add_section(std::size_t vertices) { first_.push_back(first_.back() + vertices); }
+  void add_section(std::size_t vertices) {
+    first_.push_back(VertexId(first_.back() + vertices).value());
+  }
   [[nodiscard]] std::size_t size() const { return first_.back(); }
   [[nodiscard]] VertexId of(SectionId section, PlaneVertexId vertex) const {
-    return VertexId(first_[section.index()] + vertex.index());
+    return VertexId(first_[section.index()] + vertex.value());
   }
 
  private:
-  std::vector<std::size_t> first_{0};
+  std::vector<std::uint32_t> first_{0};
 };
 
 }  // namespace tetloft::internal

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include <tetloft/ids.hpp>
 
@@ -25,43 +26,43 @@ class Nodes {
  public:
   Nodes() = default;
   explicit Nodes(std::size_t slab_vertices, std::size_t lifted = 0, std::size_t cuts = 0)
-      : first_lifted_(slab_vertices),
-        first_cut_(slab_vertices + lifted),
-        first_cap_(first_cut_ + cuts) {}
+      : first_lifted_(NodeId(slab_vertices).value()),
+        first_cut_(NodeId(slab_vertices + lifted).value()),
+        first_cap_(NodeId(slab_vertices + lifted + cuts).value()) {}
 
   [[nodiscard]] std::size_t slab_vertices() const { return first_lifted_; }
   /// All but caps.
   [[nodiscard]] std::size_t size_without_caps() const { return first_cap_; }
 
   [[nodiscard]] static NodeId of(SlabVertexId v) { return NodeId(v.value()); }
-  [[nodiscard]] NodeId of(LiftedId k) const { return NodeId(first_lifted_ + k.index()); }
-  [[nodiscard]] NodeId of(CutId k) const { return NodeId(first_cut_ + k.index()); }
-  [[nodiscard]] NodeId of(CapId k) const { return NodeId(first_cap_ + k.index()); }
-  [[nodiscard]] NodeId of(ConstructedId k) const { return NodeId(first_lifted_ + k.index()); }
+  [[nodiscard]] NodeId of(LiftedId k) const { return NodeId(first_lifted_ + k.value()); }
+  [[nodiscard]] NodeId of(CutId k) const { return NodeId(first_cut_ + k.value()); }
+  [[nodiscard]] NodeId of(CapId k) const { return NodeId(first_cap_ + k.value()); }
+  [[nodiscard]] NodeId of(ConstructedId k) const { return NodeId(first_lifted_ + k.value()); }
 
-  [[nodiscard]] bool is_slab_vertex(NodeId n) const { return n.index() < first_lifted_; }
+  [[nodiscard]] bool is_slab_vertex(NodeId n) const { return n.value() < first_lifted_; }
   [[nodiscard]] bool is_constructed(NodeId n) const { return !is_slab_vertex(n); }
   [[nodiscard]] bool is_lifted(NodeId n) const {
-    return n.index() >= first_lifted_ && n.index() < first_cut_;
+    return n.value() >= first_lifted_ && n.value() < first_cut_;
   }
   [[nodiscard]] bool is_cut(NodeId n) const {
-    return n.index() >= first_cut_ && n.index() < first_cap_;
+    return n.value() >= first_cut_ && n.value() < first_cap_;
   }
-  [[nodiscard]] bool is_cap(NodeId n) const { return n.index() >= first_cap_; }
+  [[nodiscard]] bool is_cap(NodeId n) const { return n.value() >= first_cap_; }
 
   /// Each requires a node of its kind.
   [[nodiscard]] static SlabVertexId slab_vertex(NodeId n) { return SlabVertexId(n.value()); }
-  [[nodiscard]] LiftedId lifted(NodeId n) const { return LiftedId(n.index() - first_lifted_); }
-  [[nodiscard]] CutId cut(NodeId n) const { return CutId(n.index() - first_cut_); }
-  [[nodiscard]] CapId cap(NodeId n) const { return CapId(n.index() - first_cap_); }
+  [[nodiscard]] LiftedId lifted(NodeId n) const { return LiftedId(n.value() - first_lifted_); }
+  [[nodiscard]] CutId cut(NodeId n) const { return CutId(n.value() - first_cut_); }
+  [[nodiscard]] CapId cap(NodeId n) const { return CapId(n.value() - first_cap_); }
   [[nodiscard]] ConstructedId constructed(NodeId n) const {
-    return ConstructedId(n.index() - first_lifted_);
+    return ConstructedId(n.value() - first_lifted_);
   }
 
  private:
-  std::size_t first_lifted_ = 0;
-  std::size_t first_cut_ = 0;
-  std::size_t first_cap_ = 0;
+  std::uint32_t first_lifted_ = 0;
+  std::uint32_t first_cut_ = 0;
+  std::uint32_t first_cap_ = 0;
 };
 
 }  // namespace tetloft::internal

@@ -133,7 +133,7 @@ class Truncator {
     const auto at = std::lower_bound(
         result_.cuts.begin(), result_.cuts.end(), std::pair(kept, away),
         [](const Cut& cut, const auto& k) { return std::pair(cut.kept, cut.away) < k; });
-    return result_.nodes.of(CutId(at - result_.cuts.begin()));
+    return result_.nodes.of(CutId(static_cast<std::uint32_t>(at - result_.cuts.begin())));
   }
 
   void emit(const Child& child, SlabRegionId region, const std::array<NodeId, 4>& node) {
