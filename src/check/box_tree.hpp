@@ -1,5 +1,6 @@
 // A static tree of boxes in the plane: which boxes meet a box, and what is nearest to a
-// point. Boxes may be unbounded.
+// point. Boxes may be unbounded. An oracle's: it shares nothing with spatial/box_tree, which the
+// reconstruction uses.
 #pragma once
 
 #include <algorithm>

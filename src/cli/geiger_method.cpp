@@ -29,9 +29,11 @@ Result<void> refuse_other_options(const Arguments& arguments) {
   return {};
 }
 
-Result<void> tell_broken_guarantees(const Model& model, const SectionStack& stack,
+Result<void> tell_broken_guarantees(const Model& model, const SectionStack& stack, unsigned threads,
                                     Console& console) {
-  const Result<CheckReport> report = check(model, stack);
+  CheckOptions options;
+  options.execution.threads = threads;
+  const Result<CheckReport> report = check(model, stack, options);
   if (!report) return report.error();
   for (const GuaranteeVerdict& verdict : report->guarantees) {
     for (const CheckFailure& failure : verdict.failures) {
@@ -116,7 +118,7 @@ Result<int> reconstruct_by_geiger(const Arguments& arguments, Console& console) 
     return error;
   }
   if (arguments.has("--verify")) {
-    Result<void> told = tell_broken_guarantees(made->model, input->stack, console);
+    Result<void> told = tell_broken_guarantees(made->model, input->stack, *threads, console);
     if (!told) return told.error();
   }
   auto files = stage_model(made->model, *outputs, console);

@@ -24,24 +24,6 @@ IdVector<ContourId, PlaneVertexId> first_vertices(const ConformingSection& secti
   return first;
 }
 
-// Is p outside the region, and not on its boundary?
-bool is_outside(const ConformingSection& section, const Point2& p) {
-  bool inside = false;
-  for (std::size_t k = 0; k < section.vertex_count(); ++k) {
-    const PlaneVertexId v(k);
-    if (!section.next[v].valid()) continue;
-    const Point2& a = section.point(v);
-    const Point2& b = section.point(section.next[v]);
-    if (std::max(a.x, b.x) < p.x || std::min(a.y, b.y) > p.y || std::max(a.y, b.y) < p.y) continue;
-    const Sign side = orient2d(a, b, p);
-    if (side == Sign::zero && std::min(a.x, b.x) <= p.x) return false;
-    // Does the edge cross the ray from p in direction x?
-    if ((a.y > p.y) == (b.y > p.y)) continue;
-    if ((side == Sign::positive) == (b.y > a.y)) inside = !inside;
-  }
-  return !inside;
-}
-
 // Is a point outside the region in the circle of an internal triangle? The triangles whose
 // circles it is in are connected, and reach from it: then one of them lies at a contour edge.
 bool in_internal_circle(const ConformingSection& section, const Point2& p) {
@@ -177,11 +159,13 @@ void Pits::open(ContourId hole, bool upper) {
   Side& across = side_[upper ? 0 : 1];
   side.to_open[hole] = 0;
   const std::size_t before = across.exterior.size();
+  if (!across.contours) across.contours.emplace(*across.section);
   const ConformingSection& section = *side.section;
   for (const PlaneVertexId v : section.contour.ids()) {
     if (section.contour[v] != hole) continue;
     const Point2& p = section.point(v);
-    if (!is_outside(*across.section, p) || in_internal_circle(*across.section, p)) continue;
+    if (across.contours->locate(p) != sections::ContourEdges::Where::outside) continue;
+    if (in_internal_circle(*across.section, p)) continue;
     across.exterior.push_back(p);
   }
   if (across.exterior.size() > before) ++opened_;

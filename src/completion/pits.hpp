@@ -29,6 +29,7 @@
 #include <tetloft/conforming_section.hpp>
 
 #include "completion/complex.hpp"
+#include "sections/contour_edges.hpp"
 
 namespace tetloft::internal {
 
@@ -62,6 +63,7 @@ class Pits {
  private:
   struct Side {
     const ConformingSection* section;
+    std::optional<sections::ContourEdges> contours;  // of `section`, once they are asked for
     std::optional<ConformingSection> extended;
     std::vector<Point2> exterior;               // vertices of `extended`
     IdVector<ContourId, std::uint8_t> to_open;  // the holes that were not tried yet

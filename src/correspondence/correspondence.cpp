@@ -7,6 +7,7 @@
 
 #include <tetloft/overlap.hpp>
 
+#include "core/sort_distinct.hpp"
 #include "correspondence/label_connector.hpp"
 #include "correspondence/labelled_sets.hpp"
 
@@ -100,8 +101,7 @@ Result<Correspondence> decide_correspondence(const SectionStack& stack,
 
   Correspondence result;
   result.links.resize(candidates.size());
-  std::sort(accepted.begin(), accepted.end());
-  accepted.erase(std::unique(accepted.begin(), accepted.end()), accepted.end());
+  sort_distinct(accepted);
   for (const Link& link : accepted) result.links[link.slab].push_back(link);
 
   // Components in order of their first contour.

@@ -10,6 +10,7 @@
 #include <tetloft/overlap.hpp>
 
 #include "core/guard.hpp"
+#include "core/sort_distinct.hpp"
 #include "correspondence/contour_box.hpp"
 
 namespace tetloft::internal {
@@ -147,8 +148,7 @@ std::vector<Link> drift_links(SlabId slab, const SectionStack& stack,
                           links.push_back({slab, q, r});
                         });
   }
-  std::sort(links.begin(), links.end());
-  links.erase(std::unique(links.begin(), links.end()), links.end());
+  sort_distinct(links);
   return links;
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/sort_distinct.hpp"
+
 namespace tetloft::internal {
 
 std::vector<Link> reverse_links(SlabId id, const Slab& slab) {
@@ -18,8 +20,7 @@ std::vector<Link> reverse_links(SlabId id, const Slab& slab) {
       }
     }
   }
-  std::sort(links.begin(), links.end());
-  links.erase(std::unique(links.begin(), links.end()), links.end());
+  sort_distinct(links);
   return links;
 }
 

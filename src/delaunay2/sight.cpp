@@ -6,6 +6,7 @@
 #include <tetloft/predicates.hpp>
 
 #include "core/guard.hpp"
+#include "core/sort_distinct.hpp"
 
 namespace tetloft::internal::delaunay2_detail {
 
@@ -95,11 +96,6 @@ bool is_nearer(const Incremental2& plane, std::span<const Ends> segments, const 
   return place_of_s != Sign::zero ? place_of_s == Sign::positive : place(s, t) == Sign::negative;
 }
 
-void sort_unique(std::vector<SiteId>& vertices) {
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-}
-
 }  // namespace
 
 Sight look(const Incremental2& plane, std::span<const std::array<SiteId, 2>> segments) {
@@ -131,7 +127,7 @@ Sight look(const Incremental2& plane, std::span<const std::array<SiteId, 2>> seg
     }
     first = last;
   }
-  for (std::vector<SiteId>& vertices : sight.vertices) sort_unique(vertices);
+  for (std::vector<SiteId>& vertices : sight.vertices) sort_distinct(vertices);
   return sight;
 }
 
@@ -141,7 +137,7 @@ std::vector<SiteId> vertices_around(const Incremental2& plane,
   for (const Ends& edge : crossed_edges(plane, segment[0], segment[1])) {
     vertices.insert(vertices.end(), edge.begin(), edge.end());
   }
-  sort_unique(vertices);
+  sort_distinct(vertices);
   return vertices;
 }
 

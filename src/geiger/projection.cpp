@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include <tetloft/predicates.hpp>
+#include "sections/contour_edges.hpp"
 
 namespace tetloft::internal::geiger {
 
@@ -19,72 +19,31 @@ double distance_to_segment(const Point2& p, const Point2& a, const Point2& b) {
   return std::hypot(p.x - a.x - s * dx, p.y - a.y - s * dy);
 }
 
-// The contour edges of a section in rows of equal height, each edge in all rows it crosses.
-class EdgeRows {
+// A section's contours, and what is near: a share of their mean edge.
+class Interior {
  public:
-  explicit EdgeRows(const ConformingSection& section) : section_(section) {
+  explicit Interior(const ConformingSection& section) : contours_(section) {
     double sum = 0;
-    std::size_t edges = 0;
-    low_ = high_ = section.point(PlaneVertexId(0)).y;
-    for_each_edge([&](const Point2& a, const Point2& b) {
-      sum += std::hypot(b.x - a.x, b.y - a.y);
-      ++edges;
-      low_ = std::min(low_, a.y);
-      high_ = std::max(high_, a.y);
-    });
-    near_ = kNear * sum / static_cast<double>(edges);
-    const double rows = std::min((high_ - low_) / near_, static_cast<double>(edges));
-    row_.resize(static_cast<std::size_t>(std::max(1.0, rows)));
-    for_each_edge([&](const Point2& a, const Point2& b) {
-      const std::size_t last = row_of(std::max(a.y, b.y));
-      for (std::size_t r = row_of(std::min(a.y, b.y)); r <= last; ++r) row_[r].push_back({a, b});
-    });
+    for (const auto& [a, b] : contours_.edges()) sum += std::hypot(b.x - a.x, b.y - a.y);
+    near_ = kNear * sum / static_cast<double>(contours_.edges().size());
   }
 
   [[nodiscard]] double near() const { return near_; }
 
   [[nodiscard]] bool is_well_inside(const Point2& p) const {
-    if (!(p.y > low_ && p.y < high_)) return false;
-    bool inside = false;
-    for (const auto& [a, b] : row_[row_of(p.y)]) {
-      const Point2& below = a.y <= b.y ? a : b;
-      const Point2& above = a.y <= b.y ? b : a;
-      if (!(below.y <= p.y && p.y < above.y)) continue;
-      if (orient2d(below, above, p) == Sign::positive) inside = !inside;
-    }
-    if (!inside) return false;
-    const std::size_t last = row_of(p.y + near_);
-    for (std::size_t r = row_of(p.y - near_); r <= last; ++r) {
-      for (const auto& [a, b] : row_[r]) {
-        if (distance_to_segment(p, a, b) < near_) return false;
-      }
-    }
-    return true;
+    if (contours_.locate(p) != sections::ContourEdges::Where::inside) return false;
+    bool well = true;
+    contours_.tree().query({p.x - near_, p.y - near_, p.x + near_, p.y + near_},
+                           [&](std::size_t e) {
+                             const auto& [a, b] = contours_.edges()[e];
+                             well = well && distance_to_segment(p, a, b) >= near_;
+                           });
+    return well;
   }
 
  private:
-  struct Edge {
-    Point2 a, b;
-  };
-
-  template <class Visit>
-  void for_each_edge(const Visit& visit) const {
-    for (std::size_t v = 0; v < section_.vertex_count(); ++v) {
-      const PlaneVertexId next = section_.next[PlaneVertexId(v)];
-      if (next.valid()) visit(section_.point(PlaneVertexId(v)), section_.point(next));
-    }
-  }
-
-  [[nodiscard]] std::size_t row_of(double y) const {
-    const double at = (y - low_) / (high_ - low_) * static_cast<double>(row_.size());
-    return static_cast<std::size_t>(std::clamp(at, 0.0, static_cast<double>(row_.size() - 1)));
-  }
-
-  const ConformingSection& section_;
-  double low_ = 0;
-  double high_ = 0;
+  sections::ContourEdges contours_;
   double near_ = 0;
-  std::vector<std::vector<Edge>> row_;
 };
 
 }  // namespace
@@ -104,7 +63,7 @@ std::vector<Point2> external_skeleton_vertices(const ConformingSection& section)
 std::vector<Point2> projected_into(const ConformingSection& section,
                                    std::span<const Point2> candidates) {
   if (section.vertex_count() == 0) return {};
-  const EdgeRows rows(section);
+  const Interior interior(section);
   std::vector<Point2> sorted(candidates.begin(), candidates.end());
   std::sort(sorted.begin(), sorted.end(),
             [](const Point2& p, const Point2& q) { return canonical_less(p, q); });
@@ -113,15 +72,15 @@ std::vector<Point2> projected_into(const ConformingSection& section,
   std::vector<Point2> kept;
   std::size_t oldest = 0;
   for (const Point2& p : sorted) {
-    if (!rows.is_well_inside(p)) continue;
-    for (; oldest < kept.size() && kept[oldest].x < p.x - rows.near(); ++oldest) {
+    if (!interior.is_well_inside(p)) continue;
+    for (; oldest < kept.size() && kept[oldest].x < p.x - interior.near(); ++oldest) {
       auto at = recent.lower_bound(kept[oldest].y);
       while (at->second != kept[oldest]) ++at;
       recent.erase(at);
     }
-    const auto last = recent.upper_bound(p.y + rows.near());
-    if (std::any_of(recent.lower_bound(p.y - rows.near()), last, [&](const auto& other) {
-          return std::hypot(other.second.x - p.x, other.second.y - p.y) < rows.near();
+    const auto last = recent.upper_bound(p.y + interior.near());
+    if (std::any_of(recent.lower_bound(p.y - interior.near()), last, [&](const auto& other) {
+          return std::hypot(other.second.x - p.x, other.second.y - p.y) < interior.near();
         })) {
       continue;
     }

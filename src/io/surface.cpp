@@ -13,7 +13,7 @@ SurfaceMesh surface_mesh(const Model& model) {
   for (const TriangleVertices& triangle : surface.triangles) {
     for (const VertexId v : triangle) number[v] = 1;
   }
-  for (VertexId v(0); v < model.points.end_id(); v = VertexId(v.index() + 1)) {
+  for (const VertexId v : model.points.ids()) {
     if (number[v] == 0) continue;
     number[v] = static_cast<std::uint32_t>(mesh.vertex.size());
     mesh.vertex.push_back(v);

@@ -74,13 +74,8 @@ class VertexLinks {
     vertices_.clear();
     boundary_edges_ = 0;
     components_ = 0;
-    const HalfFaceId first = mesh_.first_corner(v);
-    if (!first.valid()) return;
-    HalfFaceId c = first;
-    do {
-      corners_.push_back(c);
-      c = mesh_.next_corner(c);
-    } while (c != first);
+    for (const HalfFaceId c : mesh_.corners(v)) corners_.push_back(c);
+    if (corners_.empty()) return;
 
     // At most three link vertices for each triangle, and half the table stays empty.
     table_.assign(std::bit_ceil(6 * corners_.size()), kEmpty);

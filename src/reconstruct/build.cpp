@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "core/sort_distinct.hpp"
 #include "reconstruct/stack_errors.hpp"
 
 namespace tetloft::internal {
@@ -83,8 +84,7 @@ Result<std::vector<SlabId>> SlabBuilds::refine(SlabId slab, const RefineHere& wa
     }
     plan_.correspondence = std::move(*anew);
   }
-  std::sort(touched.begin(), touched.end());
-  touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+  sort_distinct(touched);
   return touched;
 }
 

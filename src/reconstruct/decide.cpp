@@ -23,10 +23,9 @@ std::optional<Error> Decision::find_candidates(SlabId slab) {
   const SectionId below = lower_section(slab);
   const SectionId above = upper_section(slab);
   if (options_.correspondence.criterion == Criterion::overlap) {
-    const auto& [stack, exponent, nestings, sections, work_limit] = prepared_;
-    candidates_[slab] =
-        overlap_links(slab, stack.sections[below], nestings[below], stack.sections[above],
-                      nestings[above], options_.correspondence.tau);
+    candidates_[slab] = overlap_links(slab, prepared_.stack.sections[below],
+                                      prepared_.nestings[below], prepared_.stack.sections[above],
+                                      prepared_.nestings[above], options_.correspondence.tau);
     return std::nullopt;
   }
   const ConformingSection& lower = prepared_.sections[below];

@@ -22,6 +22,7 @@ struct PreparedStack {
   double work_limit = kDefaultWorkLimit;
 
   [[nodiscard]] std::size_t section_count() const { return stack.sections.size(); }
+  /// Requires a section, as validate() does.
   [[nodiscard]] std::size_t slab_count() const { return section_count() - 1; }
 
   /// Conforms a section; the edges of the given contours become Gabriel (empty: none).

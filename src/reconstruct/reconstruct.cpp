@@ -72,66 +72,67 @@ void describe(const PreparedStack& prepared, const Model& model, ReconstructRepo
       std::count(model.origin.begin(), model.origin.end(), PointOrigin::contour_split));
   report.work += report.split_vertices;
   for (std::size_t s = 1; s + 1 < prepared.section_count(); ++s) {
-    const auto& internal = prepared.sections[SectionId(s)].internal;
-    count(
-        report.rules, Rule::gluing,
-        static_cast<std::uint64_t>(std::count(internal.begin(), internal.end(), std::uint8_t{1})));
+    const auto& inside = prepared.sections[SectionId(s)].internal;
+    count(report.rules, Rule::gluing,
+          static_cast<std::uint64_t>(std::count(inside.begin(), inside.end(), std::uint8_t{1})));
   }
 }
 
-// All phases: prepare, decide, build, glue. Nothing where the model, made in the unit, is none in
-// the one given.
-Result<std::optional<Reconstruction>> make(const SectionStack& stack,
-                                           const ReconstructOptions& options, Unit unit,
-                                           int& exponent) {
-  const auto start = Clock::now();
-  WatchedWork work(options.execution, step_count(stack));
-  Reconstruction result;
+// Decide, build, glue. Nothing where the model, made in the unit of the prepared stack, is none in
+// the one given. `result` holds what is known before.
+Result<std::optional<Reconstruction>> make(PreparedStack& prepared,
+                                           const ReconstructOptions& options, WatchedWork& work,
+                                           Reconstruction result) {
   ReconstructReport& report = result.report;
   StepClock clock(report.seconds);
-  if (auto error = check_options(options)) return *error;
-  Result<PreparedStack> prepared = prepare(stack, unit, options, work);
-  if (!prepared) return prepared.error();
-  exponent = prepared->exponent;
-  clock.end(Step::sections);
-
   Plan plan;
-  plan.exponent = exponent;
-  plan.gabriel.resize(prepared->section_count());
-  Result<std::optional<EndPlanes>> ends = place_ends(*prepared, options, result.warnings);
+  plan.exponent = prepared.exponent;
+  plan.gabriel.resize(prepared.section_count());
+  Result<std::optional<EndPlanes>> ends = place_ends(prepared, options, result.warnings);
   if (!ends) return ends.error();
   plan.ends = *ends;
-  Decision decision(*prepared, options);
-  Result<Correspondence> decided = decision.make(all_ids<SlabId>(prepared->slab_count()), work);
+  Decision decision(prepared, options);
+  Result<Correspondence> decided = decision.make(all_ids<SlabId>(prepared.slab_count()), work);
   if (!decided) return decided.error();
   plan.correspondence = std::move(*decided);
   clock.end(Step::correspondence);
 
-  SlabBuilds builds(*prepared, decision, plan, options, work);
+  SlabBuilds builds(prepared, decision, plan, options, work);
   if (auto error = builds.run()) return *error;
   std::vector<Part> parts = builds.take_parts();
   add_up(parts, report);
   count(report.rules, Rule::gabriel_refinement, builds.refinements());
   StepClock gluing(report.seconds);
-  result.model = glue(prepared->sections, plan.correspondence.component, std::move(parts));
+  result.model = glue(prepared.sections, plan.correspondence.component, std::move(parts));
   gluing.end(Step::assembly);
-  describe(*prepared, result.model, report);
-  if (!scale_exactly(result.model, -exponent)) return std::optional<Reconstruction>();
+  describe(prepared, result.model, report);
+  if (!scale_exactly(result.model, -prepared.exponent)) return std::optional<Reconstruction>();
   report.volume = volume(result.model);
   result.partition = std::move(plan.correspondence.partition);
-  report.seconds_total = std::chrono::duration<double>(Clock::now() - start).count();
   return std::optional(std::move(result));
 }
 
-// The same, with errors in the unit given.
-Result<std::optional<Reconstruction>> make_in(const SectionStack& stack,
-                                              const ReconstructOptions& options, Unit unit) {
-  int exponent = 0;
-  auto made = make(stack, options, unit, exponent);
-  if (made) return made;
-  Error error = made.error();
-  if (error.where.point) error.where.point = scaled(*error.where.point, -exponent);
-  return error;
+// All phases; errors in the unit given.
+Result<std::optional<Reconstruction>> make_in(Unit unit, const SectionStack& stack,
+                                              const ReconstructOptions& options) {
+  const auto start = Clock::now();
+  if (auto error = check_options(options)) return *error;
+  WatchedWork work(options.execution, step_count(stack));
+  Reconstruction result;
+  StepClock clock(result.report.seconds);
+  Result<PreparedStack> prepared = prepare(stack, unit, options, work);
+  if (!prepared) return prepared.error();
+  clock.end(Step::sections);
+  auto made = make(*prepared, options, work, std::move(result));
+  if (!made) {
+    Error error = made.error();
+    if (error.where.point) error.where.point = scaled(*error.where.point, -prepared->exponent);
+    return error;
+  }
+  if (*made) {
+    (*made)->report.seconds_total = std::chrono::duration<double>(Clock::now() - start).count();
+  }
+  return made;
 }
 
 }  // namespace
@@ -141,12 +142,12 @@ Result<Reconstruction> reconstruct(const SectionStack& stack,
   return guard_threads(given_options,
                        [&](const ReconstructOptions& options) -> Result<Reconstruction> {
                          if (Result<void> sound = fp_self_check(); !sound) return sound.error();
-                         auto made = make_in(stack, options, Unit::of_the_stack);
+                         auto made = make_in(Unit::of_the_stack, stack, options);
                          if (!made) return made.error();
                          if (*made) return std::move(**made);
                          ReconstructOptions again = options;
                          again.execution.progress = nullptr;  // all steps have been told
-                         made = make_in(stack, again, Unit::as_given);
+                         made = make_in(Unit::as_given, stack, again);
                          if (!made) return made.error();
                          return std::move(**made);
                        });

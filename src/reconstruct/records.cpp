@@ -90,13 +90,8 @@ void check_plan(const Plan& plan, RecordReader& in) {
   }
 }
 
-SlabVertices get_vertices(RecordReader& in) {
-  const auto lower = in.get<std::uint32_t>();
-  const auto upper = in.get<std::uint32_t>();
-  return {lower, upper};
-}
-
-SlabRegions get_regions(RecordReader& in) {
+template <class Numbering>
+Numbering get_numbering(RecordReader& in) {
   const auto lower = in.get<std::uint32_t>();
   const auto upper = in.get<std::uint32_t>();
   return {lower, upper};
@@ -199,8 +194,8 @@ Result<SlabSolid> solid_from_record(std::string_view bytes, const std::string& n
   return guard_internal([&]() -> Result<SlabSolid> {
     RecordReader in(bytes, kSolid, name);
     SlabSolid solid;
-    solid.vertices = get_vertices(in);
-    solid.regions = get_regions(in);
+    solid.vertices = get_numbering<SlabVertices>(in);
+    solid.regions = get_numbering<SlabRegions>(in);
     get_constructed(in, solid);
     get_pieces(in, solid);
     const std::vector<std::uint64_t> rules = in.get_all<std::uint64_t>();

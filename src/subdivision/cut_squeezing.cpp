@@ -8,6 +8,8 @@
 
 #include <tetloft/predicates.hpp>
 
+#include "core/sort_distinct.hpp"
+
 namespace tetloft::internal {
 
 namespace {
@@ -19,12 +21,6 @@ using Tet = std::array<NodeId, 4>;
 // range from coming near another node, which the embedding test would refuse. Neither half nor
 // twice as much changes a sample.
 constexpr double kReach = 0x1p-4;
-
-template <class Item>
-void sort_distinct(std::vector<Item>& items) {
-  std::sort(items.begin(), items.end());
-  items.erase(std::unique(items.begin(), items.end()), items.end());
-}
 
 bool has(const Tet& tet, NodeId v) { return std::find(tet.begin(), tet.end(), v) != tet.end(); }
 

@@ -7,6 +7,7 @@
 
 #include "core/cpu_clock.hpp"
 #include "core/guard.hpp"
+#include "core/sort_distinct.hpp"
 #include "mesh/face_groups.hpp"
 #include "subdivision/cut_squeezing.hpp"
 
@@ -24,12 +25,6 @@ constexpr double kSmallestCut = 0x1p-30;
 // A cut that has come this near is not what is at fault. A choice: three halvings are given to a
 // cut alone, before they cost lift as well.
 constexpr double kStubborn = 0x1p-3;
-
-template <class Item>
-void sort_unique(std::vector<Item>& items) {
-  std::sort(items.begin(), items.end());
-  items.erase(std::unique(items.begin(), items.end()), items.end());
-}
 
 }  // namespace
 
@@ -192,8 +187,8 @@ std::vector<Contact> Embedding::boundary_contacts() {
 }
 
 Embedding::Outcome Embedding::give_way(Blame blame) {
-  sort_unique(blame.cuts);
-  sort_unique(blame.prisms);
+  sort_distinct(blame.cuts);
+  sort_distinct(blame.prisms);
   bool truncated = false;
   for (const std::size_t k : blame.prisms) {
     ++lone_[k].level;
@@ -212,7 +207,7 @@ Embedding::Outcome Embedding::give_way(Blame blame) {
       blame_node(cut.away, blame);
     }
   }
-  sort_unique(blame.lifted);
+  sort_distinct(blame.lifted);
   for (const LiftedId k : blame.lifted) {
     count(rules_, Rule::halved_lift);
     if (!lifting_.halve(k)) {

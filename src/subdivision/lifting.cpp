@@ -7,6 +7,7 @@
 
 #include <tetloft/predicates.hpp>
 
+#include "core/sort_distinct.hpp"
 #include "subdivision/squeeze.hpp"
 
 namespace tetloft::internal {
@@ -29,11 +30,6 @@ constexpr double kFlat = 0.1;
 constexpr double kLowEnough = 0x1p-5;
 // No child in particular.
 constexpr std::uint32_t kNone = 0xFFFFFFFFU;
-
-void sort_unique(std::vector<std::uint32_t>& items) {
-  std::sort(items.begin(), items.end());
-  items.erase(std::unique(items.begin(), items.end()), items.end());
-}
 
 Buckets children_at_lifted(const Subdivision& subdivision) {
   struct Corner {
@@ -185,7 +181,7 @@ void Lifting::aim(LiftedId k, Aim aim, std::uint32_t bad_child) {
 bool Lifting::settle(RuleCounts& rules) {
   // The first bad child of a vertex that is to be lowered; kNone otherwise.
   IdVector<LiftedId, std::uint32_t> bad_child(subdivision_.lifted.size(), kNone);
-  sort_unique(todo_);
+  sort_distinct(todo_);
 
   // Rounds: all vertices of bad children are halved together, then the children they touch
   // are looked at again.
@@ -209,7 +205,7 @@ bool Lifting::settle(RuleCounts& rules) {
       bad_child[k] = kNone;
       look_again(k);
     }
-    sort_unique(todo_);
+    sort_distinct(todo_);
   }
   raise();
   return true;

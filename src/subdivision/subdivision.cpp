@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "core/guard.hpp"
+#include "core/sort_distinct.hpp"
 
 namespace tetloft::internal {
 
@@ -79,8 +80,7 @@ class Subdivider {
         if (slab_.is_upper(w) != upper) opposite_.push_back(w);
       }
     }
-    std::sort(opposite_.begin(), opposite_.end());
-    opposite_.erase(std::unique(opposite_.begin(), opposite_.end()), opposite_.end());
+    sort_distinct(opposite_);
     Point3 sum{};
     for (const SlabVertexId w : opposite_) {
       const Point3 p = slab_.point(w);

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 
+#include "core/sort_distinct.hpp"
 #include "core/union_find.hpp"
 #include "subdivision/trimming_distance.hpp"
 
@@ -91,9 +92,9 @@ class Trimmer {
       }
       if (simplex.size() == 3) triangles.push_back({simplex[0], simplex[1], simplex[2]});
     }
-    sort_unique(vertices);
-    sort_unique(edges);
-    sort_unique(triangles);
+    sort_distinct(vertices);
+    sort_distinct(edges);
+    sort_distinct(triangles);
     if (vertices.size() + triangles.size() != edges.size() + 1) return false;
     UnionFind parts(vertices.size());
     std::size_t count = vertices.size();
@@ -123,12 +124,6 @@ class Trimmer {
       corners.push_back(v);
     }
     return corners;
-  }
-
-  template <class Item>
-  static void sort_unique(std::vector<Item>& items) {
-    std::sort(items.begin(), items.end());
-    items.erase(std::unique(items.begin(), items.end()), items.end());
   }
 
   const Slab& slab_;

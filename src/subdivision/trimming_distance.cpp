@@ -21,20 +21,11 @@ double magnitude(const Point2& p) { return std::max(std::abs(p.x), std::abs(p.y)
 
 }  // namespace
 
-RegionDistance::RegionDistance(const ConformingSection& section) : tree_({}) {
-  std::vector<Box2> boxes;
-  for (std::size_t k = 0; k < section.vertex_count(); ++k) {
-    const PlaneVertexId v(k);
-    if (!section.next[v].valid()) continue;
-    const Edge edge{section.point(v), section.point(section.next[v])};
-    edges_.push_back(edge);
-    boxes.push_back(box_of(edge.a, edge.b));
-    largest_ = std::max(largest_, magnitude(edge.a));
-  }
-  tree_ = BoxTree2(boxes);
+RegionDistance::RegionDistance(const ConformingSection& section) : contours_(section) {
+  for (const auto& edge : contours_.edges()) largest_ = std::max(largest_, magnitude(edge.a));
 }
 
-/// More than distances and abscissae of points on edges are off by rounding: some ten roundings
+/// More than distances are off by rounding: some ten roundings
 /// of numbers up to twice the largest coordinates.
 double RegionDistance::tolerance(const Point2& p) const {
   return 0x1p-44 * std::max(largest_, magnitude(p));
@@ -43,23 +34,15 @@ double RegionDistance::tolerance(const Point2& p) const {
 double RegionDistance::distance(const Point2& p, double enough) const {
   double best = std::numeric_limits<double>::infinity();
   const double tolerated = tolerance(p);
-  tree_.query_nearest(
+  contours_.tree().query_nearest(
       p,
-      [&](std::size_t e) { best = std::min(best, distance_to_edge(p, edges_[e].a, edges_[e].b)); },
+      [&](std::size_t e) {
+        const auto& [a, b] = contours_.edges()[e];
+        best = std::min(best, distance_to_edge(p, a, b));
+      },
       [&] { return best <= enough ? -1.0 : best + tolerated; });
-  return best > enough && contains(p) ? 0 : best;
-}
-
-/// Odd number of edges to the right.
-bool RegionDistance::contains(const Point2& p) const {
-  bool inside = false;
-  const Box2 right{p.x - tolerance(p), p.y, std::numeric_limits<double>::infinity(), p.y};
-  tree_.query(right, [&](std::size_t e) {
-    const auto& [a, b] = edges_[e];
-    if ((a.y > p.y) == (b.y > p.y)) return;
-    if (p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
-  });
-  return inside;
+  if (best <= enough) return best;
+  return contours_.locate(p) == sections::ContourEdges::Where::outside ? best : 0;
 }
 
 }  // namespace tetloft::internal

@@ -3,12 +3,10 @@
 // Near-linear in all for many points: the edges of the contours lie in a box tree.
 #pragma once
 
-#include <vector>
-
 #include <tetloft/conforming_section.hpp>
 #include <tetloft/point.hpp>
 
-#include "spatial/box_tree.hpp"
+#include "sections/contour_edges.hpp"
 
 namespace tetloft::internal {
 
@@ -22,15 +20,10 @@ class RegionDistance {
   [[nodiscard]] double distance(const Point2& p, double enough) const;
 
  private:
-  struct Edge {
-    Point2 a, b;
-  };
   [[nodiscard]] double tolerance(const Point2& p) const;
-  [[nodiscard]] bool contains(const Point2& p) const;
 
-  std::vector<Edge> edges_;  // of contours
-  BoxTree2 tree_;            // over edges_
-  double largest_ = 0;       // coordinate of theirs
+  sections::ContourEdges contours_;
+  double largest_ = 0;  // coordinate of theirs
 };
 
 }  // namespace tetloft::internal

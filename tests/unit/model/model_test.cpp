@@ -4,6 +4,7 @@
 
 #include <set>
 #include <string>
+#include <vector>
 
 namespace tetloft {
 namespace {
@@ -28,6 +29,24 @@ double outward(const Model& model, const TriangleVertices& t, const Point3& insi
   const Point3 w{c.x - a.x, c.y - a.y, c.z - a.z};
   const Point3 n{u.y * w.z - u.z * w.y, u.z * w.x - u.x * w.z, u.x * w.y - u.y * w.x};
   return n.x * (a.x - inside.x) + n.y * (a.y - inside.y) + n.z * (a.z - inside.z);
+}
+
+TEST(HalfFaces, HaveTheModelsIdsAndItsBoundary) {
+  Model model = one_tet();
+  model.tets.push_back({v(1), v(2), v(3), v(4)});
+  const Result<TetMesh> mesh = half_faces(model);
+  ASSERT_TRUE(mesh) << to_string(mesh.error());
+  EXPECT_EQ(mesh->vertices(TetId(1)), model.tets[TetId(1)]);
+  EXPECT_EQ(mesh->star(v(1), v(2)), (std::vector<TetId>{TetId(0), TetId(1)}));
+  std::vector<TriangleVertices> boundary;
+  for (const HalfFaceId h : mesh->boundary()) boundary.push_back(mesh->face_vertices(h));
+  EXPECT_EQ(boundary, boundary_surface(model).triangles);
+}
+
+TEST(HalfFaces, OfAModelThatHasNoneAreRefused) {
+  Model model = one_tet();
+  model.tets.push_back(model.tets[TetId(0)]);
+  EXPECT_EQ(half_faces(model).error().code, ErrorCode::invalid_input);
 }
 
 TEST(BoundarySurface, OfNothingIsEmpty) {

@@ -14,7 +14,6 @@
 
 #include "core/prng.hpp"
 #include "io/base64.hpp"
-#include "render/deflate.hpp"
 #include "unit/render/inflate.hpp"
 
 namespace tetloft {
@@ -155,45 +154,6 @@ Image picture(const Model& model, const RenderOptions& options) {
   const auto image = png ? decode_png(*png) : std::nullopt;
   EXPECT_TRUE(image);
   return image.value_or(Image{});
-}
-
-TEST(Deflate, RoundTripsThroughADecoderOfItsOwn) {
-  Prng prng(1);
-  std::vector<std::string> all{"", "a", "ab", std::string(100'000, 'x'), "abcabcabcabcabcabcab"};
-  std::string noise, words, far;
-  for (int k = 0; k < 70'000; ++k) noise += static_cast<char>(prng.next() & 0xFFU);
-  for (int k = 0; k < 60'000; ++k) words += "tetrahedra "[prng.next() % 11];
-  far = noise.substr(0, 300) + std::string(32'768 - 300, 'z') + noise.substr(0, 300) +
-        std::string(32'768, 'y') + noise.substr(0, 300);
-  all.insert(all.end(), {noise, words, far});
-  // Fibonacci counts ask for codes longer than 15 bits.
-  std::string skewed;
-  std::size_t a = 1, b = 1;
-  for (char c = 0; c < 24; ++c) {
-    skewed += std::string(a, static_cast<char>('a' + c));
-    b = std::exchange(a, a + b);
-  }
-  for (std::size_t k = skewed.size(); k-- > 1;) std::swap(skewed[k], skewed[prng.next() % (k + 1)]);
-  all.push_back(skewed);
-  for (const std::string& bytes : all) {
-    const std::string packed = render::zlib_compressed(bytes);
-    const auto unpacked = test::inflate(packed);
-    ASSERT_TRUE(unpacked) << bytes.size();
-    EXPECT_TRUE(*unpacked == bytes) << bytes.size();
-  }
-  EXPECT_LT(render::zlib_compressed(std::string(100'000, 'x')).size(), 300U);
-  EXPECT_LT(render::zlib_compressed(words).size(), 30'000U);
-}
-
-TEST(Base64, EncodesWhatTheDecoderReads) {
-  EXPECT_EQ(io::encode_base64(""), "");
-  EXPECT_EQ(io::encode_base64("f"), "Zg==");
-  EXPECT_EQ(io::encode_base64("fo"), "Zm8=");
-  EXPECT_EQ(io::encode_base64("foo"), "Zm9v");
-  EXPECT_EQ(io::encode_base64("foobar"), "Zm9vYmFy");
-  std::string bytes;
-  for (int k = 0; k < 256; ++k) bytes += static_cast<char>(k);
-  EXPECT_EQ(io::decode_base64(io::encode_base64(bytes), bytes.size()), bytes);
 }
 
 TEST(Png, ABoxFromTheFrontIsARectangleOfItsProportions) {
