@@ -60,4 +60,27 @@ double area(const RegionOutline& region) {
   return twice_area_of(sections::trapezoids_of(region)).rounded() / 2;
 }
 
+Sign compare_area(const RegionOutline& region, double side) {
+  sections::require_outline(region);
+  if (!std::isfinite(side)) return Sign::negative;
+  const Trapezoids shape = sections::trapezoids_of(region);
+  const int scale = sections::scale_of(shape.box);
+  std::vector<Trapezoid> scaled = shape.edges;
+  const double scaled_side = std::abs(side) * std::ldexp(1, scale);
+  // Scaled coordinates are far below that, and its square is far from overflow.
+  if (scaled_side > 0x1p30) return Sign::negative;
+  if (sections::rescale(scaled, scale)) {
+    const Interval sides = Interval{downwards(scaled_side), upwards(scaled_side)};
+    const Interval excess = sections::twice_area(scaled) - Interval{2, 2} * (sides * sides);
+    if (excess.positive()) return Sign::positive;
+    if (excess.negative()) return Sign::negative;
+  }
+  int unit = std::min(sections::lattice_exponent(shape.edges), 0);
+  if (side != 0) unit = std::min(unit, Dyadic(side).exponent);
+  const BigInteger sides = BigInteger::from_double(side, unit);
+  const BigInteger area =
+      sections::twice_area(sections::in_units<BigInteger>(shape.edges, {0, 0}, unit));
+  return static_cast<Sign>((area - BigInteger(2) * sides * sides).sign());
+}
+
 }  // namespace tetloft

@@ -8,11 +8,29 @@
 namespace tetloft::internal::sections {
 
 ContourEdges::ContourEdges(const ConformingSection& section) : tree_({}) {
-  std::vector<Box2> boxes;
   for (const PlaneVertexId v : section.next.ids()) {
     if (!section.next[v].valid()) continue;
     edges_.push_back({section.point(v), section.point(section.next[v])});
-    boxes.push_back(box_of(edges_.back().a, edges_.back().b));
+  }
+  build_tree();
+}
+
+ContourEdges::ContourEdges(const RegionOutline& region) : tree_({}) {
+  for (const Contour* contour : region.contours) {
+    const std::vector<Point2>& vertices = contour->vertices;
+    for (std::size_t v = 0; v < vertices.size(); ++v) {
+      edges_.push_back({vertices[v], vertices[v + 1 == vertices.size() ? 0 : v + 1]});
+    }
+  }
+  build_tree();
+}
+
+void ContourEdges::build_tree() {
+  std::vector<Box2> boxes;
+  boxes.reserve(edges_.size());
+  for (const Edge& e : edges_) {
+    boxes.push_back(box_of(e.a, e.b));
+    box_.add(boxes.back());
   }
   tree_ = BoxTree2(boxes);
 }

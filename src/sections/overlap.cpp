@@ -14,6 +14,7 @@
 #include "sections/interiors.hpp"
 #include "sections/overlap_exact.hpp"
 #include "sections/overlap_pairs.hpp"
+#include "sections/reported_bits.hpp"
 
 namespace tetloft {
 
@@ -23,10 +24,6 @@ namespace {
 
 using sections::Trapezoid;
 using sections::Trapezoids;
-
-// Reported ratios have this many bits: far fewer than an interval holds, so that equal
-// ratios come out equal whichever way they were computed.
-constexpr int kRatioBits = 32;
 
 // An interval that holds two rounded ratios is resolved exactly, up to this many pairs of
 // edges (a second or so). More have contours of thousands of vertices folded hundreds of
@@ -148,13 +145,6 @@ Bounds bounds(const Trapezoids& a, const Trapezoids& b) {
   return result;
 }
 
-// To kRatioBits significant bits, halves rounded up.
-double to_ratio_bits(double value) {
-  int exponent = 0;
-  const double mantissa = std::frexp(value, &exponent);
-  return std::ldexp(std::floor(std::ldexp(mantissa, kRatioBits) + 0.5), exponent - kRatioBits);
-}
-
 }  // namespace
 
 std::array<Sign, 2> compare_overlap(const RegionOutline& a, const RegionOutline& b,
@@ -220,15 +210,15 @@ double overlap_ratio(const RegionOutline& a, const RegionOutline& b) {
   if (!areas.overlap.positive() && !sections::interiors_meet(a, b)) return 0;
   if (areas.overlap.positive() && areas.smaller.positive()) {
     const Interval ratio = quotient(areas.overlap, areas.smaller);
-    const double rounded = to_ratio_bits(ratio.lo);
-    if (ratio.lo > 0 && rounded == to_ratio_bits(ratio.hi)) return rounded;
+    const double rounded = sections::to_reported_bits(ratio.lo);
+    if (ratio.lo > 0 && rounded == sections::to_reported_bits(ratio.hi)) return rounded;
     if (areas.pairs > kMostExactPairs) {
-      return std::min(to_ratio_bits(ratio.lo + (ratio.hi - ratio.lo) / 2), 1.0);
+      return std::min(sections::to_reported_bits(ratio.lo + (ratio.hi - ratio.lo) / 2), 1.0);
     }
   }
   // The smallest overlaps of all would round to zero.
   const double rounded =
-      sections::rounded_ratio(sections::exact_overlap(edges_a, edges_b), kRatioBits);
+      sections::rounded_ratio(sections::exact_overlap(edges_a, edges_b), sections::kReportedBits);
   return std::max(rounded, std::numeric_limits<double>::denorm_min());
 }
 

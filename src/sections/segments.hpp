@@ -26,4 +26,13 @@ namespace tetloft::internal::sections {
   return cda != Sign::zero && orient2d(c, d, b) == -cda;
 }
 
+/// Do the closed segments a b and c d share a point? Requires that their boxes do: segments that do
+/// not straddle each other's lines are apart, collinear ones share what their boxes share.
+[[nodiscard]] inline bool touch(const Point2& a, const Point2& b, const Point2& c,
+                                const Point2& d) {
+  const auto on_one_side = [](Sign s, Sign t) { return s != Sign::zero && s == t; };
+  return !on_one_side(orient2d(a, b, c), orient2d(a, b, d)) &&
+         !on_one_side(orient2d(c, d, a), orient2d(c, d, b));
+}
+
 }  // namespace tetloft::internal::sections

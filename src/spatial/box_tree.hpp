@@ -35,10 +35,11 @@ struct Box2 {
     x1 = std::max(x1, b.x1);
     y1 = std::max(y1, b.y1);
   }
-  /// How far p is outside along x and y; 0 inside.
-  [[nodiscard]] Point2 offset(const Point2& p) const {
-    return {std::max({x0 - p.x, p.x - x1, 0.0}), std::max({y0 - p.y, p.y - y1, 0.0})};
+  /// How far b is outside along x and y; 0 where their ranges have a point in common.
+  [[nodiscard]] Point2 offset(const Box2& b) const {
+    return {std::max({x0 - b.x1, b.x0 - x1, 0.0}), std::max({y0 - b.y1, b.y0 - y1, 0.0})};
   }
+  [[nodiscard]] Point2 offset(const Point2& p) const { return offset({p.x, p.y, p.x, p.y}); }
   /// Do the closed boxes share a point?
   [[nodiscard]] bool meets(const Box2& b) const {
     return x0 <= b.x1 && b.x0 <= x1 && y0 <= b.y1 && b.y0 <= y1;
@@ -90,18 +91,15 @@ class BoxTree2 {
     }
   }
 
-  /// Calls visit(i) for boxes near p, roughly from the nearest on, and always for those whose
-  /// offset from p is at most within(): what it returns may decrease from visit to visit.
-  template <class Visit, class Within>
-  void query_nearest(const Point2& p, Visit visit, Within within) const {
+  /// Calls visit(i) for boxes roughly from the one of the least offset(box) on, and always for
+  /// those of at most within(): what that returns may decrease from visit to visit. Requires that
+  /// offset() of a box is not above that of a box in it.
+  template <class Offset, class Visit, class Within>
+  void query_least(Offset offset, Visit visit, Within within) const {
     if (level_.empty()) return;
     struct Candidate {
       double offset;
       Waiting node;
-    };
-    const auto offset_of = [&](const Box2& box) {
-      const Point2 offset = box.offset(p);
-      return std::max(offset.x, offset.y);
     };
     Candidate stack[kFanOut * 12];
     std::size_t top = 0;
@@ -113,7 +111,7 @@ class BoxTree2 {
       if (from.node.level == 0) {
         const std::size_t last = std::min(first + kFanOut, order_.size());
         for (std::size_t k = first; k < last; ++k) {
-          if (offset_of(leaf_[k]) <= within()) visit(std::size_t{order_[k]});
+          if (offset(leaf_[k]) <= within()) visit(std::size_t{order_[k]});
         }
         continue;
       }
@@ -122,14 +120,22 @@ class BoxTree2 {
       const std::size_t last = std::min(first + kFanOut, count);
       const std::size_t bottom = top;
       for (std::size_t k = first; k < last; ++k) {
-        stack[top++] = {offset_of(nodes_[level_[below] + k]),
-                        {below, static_cast<std::uint32_t>(k)}};
+        stack[top++] = {offset(nodes_[level_[below] + k]), {below, static_cast<std::uint32_t>(k)}};
       }
       // The nearest is taken up first.
       std::sort(stack + bottom, stack + top, [](const Candidate& a, const Candidate& b) {
         return a.offset != b.offset ? a.offset > b.offset : a.node.index > b.node.index;
       });
     }
+  }
+  /// The same for boxes near p: by how far it is outside along x or y.
+  template <class Visit, class Within>
+  void query_nearest(const Point2& p, Visit visit, Within within) const {
+    const auto offset = [&](const Box2& box) {
+      const Point2 outside = box.offset(p);
+      return std::max(outside.x, outside.y);
+    };
+    query_least(offset, visit, within);
   }
 
  private:

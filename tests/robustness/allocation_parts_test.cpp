@@ -131,6 +131,16 @@ TEST(MemoryEnds, InSkeletonsAndOverlaps) {
   throwing("overlap_ratio",
            [&] { static_cast<void>(overlap_ratio(a[RegionId(0)], b[RegionId(0)])); });
   throwing("area", [&] { static_cast<void>(area(a[RegionId(0)])); });
+  // The one is the area of the other, as integers tell.
+  const Contour unit{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+  throwing("compare_area", [&] { static_cast<void>(compare_area({{&unit}}, 1)); });
+  throwing("region_distance",
+           [&] { static_cast<void>(region_distance(a[RegionId(0)], b[RegionId(0)])); });
+  // An ulp off a diagonal: only integers tell the distance.
+  const Contour corner{{{0, 0}, {4, 4}, {0, 8}}};
+  const Contour tip{{{std::nextafter(2.0, 3.0), 2}, {8, -4}, {8, 0}}};
+  throwing("region_distance, exact",
+           [&] { static_cast<void>(region_distance({{&corner}}, {{&tip}})); });
   throwing("area_sign", [&] {
     static_cast<void>(area_sign(stack.sections[SectionId(0)].contours[ContourId(0)]));
   });

@@ -164,6 +164,10 @@ TEST(Entry, OfOverlapsRefusesOutlinesOfNothing) {
         {"overlap_ratio", [&] { drop(overlap_ratio(bad, good)); }},
         {"overlap_ratio, second", [&] { drop(overlap_ratio(good, bad)); }},
         {"area", [&] { drop(area(bad)); }},
+        {"compare_area", [&] { drop(compare_area(bad, 1)); }},
+        {"region_distance", [&] { drop(region_distance(bad, good)); }},
+        {"region_distance, second", [&] { drop(region_distance(good, bad)); }},
+        {"region_distance_within", [&] { drop(region_distance_within(good, bad, -1)); }},
     });
   }
 }
