@@ -1,0 +1,43 @@
+// What belongs together in a stack, and why, link by link: to find the few places that are worth a
+// look, and to overrule them (CorrespondenceOptions::decisions). The rule: correspondence.hpp.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <tetloft/correspondence.hpp>
+#include <tetloft/execution.hpp>
+#include <tetloft/export.hpp>
+#include <tetloft/result.hpp>
+#include <tetloft/section_stack.hpp>
+
+namespace tetloft {
+
+struct StackLinks {
+  /// Made ones, and those that nearly were: pairs that overlap, or are moved so that they do, and
+  /// of each region left without link the nearest. By (slab, lower, upper region).
+  std::vector<RegionLink> links;
+  /// By `moved`: the motions that are not 0, by (slab, upper, region).
+  std::vector<RegionMotion> motions;
+  ContourPartition partition;
+  std::size_t components = 0;
+  std::vector<Warning> warnings;
+};
+
+struct LinkOptions {
+  CorrespondenceOptions correspondence = {};
+  Execution execution = {};  ///< threads share the slabs
+};
+
+/// The links of a stack, without making a solid: rules 1 to 7. Refused: invalid_input for an
+/// invalid stack, or labels and decisions that name no contour or contradict each other;
+/// unrepresentable for labels that cannot be realised, naming contours; work_limit as by
+/// reconstruct(), with `reverse` alone; usage for options out of range; cancelled if it was stopped.
+[[nodiscard]] TETLOFT_API Result<StackLinks> find_links(const SectionStack& stack,
+                                                        const LinkOptions& options = {});
+
+/// Links in order of doubt: those first whose |margin|, or of lone regions' links |lead| where that
+/// is less, is least; equal ones stay in order.
+[[nodiscard]] TETLOFT_API std::vector<RegionLink> least_sure_first(std::vector<RegionLink> links);
+
+}  // namespace tetloft
