@@ -30,8 +30,8 @@
 // 3. Lone regions, unless `reverse`, or `lone` is off. A region without a candidate of 1 or 2 on
 //    any side, of the first and last section, too, is lone. Of all pairs it is in, it gets the one
 //    of largest s (then of lower slab, of lower number of the other region), among those with
-//    d < 1/2, or d < 1 where its area (area(), without its holes) is below gap² / 4. Lone regions
-//    choose all at once: two may choose each other, or choose differently.
+//    d < 1/2, or d < 1 where its area, its holes left out, is below (gap / 2)², exactly. Lone
+//    regions choose all at once: two may choose each other, or choose differently.
 // 4. Decisions of the user's on single links: a parted pair is no candidate, a joined one is.
 // 5. Without labels every candidate is accepted.
 // 6. With labels: joined pairs first, then candidates in order of decreasing s, then by (slab,

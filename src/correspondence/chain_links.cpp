@@ -1,23 +1,18 @@
 // Oblique tubes: a region that nothing overlaps is moved on by as much as it moved from the
 // section before, in proportion to the gaps, and is matched with what it overlaps there.
-#include "correspondence/drift_links.hpp"
+#include "correspondence/chain_links.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
 #include <utility>
 
-#include <tetloft/overlap.hpp>
-
-#include "core/guard.hpp"
-#include "core/sort_distinct.hpp"
-#include "correspondence/contour_box.hpp"
+#include "correspondence/moved_region.hpp"
+#include "correspondence/overlap_links.hpp"
 
 namespace tetloft::internal {
 
 namespace {
 
-// The links of a region in one slab: how many, and with which region the last of them is.
+// The candidates of a region in one slab: how many, and with which region the last of them is.
 struct Partners {
   std::size_t count = 0;
   RegionId last;
@@ -25,9 +20,11 @@ struct Partners {
 
 using RegionPartners = IdVector<RegionId, Partners>;
 
-RegionPartners partners_of(std::size_t regions, const std::vector<Link>& links, bool upper) {
+RegionPartners partners_of(std::size_t regions, const SlabCandidates& candidates, bool upper) {
   RegionPartners result(regions);
-  for (const Link& link : links) {
+  for (const Candidate& candidate : candidates) {
+    if (!candidate.made()) continue;
+    const Link& link = candidate.link;
     Partners& partners = result[upper ? link.upper : link.lower];
     ++partners.count;
     partners.last = upper ? link.lower : link.upper;
@@ -35,121 +32,129 @@ RegionPartners partners_of(std::size_t regions, const std::vector<Link>& links, 
   return result;
 }
 
-// A section and its regions.
-struct Regions {
-  const Section& section;
-  const Nesting& nesting;
-  [[nodiscard]] std::size_t size() const { return nesting.outer.size(); }
-  [[nodiscard]] ContourBox box(RegionId r) const {
-    return box_of(section.contours[nesting.outer[r]]);
+// One way through a slab: regions of `from` are moved on to `to`, as they came from `behind`.
+class Passage {
+ public:
+  Passage(const SectionRegions& behind, const RegionPartners& origins, const SectionRegions& from,
+          const SectionRegions& to)
+      : behind_(behind), origins_(origins), from_(from), to_(to) {}
+
+  // The region moved on, if it has an origin and remains a region.
+  [[nodiscard]] std::optional<MovedRegion> moved_on(RegionId r) const {
+    const std::optional<RegionId> origin = origin_of(r);
+    if (!origin) return std::nullopt;
+    const double scale = gap(from_, to_) / gap(behind_, from_);
+    const Point2 here = from_.centre(r);
+    const Point2 there = behind_.centre(*origin);
+    return moved(from_.outline[r], {(here.x - there.x) * scale, (here.y - there.y) * scale});
   }
-  [[nodiscard]] Point2 centre(RegionId r) const {
-    const ContourBox b = box(r);
-    return {(b.low.x + b.high.x) / 2, (b.low.y + b.high.y) / 2};
+
+ private:
+  static double gap(const SectionRegions& a, const SectionRegions& b) {
+    return std::max(a.z, b.z) - std::min(a.z, b.z);
   }
+
+  [[nodiscard]] std::optional<RegionId> origin_of(RegionId r) const {
+    const Partners& partners = origins_[r];
+    if (partners.count == 1) return partners.last;
+    if (partners.count > 1) return std::nullopt;
+    std::optional<RegionId> nearest;
+    double reach = kChainReach;
+    const bool up = behind_.z < from_.z;
+    behind_.for_each_near(grown(from_.box[r], reach * gap(behind_, from_)), [&](RegionId q) {
+      const auto d = up ? gaps_apart(behind_, q, from_, r, reach)
+                        : gaps_apart(from_, r, behind_, q, reach);
+      if (!d || (nearest && !(*d < reach))) return;
+      nearest = q;
+      reach = *d;
+    });
+    return nearest;
+  }
+
+  const SectionRegions& behind_;
+  const RegionPartners& origins_;
+  const SectionRegions& from_;
+  const SectionRegions& to_;
 };
 
-// A region's outline as a section of its own; contour 0 is the outer one.
-struct MovedRegion {
-  Section section;
-  Nesting nesting;
-  [[nodiscard]] RegionOutline outline() const {
-    return tetloft::outline(section, nesting, RegionId(0));
-  }
-};
-
-// Nothing where rounding leaves no such region.
-std::optional<MovedRegion> moved(const Regions& regions, RegionId r, const Point2& by) {
-  Section section{regions.section.z, {}};
-  for (const Contour* contour : outline(regions.section, regions.nesting, r).contours) {
-    Contour copy = *contour;
-    for (Point2& p : copy.vertices) p = {p.x + by.x, p.y + by.y};
-    section.contours.push_back(std::move(copy));
-  }
-  SectionStack alone;
-  alone.sections.push_back(std::move(section));
-  if (!accepted(validate(alone))) return std::nullopt;
-  MovedRegion result{std::move(alone.sections[SectionId(0)]), {}};
-  result.nesting = nest(result.section);
-  const IdVector<RegionId, ContourId>& outer = result.nesting.outer;
-  if (outer.size() != 1 || outer[RegionId(0)] != ContourId(0)) return std::nullopt;
-  return result;
-}
-
-// The single regions of a slab's two sections, and those of them that are moved from one
-// section to the other.
+// The single regions of a slab, and the pairs of them that are within reach.
 class SlabSingles {
  public:
-  SlabSingles(const Regions& below, const Regions& above, const std::vector<Link>& links)
-      : below_{below, partners_of(below.size(), links, false)},
-        above_{above, partners_of(above.size(), links, true)} {}
+  SlabSingles(SlabId slab, const SectionRegions& below, const SectionRegions& above,
+              const SlabCandidates& candidates)
+      : slab_(slab),
+        below_(below),
+        above_(above),
+        of_below_(partners_of(below.size(), candidates, false)),
+        of_above_(partners_of(above.size(), candidates, true)) {}
 
-  // Calls match(r, q) for each single region r of one section, moved on from `behind`, and
-  // single region q of the other that it overlaps. partners: those of r in the slab behind.
-  template <class Match>
-  void match_moved(bool upwards, const Regions& behind, const RegionPartners& partners,
-                   double drift, const Match& match) const {
-    const Side& from = upwards ? below_ : above_;
-    const Side& to = upwards ? above_ : below_;
-    const double z = from.regions.section.z;
-    const double scale = std::abs(to.regions.section.z - z) / std::abs(z - behind.section.z);
-    for (std::size_t r = 0; r < from.regions.size(); ++r) {
-      const RegionId region(r);
-      if (!from.is_single(region) || partners[region].count != 1) continue;
-      const Point2 here = from.regions.centre(region);
-      const Point2 there = behind.centre(partners[region].last);
-      const auto on =
-          moved(from.regions, region, {(here.x - there.x) * scale, (here.y - there.y) * scale});
+  [[nodiscard]] SlabCandidates pairs_within_reach() const {
+    SlabCandidates pairs;
+    for (const RegionId i : below_.ids()) {
+      if (of_below_[i].count > 0) continue;
+      const Box2 near = grown(below_.box[i], kChainReach * (above_.z - below_.z));
+      above_.for_each_near(near, [&](RegionId j) {
+        if (of_above_[j].count > 0) return;
+        const auto d = gaps_apart(below_, i, above_, j, kChainReach);
+        if (!d) return;
+        Candidate pair{{slab_, i, j}, Evidence::chain, LinkFate::too_weak};
+        pair.distance = *d;
+        pairs.push_back(pair);
+      });
+    }
+    return pairs;
+  }
+
+  // Raises the moved ratios of pairs to those of regions moved on along this passage.
+  void measure(const Passage& passage, bool upwards, SlabCandidates& pairs) const {
+    IdVector<RegionId, std::vector<Candidate*>> of((upwards ? below_ : above_).size());
+    for (Candidate& pair : pairs) of[upwards ? pair.link.lower : pair.link.upper].push_back(&pair);
+    for (const RegionId r : of.ids()) {
+      if (of[r].empty()) continue;
+      const std::optional<MovedRegion> on = passage.moved_on(r);
       if (!on) continue;
-      const ContourBox box = box_of(on->section.contours[ContourId(0)]);
-      for (std::size_t q = 0; q < to.regions.size(); ++q) {
-        const RegionId other(q);
-        if (!to.is_single(other) || !box.meets(to.regions.box(other))) continue;
-        const RegionOutline met = outline(to.regions.section, to.regions.nesting, other);
-        if (compare_overlap(on->outline(), met, drift) == Sign::positive) match(region, other);
+      const RegionOutline outline = on->outline();
+      for (Candidate* const pair : of[r]) {
+        const RegionOutline& met =
+            upwards ? above_.outline[pair->link.upper] : below_.outline[pair->link.lower];
+        const double ratio = overlap_ratio(outline, met);
+        if (exceeds(outline, met, ratio, kChainOverlap)) pair->fate = LinkFate::made;
+        pair->moved = std::max(pair->moved, ratio);
       }
     }
   }
 
  private:
-  struct Side {
-    Regions regions;
-    RegionPartners partners;
-    [[nodiscard]] bool is_single(RegionId r) const { return partners[r].count == 0; }
-  };
-  Side below_;
-  Side above_;
+  SlabId slab_;
+  const SectionRegions& below_;
+  const SectionRegions& above_;
+  RegionPartners of_below_, of_above_;
 };
 
 }  // namespace
 
-std::vector<Link> drift_links(SlabId slab, const SectionStack& stack,
-                              const IdVector<SectionId, Nesting>& nestings,
-                              const IdVector<SlabId, std::vector<Link>>& overlap, double drift) {
-  const auto regions = [&](std::size_t s) {
-    return Regions{stack.sections[SectionId(s)], nestings[SectionId(s)]};
-  };
-  const std::size_t k = slab.index();
-  const Regions below = regions(k);
-  const Regions above = regions(k + 1);
-  const SlabSingles singles(below, above, overlap[slab]);
-  std::vector<Link> links;
-  if (k > 0) {
-    singles.match_moved(true, regions(k - 1),
-                        partners_of(below.size(), overlap[SlabId(k - 1)], true), drift,
-                        [&](RegionId r, RegionId q) {
-                          links.push_back({slab, r, q});
-                        });
+SlabCandidates chain_links(SlabId slab, const StackSections& sections,
+                           const StackCandidates& by_criterion) {
+  const SectionId below(slab.index());
+  const SectionId above(slab.index() + 1);
+  const SlabSingles singles(slab, sections[below], sections[above], by_criterion[slab]);
+  SlabCandidates pairs = singles.pairs_within_reach();
+  if (pairs.empty()) return pairs;
+  if (slab.index() > 0) {
+    const SectionRegions& behind = sections[SectionId(slab.index() - 1)];
+    const RegionPartners origins =
+        partners_of(sections[below].size(), by_criterion[SlabId(slab.index() - 1)], true);
+    singles.measure(Passage(behind, origins, sections[below], sections[above]), true, pairs);
   }
-  if (k + 1 < overlap.size()) {
-    singles.match_moved(false, regions(k + 2),
-                        partners_of(above.size(), overlap[SlabId(k + 1)], false), drift,
-                        [&](RegionId r, RegionId q) {
-                          links.push_back({slab, q, r});
-                        });
+  if (slab.index() + 1 < by_criterion.size()) {
+    const SectionRegions& behind = sections[SectionId(slab.index() + 2)];
+    const RegionPartners origins =
+        partners_of(sections[above].size(), by_criterion[SlabId(slab.index() + 1)], false);
+    singles.measure(Passage(behind, origins, sections[above], sections[below]), false, pairs);
   }
-  sort_distinct(links);
-  return links;
+  std::erase_if(pairs, [](const Candidate& pair) { return pair.moved == 0; });
+  for (Candidate& pair : pairs) pair.margin = pair.moved - kChainOverlap;
+  return pairs;
 }
 
 }  // namespace tetloft::internal

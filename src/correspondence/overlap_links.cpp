@@ -1,55 +1,68 @@
 #include "correspondence/overlap_links.hpp"
 
-#include <array>
-
-#include <tetloft/overlap.hpp>
-
-#include "correspondence/contour_box.hpp"
+#include <cmath>
 
 namespace tetloft::internal {
 
-std::vector<Link> overlap_links(SlabId slab, const Section& below, const Nesting& nesting_below,
-                                const Section& above, const Nesting& nesting_above, double tau) {
-  struct Candidate {
-    Link link;
-    bool strong;
-  };
-  const std::size_t lows = nesting_below.outer.size();
-  const std::size_t highs = nesting_above.outer.size();
-  std::vector<ContourBox> high_box(highs);
-  const IdVector<RegionId, RegionOutline> low_outline = outlines(below, nesting_below);
-  const IdVector<RegionId, RegionOutline> high_outline = outlines(above, nesting_above);
-  for (std::size_t j = 0; j < highs; ++j) {
-    high_box[j] = box_of(above.contours[nesting_above.outer[RegionId(j)]]);
-  }
+namespace {
 
-  std::vector<Candidate> candidates;
+// Rounding to 32 bits moves a ratio by less than this, relative to it.
+constexpr double kRatioSlack = 0x1p-31;
+
+Sign compared(const RegionOutline& a, const RegionOutline& b, double ratio, double tau) {
+  if (std::abs(ratio - tau) > kRatioSlack * ratio) {
+    return ratio > tau ? Sign::positive : Sign::negative;
+  }
+  return compare_overlap(a, b, tau);
+}
+
+}  // namespace
+
+std::vector<OverlappingPair> overlapping_pairs(const SectionRegions& below,
+                                               const SectionRegions& above) {
+  std::vector<OverlappingPair> pairs;
+  for (const RegionId i : below.ids()) {
+    above.for_each_near(below.box[i], [&](RegionId j) {
+      const double ratio = overlap_ratio(below.outline[i], above.outline[j]);
+      if (ratio > 0) pairs.push_back({i, j, ratio});
+    });
+  }
+  return pairs;
+}
+
+bool exceeds(const RegionOutline& a, const RegionOutline& b, double ratio, double tau) {
+  return compared(a, b, ratio, tau) == Sign::positive;
+}
+
+SlabCandidates overlap_links(SlabId slab, const SectionRegions& below, const SectionRegions& above,
+                             double tau) {
+  SlabCandidates candidates;
   // Has a region a strong link?
-  IdVector<RegionId, std::uint8_t> strong_below(lows, 0);
-  IdVector<RegionId, std::uint8_t> strong_above(highs, 0);
-  for (std::size_t i = 0; i < lows; ++i) {
-    const ContourBox low_box = box_of(below.contours[nesting_below.outer[RegionId(i)]]);
-    for (std::size_t j = 0; j < highs; ++j) {
-      if (!low_box.meets(high_box[j])) continue;
-      const auto [against_strong, against_tau] = compare_overlap(
-          low_outline[RegionId(i)], high_outline[RegionId(j)], std::array{kStrongOverlap, tau});
-      const bool strong = against_strong != Sign::negative;
-      if (strong) strong_below[RegionId(i)] = strong_above[RegionId(j)] = 1;
-      if (against_tau != Sign::positive) continue;
-      candidates.push_back({{slab, RegionId(i), RegionId(j)}, strong});
-    }
+  IdVector<RegionId, std::uint8_t> strong_below(below.size(), 0);
+  IdVector<RegionId, std::uint8_t> strong_above(above.size(), 0);
+  std::vector<bool> strong;
+  for (const auto& [i, j, ratio] : overlapping_pairs(below, above)) {
+    const RegionOutline& low = below.outline[i];
+    const RegionOutline& high = above.outline[j];
+    strong.push_back(compared(low, high, ratio, kStrongOverlap) != Sign::negative);
+    if (strong.back()) strong_below[i] = strong_above[j] = 1;
+    Candidate candidate{{slab, i, j}};
+    candidate.ratio = candidate.moved = ratio;
+    candidate.margin = ratio - tau;
+    if (!exceeds(low, high, ratio, tau)) candidate.fate = LinkFate::too_weak;
+    candidates.push_back(candidate);
   }
-
-  std::vector<Link> links;
-  for (const Candidate& c : candidates) {
+  for (std::size_t k = 0; k < candidates.size(); ++k) {
+    Candidate& candidate = candidates[k];
+    const auto& [in, low, high] = candidate.link;
     // The guard: a weak link between two regions that are well connected elsewhere is
     // taken for a coincidence of neighbours.
-    if (!c.strong && strong_below[c.link.lower] != 0 && strong_above[c.link.upper] != 0) {
-      continue;
-    }
-    links.push_back(c.link);
+    if (strong[k] || strong_below[low] == 0 || strong_above[high] == 0) continue;
+    if (!candidate.made()) continue;
+    candidate.fate = LinkFate::outruled;
+    candidate.margin = candidate.ratio - kStrongOverlap;
   }
-  return links;
+  return candidates;
 }
 
 }  // namespace tetloft::internal

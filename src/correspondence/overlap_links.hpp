@@ -1,18 +1,27 @@
-// Criterion `overlap` of correspondence, guarded.
+// Candidates of criterion `overlap`: rule 1 of include/tetloft/correspondence.hpp.
 #pragma once
 
-#include <vector>
-
-#include <tetloft/correspondence.hpp>
-#include <tetloft/nesting.hpp>
-
-#include "slab/link.hpp"
+#include "correspondence/candidate.hpp"
+#include "correspondence/section_regions.hpp"
 
 namespace tetloft::internal {
 
-/// The links of one slab, sorted.
-[[nodiscard]] std::vector<Link> overlap_links(SlabId slab, const Section& below,
-                                              const Nesting& nesting_below, const Section& above,
-                                              const Nesting& nesting_above, double tau);
+/// A pair of regions whose interiors meet, with r.
+struct OverlappingPair {
+  RegionId lower, upper;
+  double ratio = 0;
+};
+/// All of two sections, sorted.
+[[nodiscard]] std::vector<OverlappingPair> overlapping_pairs(const SectionRegions& below,
+                                                             const SectionRegions& above);
+
+/// Is the overlap ratio of the two above tau, exactly? `ratio` is that ratio as overlap_ratio()
+/// rounds it, which nearly always tells.
+[[nodiscard]] bool exceeds(const RegionOutline& a, const RegionOutline& b, double ratio,
+                           double tau);
+
+/// All pairs that overlap: those that the rule takes, and the others.
+[[nodiscard]] SlabCandidates overlap_links(SlabId slab, const SectionRegions& below,
+                                           const SectionRegions& above, double tau);
 
 }  // namespace tetloft::internal

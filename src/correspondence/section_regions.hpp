@@ -1,8 +1,10 @@
 // The regions of one section, as the rules of correspondence look at them.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 #include <tetloft/nesting.hpp>
 #include <tetloft/overlap.hpp>
@@ -48,7 +50,7 @@ using StackSections = IdVector<SectionId, SectionRegions>;
                                                const SectionRegions& above, RegionId upper,
                                                double reach);
 
-/// A box that is larger by this on all sides, or a little more.
+/// The box, larger by this on all sides and by a little more: nothing nearer is missed.
 [[nodiscard]] Box2 grown(const Box2& box, double by);
 
 }  // namespace tetloft::internal
