@@ -1,29 +1,48 @@
-// Signed distances to the contours of a section, sampled on a window of a square lattice.
+// Signed distances to the contours of a section, sampled on a lattice.
 #pragma once
 
-#include <cstddef>
-#include <span>
 #include <vector>
 
 #include <tetloft/point.hpp>
 #include <tetloft/section_stack.hpp>
 
+#include "motion/lattice_window.hpp"
+#include "spatial/box_tree.hpp"
+
 namespace tetloft::internal {
 
-/// A window of a square lattice: sample (i, j) lies at origin + (i, j) · step.
-struct LatticeWindow {
-  Point2 origin;
-  double step = 1;
-  std::size_t nx = 0, ny = 0;
-  [[nodiscard]] std::size_t size() const { return nx * ny; }
-  [[nodiscard]] double x(std::size_t i) const { return origin.x + static_cast<double>(i) * step; }
-  [[nodiscard]] double y(std::size_t j) const { return origin.y + static_cast<double>(j) * step; }
+/// The edges of a section's contours in units of the lattice's step, each with its ends in
+/// canonical order.
+class LatticeEdges {
+ public:
+  struct Edge {
+    Point2 a, b;
+  };
+  LatticeEdges(const Section& section, double step);
+
+  [[nodiscard]] const std::vector<Edge>& edges() const { return edges_; }
+  /// Of all of them.
+  [[nodiscard]] const Box2& box() const { return box_; }
+
+ private:
+  std::vector<Edge> edges_;
+  Box2 box_;
 };
 
-/// The signed distances of the window's samples, row by row, to the edges of the contours:
-/// negative at points of odd crossing number, no farther than limit on either side.
-/// Depends on the set of edges only, not on their order or direction.
-[[nodiscard]] std::vector<double> signed_distances(std::span<const Contour* const> contours,
-                                                   const LatticeWindow& window, double limit);
+/// Samples of a window, row by row.
+struct DistanceSamples {
+  LatticeWindow window;
+  std::vector<double> value;
+  [[nodiscard]] const double* at(std::int64_t i, std::int64_t j) const {
+    return value.data() + static_cast<std::size_t>(j - window.j0) * window.nx() +
+           static_cast<std::size_t>(i - window.i0);
+  }
+};
+
+/// The signed distances of the window's samples to the edges: negative at points of odd crossing
+/// number, and `limit` at most on either side. A sample depends on the set of edges alone, neither
+/// on their order nor on the window.
+[[nodiscard]] DistanceSamples sample_distances(const LatticeEdges& edges,
+                                               const LatticeWindow& window, double limit);
 
 }  // namespace tetloft::internal
