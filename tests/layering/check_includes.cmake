@@ -17,6 +17,7 @@ set(may_mesh core)
 set(may_delaunay2 core arithmetic spatial predicates)
 set(may_delaunay3 core spatial predicates mesh delaunay2)
 set(may_sections core arithmetic spatial predicates delaunay2)
+set(may_motion core spatial sections)
 set(may_contact core predicates mesh)
 set(may_model core mesh)
 set(may_slab core predicates mesh delaunay2 delaunay3 sections model)
@@ -28,7 +29,7 @@ set(may_geiger core predicates mesh delaunay2 delaunay3 sections model slab)
 set(may_check core arithmetic predicates mesh sections contact model)
 set(may_io core sections model)
 set(may_render core mesh sections model io)
-set(modules core arithmetic spatial predicates mesh delaunay2 delaunay3 sections contact model slab correspondence completion subdivision
+set(modules core arithmetic spatial predicates mesh delaunay2 delaunay3 sections motion contact model slab correspondence completion subdivision
   reconstruct geiger check io render)
 
 # Public headers whose name is not their module's. delaunay.hpp and sections.hpp are all of their
