@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <tetloft/correspondence.hpp>
 #include <tetloft/export.hpp>
 #include <tetloft/ids.hpp>
 #include <tetloft/point.hpp>
@@ -58,6 +59,11 @@ struct Model {
   IdVector<VertexId, PointOrigin> origin;
 
   std::size_t component_count = 0;
+
+  /// What was decided to belong together, and what nearly was: as StackLinks::links.
+  std::vector<RegionLink> links;
+  /// By correspondence `moved`: as StackLinks::motions.
+  std::vector<RegionMotion> motions;
 };
 
 /// Adjacency, stars and links of a model's tets; vertex and tet ids are the model's. Made anew by

@@ -115,11 +115,7 @@ Result<ExpectedPartition> expected_partition(const SectionStack& stack, const Se
   if (!label.ok()) return label.error();
   std::vector<Link> candidates;
   if (options.criterion == Criterion::overlap) {
-    candidates = overlap_links(stack, regions, options.tau);
-    if (options.drift.has_value()) {
-      const std::vector<Link> further = drift_links(stack, regions, candidates, *options.drift);
-      candidates.insert(candidates.end(), further.begin(), further.end());
-    }
+    candidates = overlap_links(stack, regions, threshold_of(options));
   } else {
     auto links = reverse_links(refined, regions);
     if (!links.ok()) return links.error();

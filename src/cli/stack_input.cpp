@@ -15,12 +15,16 @@ using namespace internal;
 std::vector<Option> stack_options() {
   std::vector<Option> options{
       {"--correspondence", "RULE",
-       "which contours form one component: overlap (default) or reverse (reverse tetrahedra)"},
+       "which contours form one component: overlap (default), moved (as the surroundings move from "
+       "section to section), or reverse (reverse tetrahedra)"},
       {"--overlap", "TAU",
-       "overlap unites two regions above this ratio of areas, from 0 to below 1 (default 0.02)"},
-      {"--drift", "RATIO",
-       "overlap also unites regions without link that overlap above this ratio, from 0 to below "
-       "1, where moved on as they came: for oblique tubes (default: not done)"},
+       "overlap and moved unite two regions above this ratio of areas, from 0 to below 1 (default "
+       "0.02, 0.1)"},
+      {"--no-chain", "",
+       "do not continue oblique parts, whose neighbouring sections do not overlap, as they came"},
+      {"--no-lone", "",
+       "leave regions alone that nothing links, where the default joins them to the nearest one: "
+       "for particles"},
       {"--labels", "FILE", described_inputs(Contents::labels)},
   };
   for (const Option& option : preparation_options()) options.push_back(option);
@@ -68,9 +72,9 @@ Result<Model> read_model_input(const std::string& path, const std::string& forma
 
 Result<CorrespondenceOptions> correspondence_options(const Arguments& arguments, Console& console) {
   CorrespondenceOptions options;
-  const auto rule = arguments.choice("--correspondence", {"overlap", "reverse"});
+  const auto rule = arguments.choice("--correspondence", {"overlap", "reverse", "moved"});
   if (!rule) return rule.error();
-  options.criterion = rule->value_or(0) == 0 ? Criterion::overlap : Criterion::reverse;
+  if (rule->has_value()) options.criterion = static_cast<Criterion>(**rule);
   const auto tau = arguments.number("--overlap");
   if (!tau) return tau.error();
   if (tau->has_value()) {
@@ -83,18 +87,8 @@ Result<CorrespondenceOptions> correspondence_options(const Arguments& arguments,
       console.warn({"--overlap has no effect with --correspondence reverse", {}});
     }
   }
-  const auto drift = arguments.number("--drift");
-  if (!drift) return drift.error();
-  if (drift->has_value()) {
-    if (!is_overlap_ratio(**drift)) {
-      return usage_error("option --drift: " + io::in_quotes(*arguments.text("--drift")) +
-                         " is not from 0 to below 1");
-    }
-    if (options.criterion == Criterion::reverse) {
-      return usage_error("option --drift has no meaning with --correspondence reverse");
-    }
-    options.drift = **drift;
-  }
+  options.chain = !arguments.has("--no-chain");
+  options.lone = !arguments.has("--no-lone");
   return options;
 }
 

@@ -31,14 +31,11 @@ Result<void> check_length(double value, const char* what) {
 }
 
 Result<void> check_correspondence_options(const CorrespondenceOptions& options) {
-  if (!is_enumerator(options.criterion, Criterion::reverse)) {
-    return refused("there is no such criterion of correspondence: overlap or reverse");
+  if (!is_enumerator(options.criterion, Criterion::moved)) {
+    return refused("there is no such criterion of correspondence: overlap, reverse or moved");
   }
-  if (!is_overlap_ratio(options.tau)) return refused("the overlap threshold must be in [0, 1)");
-  if (!options.drift) return {};
-  if (!is_overlap_ratio(*options.drift)) return refused("the drift threshold must be in [0, 1)");
-  if (options.criterion != Criterion::overlap) {
-    return refused("drift belongs to the overlap criterion");
+  if (!is_overlap_ratio(threshold_of(options))) {
+    return refused("the overlap threshold must be in [0, 1)");
   }
   return {};
 }

@@ -6,7 +6,7 @@
 
 namespace tetloft::internal {
 
-/// Of areas, as `tau` and `drift` are: in [0, 1).
+/// Of areas, as `tau` is: in [0, 1).
 [[nodiscard]] bool is_overlap_ratio(double value);
 /// Of tets per vertex: above 0; infinity is none.
 [[nodiscard]] bool is_work_limit(double value);
@@ -17,8 +17,8 @@ namespace tetloft::internal {
 inline constexpr int kFewestSnapBits = 1;
 inline constexpr int kMostSnapBits = 50;
 
-/// Usage error for a criterion that there is none of, for ratios that are not in [0, 1), and for
-/// drift without the overlap criterion. Labels are input, and looked at with the sections.
+/// Usage error for a criterion that there is none of, and for ratios that are not in [0, 1). Labels
+/// and decisions are input, and looked at with the sections.
 [[nodiscard]] Result<void> check_correspondence_options(const CorrespondenceOptions& options);
 /// Usage error where it is none.
 [[nodiscard]] Result<void> check_work_limit(double value);

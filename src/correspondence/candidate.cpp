@@ -4,13 +4,26 @@
 
 namespace tetloft::internal {
 
-void add_candidate(SlabCandidates& candidates, const Candidate& further) {
-  const auto at = std::lower_bound(
-      candidates.begin(), candidates.end(), further.link,
-      [](const Candidate& candidate, const Link& link) { return candidate.link < link; });
+namespace {
+
+auto place_of(SlabCandidates& candidates, const Link& link) {
+  return std::lower_bound(
+      candidates.begin(), candidates.end(), link,
+      [](const LinkCandidate& candidate, const Link& other) { return candidate.link < other; });
+}
+
+}  // namespace
+
+LinkCandidate* find_candidate(SlabCandidates& candidates, const Link& link) {
+  const auto at = place_of(candidates, link);
+  return at == candidates.end() || at->link != link ? nullptr : &*at;
+}
+
+void add_candidate(SlabCandidates& candidates, const LinkCandidate& further) {
+  const auto at = place_of(candidates, further.link);
   if (at == candidates.end() || at->link != further.link) {
     candidates.insert(at, further);
-  } else if (!at->made() && further.made()) {
+  } else if (further.made() || !at->made()) {
     *at = further;
   }
 }

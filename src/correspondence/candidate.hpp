@@ -7,11 +7,12 @@
 #include <tetloft/correspondence.hpp>
 
 #include "slab/link.hpp"
+#include "slab/numbering.hpp"
 
 namespace tetloft::internal {
 
 /// As RegionLink, with regions by number. `fate` made: a candidate of the rule.
-struct Candidate {
+struct LinkCandidate {
   Link link;
   Evidence evidence = Evidence::overlap;
   LinkFate fate = LinkFate::made;
@@ -26,11 +27,14 @@ struct Candidate {
 };
 
 /// Of one slab, one entry for a pair, sorted by link.
-using SlabCandidates = std::vector<Candidate>;
+using SlabCandidates = std::vector<LinkCandidate>;
 /// Of a stack, by slab.
 using StackCandidates = IdVector<SlabId, SlabCandidates>;
 
-/// Adds one of a pair that may be there already: a made one replaces one that is not.
-void add_candidate(SlabCandidates& candidates, const Candidate& further);
+/// The entry of a pair, or null.
+[[nodiscard]] LinkCandidate* find_candidate(SlabCandidates& candidates, const Link& link);
+/// Adds one of a pair that may be there already: it replaces that one, unless that is made and
+/// this is not.
+void add_candidate(SlabCandidates& candidates, const LinkCandidate& further);
 
 }  // namespace tetloft::internal

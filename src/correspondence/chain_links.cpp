@@ -22,7 +22,7 @@ using RegionPartners = IdVector<RegionId, Partners>;
 
 RegionPartners partners_of(std::size_t regions, const SlabCandidates& candidates, bool upper) {
   RegionPartners result(regions);
-  for (const Candidate& candidate : candidates) {
+  for (const LinkCandidate& candidate : candidates) {
     if (!candidate.made()) continue;
     const Link& link = candidate.link;
     Partners& partners = result[upper ? link.upper : link.lower];
@@ -62,8 +62,8 @@ class Passage {
     double reach = kChainReach;
     const bool up = behind_.z < from_.z;
     behind_.for_each_near(grown(from_.box[r], reach * gap(behind_, from_)), [&](RegionId q) {
-      const auto d = up ? gaps_apart(behind_, q, from_, r, reach)
-                        : gaps_apart(from_, r, behind_, q, reach);
+      const auto d =
+          up ? gaps_apart(behind_, q, from_, r, reach) : gaps_apart(from_, r, behind_, q, reach);
       if (!d || (nearest && !(*d < reach))) return;
       nearest = q;
       reach = *d;
@@ -97,7 +97,7 @@ class SlabSingles {
         if (of_above_[j].count > 0) return;
         const auto d = gaps_apart(below_, i, above_, j, kChainReach);
         if (!d) return;
-        Candidate pair{{slab_, i, j}, Evidence::chain, LinkFate::too_weak};
+        LinkCandidate pair{{slab_, i, j}, Evidence::chain, LinkFate::too_weak};
         pair.distance = *d;
         pairs.push_back(pair);
       });
@@ -107,14 +107,15 @@ class SlabSingles {
 
   // Raises the moved ratios of pairs to those of regions moved on along this passage.
   void measure(const Passage& passage, bool upwards, SlabCandidates& pairs) const {
-    IdVector<RegionId, std::vector<Candidate*>> of((upwards ? below_ : above_).size());
-    for (Candidate& pair : pairs) of[upwards ? pair.link.lower : pair.link.upper].push_back(&pair);
+    IdVector<RegionId, std::vector<LinkCandidate*>> of((upwards ? below_ : above_).size());
+    for (LinkCandidate& pair : pairs)
+      of[upwards ? pair.link.lower : pair.link.upper].push_back(&pair);
     for (const RegionId r : of.ids()) {
       if (of[r].empty()) continue;
       const std::optional<MovedRegion> on = passage.moved_on(r);
       if (!on) continue;
       const RegionOutline outline = on->outline();
-      for (Candidate* const pair : of[r]) {
+      for (LinkCandidate* const pair : of[r]) {
         const RegionOutline& met =
             upwards ? above_.outline[pair->link.upper] : below_.outline[pair->link.lower];
         const double ratio = overlap_ratio(outline, met);
@@ -152,8 +153,8 @@ SlabCandidates chain_links(SlabId slab, const StackSections& sections,
         partners_of(sections[above].size(), by_criterion[SlabId(slab.index() + 1)], false);
     singles.measure(Passage(behind, origins, sections[above], sections[below]), false, pairs);
   }
-  std::erase_if(pairs, [](const Candidate& pair) { return pair.moved == 0; });
-  for (Candidate& pair : pairs) pair.margin = pair.moved - kChainOverlap;
+  std::erase_if(pairs, [](const LinkCandidate& pair) { return pair.moved == 0; });
+  for (LinkCandidate& pair : pairs) pair.margin = pair.moved - kChainOverlap;
   return pairs;
 }
 

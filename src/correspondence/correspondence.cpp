@@ -5,9 +5,8 @@
 #include <string>
 #include <utility>
 
-#include <tetloft/overlap.hpp>
-
 #include "core/sort_distinct.hpp"
+#include "correspondence/decisions.hpp"
 #include "correspondence/label_connector.hpp"
 #include "correspondence/labelled_sets.hpp"
 
@@ -45,62 +44,94 @@ Result<RegionLabels> labels_of_regions(const IdVector<SectionId, Nesting>& nesti
   return result;
 }
 
-// Candidates in order of decreasing evidence.
-std::vector<Link> by_evidence(const SectionStack& stack,
-                              const IdVector<SectionId, Nesting>& nestings,
-                              const IdVector<SlabId, std::vector<Link>>& candidates) {
-  std::vector<std::pair<double, Link>> ranked;
-  for (const std::vector<Link>& slab : candidates) {
-    for (const Link& link : slab) {
-      const SectionId below = lower_section(link.slab);
-      const SectionId above = upper_section(link.slab);
-      const double ratio =
-          overlap_ratio(outline(stack.sections[below], nestings[below], link.lower),
-                        outline(stack.sections[above], nestings[above], link.upper));
-      ranked.emplace_back(-ratio, link);
+// The candidates that are to be accepted: what the user joined first, then by decreasing score.
+std::vector<LinkCandidate*> by_evidence(StackCandidates& candidates) {
+  std::vector<LinkCandidate*> made;
+  for (SlabCandidates& slab : candidates) {
+    for (LinkCandidate& candidate : slab) {
+      if (candidate.made()) made.push_back(&candidate);
     }
   }
-  std::sort(ranked.begin(), ranked.end());
-  std::vector<Link> links;
-  links.reserve(ranked.size());
-  for (const auto& entry : ranked) links.push_back(entry.second);
-  return links;
+  std::stable_sort(made.begin(), made.end(), [](const LinkCandidate* a, const LinkCandidate* b) {
+    const bool joined_a = a->evidence == Evidence::decision;
+    const bool joined_b = b->evidence == Evidence::decision;
+    if (joined_a != joined_b) return joined_a;
+    return !joined_a && a->score() > b->score();
+  });
+  return made;
+}
+
+// Rules 5 and 6. The error of a joined pair of different labels.
+Result<void> accept(StackCandidates& candidates, const StackRegions& regions,
+                    const IdVector<SectionId, Nesting>& nestings, LabelledSets& sets,
+                    std::vector<Link>& accepted) {
+  for (LinkCandidate* const candidate : by_evidence(candidates)) {
+    const Link& link = candidate->link;
+    const StackRegionId below = regions.below(link);
+    const StackRegionId above = regions.above(link);
+    if (sets.may_unite(below, above)) {
+      sets.unite(below, above);
+      accepted.push_back(link);
+      continue;
+    }
+    if (candidate->evidence == Evidence::decision) {
+      Place place;
+      place.section = lower_section(link.slab).index();
+      place.contour = nestings[lower_section(link.slab)].outer[link.lower].index();
+      const ContourId other = nestings[upper_section(link.slab)].outer[link.upper];
+      return Error{ErrorCode::invalid_input,
+                   "a decision joins this to contour " + std::to_string(other.index()) +
+                       " of the section above, and labels, " + std::to_string(*sets.label(below)) +
+                       " and " + std::to_string(*sets.label(above)) + ", part them",
+                   place};
+    }
+    candidate->fate = LinkFate::labels_part;
+  }
+  return {};
 }
 
 }  // namespace
 
 Result<Correspondence> decide_correspondence(const SectionStack& stack,
                                              const IdVector<SectionId, Nesting>& nestings,
-                                             const IdVector<SlabId, std::vector<Link>>& candidates,
-                                             const std::vector<Label>& labels) {
+                                             const StackSections& sections,
+                                             StackCandidates candidates, const Asked& asked,
+                                             const std::set<Link>& dropped) {
   const StackRegions regions(nestings);
-  const Result<RegionLabels> region_labels = labels_of_regions(nestings, regions, labels);
+  const Result<RegionLabels> region_labels = labels_of_regions(nestings, regions, asked.labels);
   if (!region_labels) return region_labels.error();
   LabelledSets sets(*region_labels);
+  Result<std::set<Link>> closed = apply_decisions(nestings, sections, asked.decisions, candidates);
+  if (!closed) return closed.error();
+  for (SlabCandidates& slab : candidates) {
+    for (LinkCandidate& candidate : slab) {
+      if (candidate.made() && dropped.contains(candidate.link)) {
+        candidate.fate = LinkFate::unrealisable;
+      }
+    }
+  }
+  closed->insert(dropped.begin(), dropped.end());
 
   std::vector<Link> accepted;
-  if (labels.empty()) {
-    for (const std::vector<Link>& slab : candidates) {
-      accepted.insert(accepted.end(), slab.begin(), slab.end());
-    }
-    for (const Link& link : accepted) sets.unite(regions.below(link), regions.above(link));
-  } else {
-    for (const Link& link : by_evidence(stack, nestings, candidates)) {
-      const StackRegionId below = regions.below(link);
-      const StackRegionId above = regions.above(link);
-      if (!sets.may_unite(below, above)) continue;
-      sets.unite(below, above);
-      accepted.push_back(link);
-    }
+  if (Result<void> good = accept(candidates, regions, nestings, sets, accepted); !good) {
+    return good.error();
+  }
+  if (!asked.labels.empty()) {
+    const std::size_t before = accepted.size();
     if (Result<void> connected =
-            connect_labels(stack, nestings, regions, *region_labels, sets, accepted);
+            connect_labels(stack, nestings, regions, *region_labels, *closed, sets, accepted);
         !connected) {
       return connected.error();
+    }
+    for (std::size_t k = before; k < accepted.size(); ++k) {
+      add_candidate(candidates[accepted[k].slab],
+                    asked_for(accepted[k], sections, Evidence::label));
     }
   }
 
   Correspondence result;
   result.links.resize(candidates.size());
+  result.candidates = std::move(candidates);
   sort_distinct(accepted);
   for (const Link& link : accepted) result.links[link.slab].push_back(link);
 

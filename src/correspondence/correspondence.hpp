@@ -2,13 +2,15 @@
 // built: the rule of include/tetloft/correspondence.hpp.
 #pragma once
 
+#include <set>
 #include <vector>
 
 #include <tetloft/correspondence.hpp>
 #include <tetloft/nesting.hpp>
 #include <tetloft/result.hpp>
 
-#include "slab/link.hpp"
+#include "correspondence/candidate.hpp"
+#include "correspondence/section_regions.hpp"
 
 namespace tetloft::internal {
 
@@ -19,13 +21,22 @@ struct Correspondence {
   /// first contour by (section, contour).
   IdVector<SectionId, IdVector<RegionId, ComponentId>> component;
   ContourPartition partition;
+  /// All that came into question, and what became of it.
+  StackCandidates candidates;
 };
 
-/// Decides the correspondence from the candidates of each slab and the labels. Refused:
-/// invalid_input for labels that name no contour or disagree within a region;
-/// unrepresentable for labels that cannot be realised, naming contours.
+/// What the user asks for.
+struct Asked {
+  std::vector<Label> labels;
+  std::vector<LinkDecision> decisions;
+};
+
+/// Decides the correspondence from the candidates of rules 1 to 3: rules 4 to 7. Links in `dropped`
+/// are none, rule 8. Refused: invalid_input for labels and decisions that name no contour or
+/// contradict each other; unrepresentable for labels that cannot be realised, naming contours.
 [[nodiscard]] Result<Correspondence> decide_correspondence(
     const SectionStack& stack, const IdVector<SectionId, Nesting>& nestings,
-    const IdVector<SlabId, std::vector<Link>>& candidates, const std::vector<Label>& labels);
+    const StackSections& sections, StackCandidates candidates, const Asked& asked,
+    const std::set<Link>& dropped = {});
 
 }  // namespace tetloft::internal

@@ -30,8 +30,14 @@ double vertex_distance(const RegionOutline& a, const RegionOutline& b) {
 class LabelConnector {
  public:
   LabelConnector(const SectionStack& stack, const IdVector<SectionId, Nesting>& nestings,
-                 const StackRegions& regions, const RegionLabels& labels, LabelledSets& sets)
-      : stack_(stack), nestings_(nestings), regions_(regions), labels_(labels), sets_(sets) {}
+                 const StackRegions& regions, const RegionLabels& labels,
+                 const std::set<Link>& closed, LabelledSets& sets)
+      : stack_(stack),
+        nestings_(nestings),
+        regions_(regions),
+        labels_(labels),
+        closed_(closed),
+        sets_(sets) {}
 
   // Adds the links for all labels, in increasing order; an Error if one cannot be realised.
   Result<void> connect(std::vector<Link>& accepted) {
@@ -104,6 +110,7 @@ class LabelConnector {
           const StackRegionId to = sets_.find(other);
           if (state[to] == State::done) return;
           if (sets_.label(to) && *sets_.label(to) != value) return;
+          if (closed_.contains(link)) return;
           Path longer = path[set];
           longer.distance += distance(link);
           longer.links.push_back(link);
@@ -173,6 +180,7 @@ class LabelConnector {
   const IdVector<SectionId, Nesting>& nestings_;
   const StackRegions& regions_;
   const RegionLabels& labels_;
+  const std::set<Link>& closed_;
   LabelledSets& sets_;
   std::map<Link, double> distances_;  // known ones
 };
@@ -181,8 +189,9 @@ class LabelConnector {
 
 Result<void> connect_labels(const SectionStack& stack, const IdVector<SectionId, Nesting>& nestings,
                             const StackRegions& regions, const RegionLabels& labels,
-                            LabelledSets& sets, std::vector<Link>& accepted) {
-  return LabelConnector(stack, nestings, regions, labels, sets).connect(accepted);
+                            const std::set<Link>& closed, LabelledSets& sets,
+                            std::vector<Link>& accepted) {
+  return LabelConnector(stack, nestings, regions, labels, closed, sets).connect(accepted);
 }
 
 }  // namespace tetloft::internal

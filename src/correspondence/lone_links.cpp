@@ -24,8 +24,8 @@ class LoneRegions {
     if (const auto slab = slab_above()) mark_linked(candidates[*slab], false);
   }
 
-  [[nodiscard]] std::vector<Candidate> links() const {
-    std::vector<Candidate> links;
+  [[nodiscard]] std::vector<LinkCandidate> links() const {
+    std::vector<LinkCandidate> links;
     for (const RegionId r : own_.ids()) {
       if (lone_[r] == 0) continue;
       if (const auto link = preferred(r)) links.push_back(*link);
@@ -44,13 +44,13 @@ class LoneRegions {
   }
 
   void mark_linked(const SlabCandidates& candidates, bool upper) {
-    for (const Candidate& candidate : candidates) {
+    for (const LinkCandidate& candidate : candidates) {
       if (candidate.made()) lone_[upper ? candidate.link.upper : candidate.link.lower] = 0;
     }
   }
 
   // The pairs of region r in one slab, as far as the lookout, in order of the other region.
-  void add_pairs(RegionId r, SlabId slab, std::vector<Candidate>& pairs) const {
+  void add_pairs(RegionId r, SlabId slab, std::vector<LinkCandidate>& pairs) const {
     const bool upper = slab.index() < section_.index();
     const SectionRegions& below = sections_[lower_section(slab)];
     const SectionRegions& above = sections_[upper_section(slab)];
@@ -59,7 +59,7 @@ class LoneRegions {
     const MovedPairs moved(below, above, motions_[slab]);
     const bool small = compare_area(own_.outline[r], gap / 2) == Sign::negative;
     others.for_each_near(grown(own_.box[r], kLookout * gap), [&](RegionId q) {
-      Candidate pair{{slab, upper ? q : r, upper ? r : q}, Evidence::lone};
+      LinkCandidate pair{{slab, upper ? q : r, upper ? r : q}, Evidence::lone};
       const auto& [id, lower, higher] = pair.link;
       const auto d = gaps_apart(below, lower, above, higher, kLookout);
       if (!d) return;
@@ -73,12 +73,12 @@ class LoneRegions {
   }
 
   // Among the pairs within reach, or else among all.
-  [[nodiscard]] std::optional<Candidate> preferred(RegionId r) const {
-    std::vector<Candidate> pairs;
+  [[nodiscard]] std::optional<LinkCandidate> preferred(RegionId r) const {
+    std::vector<LinkCandidate> pairs;
     if (const auto slab = slab_below()) add_pairs(r, *slab, pairs);
     if (const auto slab = slab_above()) add_pairs(r, *slab, pairs);
     if (pairs.empty()) return std::nullopt;
-    const auto better = [](const Candidate& a, const Candidate& b) {
+    const auto better = [](const LinkCandidate& a, const LinkCandidate& b) {
       return a.made() != b.made() ? a.made() : a.score() > b.score();
     };
     std::stable_sort(pairs.begin(), pairs.end(), better);
@@ -95,9 +95,9 @@ class LoneRegions {
 
 }  // namespace
 
-std::vector<Candidate> lone_links(SectionId section, const StackSections& sections,
-                                  const StackCandidates& candidates,
-                                  const IdVector<SlabId, SlabMotions>& motions) {
+std::vector<LinkCandidate> lone_links(SectionId section, const StackSections& sections,
+                                      const StackCandidates& candidates,
+                                      const IdVector<SlabId, SlabMotions>& motions) {
   return LoneRegions(section, sections, candidates, motions).links();
 }
 

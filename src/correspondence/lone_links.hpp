@@ -12,8 +12,9 @@ namespace tetloft::internal {
 /// The candidate that each lone region of a section prefers: made, or, where none is within its
 /// reach, not. candidates: those of rules 1 and 2; motions: as rule 1 took them; of all slabs, of
 /// which those beside the section are looked at.
-[[nodiscard]] std::vector<Candidate> lone_links(SectionId section, const StackSections& sections,
-                                                const StackCandidates& candidates,
-                                                const IdVector<SlabId, SlabMotions>& motions);
+[[nodiscard]] std::vector<LinkCandidate> lone_links(SectionId section,
+                                                    const StackSections& sections,
+                                                    const StackCandidates& candidates,
+                                                    const IdVector<SlabId, SlabMotions>& motions);
 
 }  // namespace tetloft::internal

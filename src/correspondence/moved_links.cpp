@@ -49,9 +49,7 @@ SlabMotions motions_where_unclear(SlabId slab, const SectionStack& stack,
 
 SlabCandidates moved_links(SlabId slab, const SectionRegions& below, const SectionRegions& above,
                            const SlabMotions& motions, double tau) {
-  const double gap = above.z - below.z;
   const MovedPairs moved(below, above, motions);
-  Box2 farthest;
   SlabCandidates candidates;
   for (const RegionId i : below.ids()) {
     for (const RegionId j : above.ids()) {
@@ -59,7 +57,7 @@ SlabCandidates moved_links(SlabId slab, const SectionRegions& below, const Secti
       // No ratio exceeds 1.
       const auto d = gaps_apart(below, i, above, j, 1 - tau);
       if (!d) continue;
-      Candidate candidate{{slab, i, j}};
+      LinkCandidate candidate{{slab, i, j}};
       candidate.ratio = overlap_ratio(below.outline[i], above.outline[j]);
       candidate.moved = moved.ratio(i, j);
       candidate.distance = *d;

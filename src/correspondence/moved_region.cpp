@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "core/guard.hpp"
+
 namespace tetloft::internal {
 
 std::optional<MovedRegion> moved(const RegionOutline& region, const Point2& by) {

@@ -46,14 +46,14 @@ SlabCandidates overlap_links(SlabId slab, const SectionRegions& below, const Sec
     const RegionOutline& high = above.outline[j];
     strong.push_back(compared(low, high, ratio, kStrongOverlap) != Sign::negative);
     if (strong.back()) strong_below[i] = strong_above[j] = 1;
-    Candidate candidate{{slab, i, j}};
+    LinkCandidate candidate{{slab, i, j}};
     candidate.ratio = candidate.moved = ratio;
     candidate.margin = ratio - tau;
     if (!exceeds(low, high, ratio, tau)) candidate.fate = LinkFate::too_weak;
     candidates.push_back(candidate);
   }
   for (std::size_t k = 0; k < candidates.size(); ++k) {
-    Candidate& candidate = candidates[k];
+    LinkCandidate& candidate = candidates[k];
     const auto& [in, low, high] = candidate.link;
     // The guard: a weak link between two regions that are well connected elsewhere is
     // taken for a coincidence of neighbours.

@@ -5,8 +5,8 @@
 
 namespace tetloft::internal {
 
-/// Multiplies all coordinates by 2^exponent. False, and nothing changed, where one would lose a
-/// bit or is too large.
+/// Multiplies all coordinates and motions by 2^exponent. False, and nothing changed, where one
+/// would lose a bit or is too large.
 [[nodiscard]] bool scale_exactly(Model& model, int exponent);
 
 }  // namespace tetloft::internal

@@ -28,9 +28,9 @@ std::optional<Error> SlabBuilds::run() {
     });
     if (stuck == outcome_.end()) return std::nullopt;
     const SlabId slab(stuck - outcome_.begin());
-    if (const auto* apart = std::get_if<Unconnectable>(&*stuck))
-      return cannot_connect(slab, *apart);
-    Result<std::vector<SlabId>> touched = refine(slab, std::get<RefineHere>(*stuck));
+    const auto* const apart = std::get_if<Unconnectable>(&*stuck);
+    Result<std::vector<SlabId>> touched =
+        apart != nullptr ? drop(slab, *apart) : refine(slab, std::get<RefineHere>(*stuck));
     if (!touched) return touched.error();
     to_build = std::move(*touched);
   }
@@ -77,15 +77,41 @@ Result<std::vector<SlabId>> SlabBuilds::refine(SlabId slab, const RefineHere& wa
     if (s.index() < outcome_.size()) touched.emplace_back(s.value());
   }
   if (decision_.depends_on_triangulations()) {
-    Result<Correspondence> anew = decision_.make(touched, work_);
-    if (!anew) return anew.error();
-    for (const SlabId k : outcome_.ids()) {
-      if (anew->links[k] != plan_.correspondence.links[k]) touched.push_back(k);
-    }
-    plan_.correspondence = std::move(*anew);
+    if (auto error = adopt(decision_.make(touched, work_), touched)) return *error;
   }
   sort_distinct(touched);
   return touched;
+}
+
+// Rule 8 of correspondence: of the links of the class that nobody asked for and whose regions lie
+// apart (others always have an edge by now), the one of least score.
+Result<std::vector<SlabId>> SlabBuilds::drop(SlabId slab, const Unconnectable& apart) {
+  const SlabRegions regions(prepared_.nestings[lower_section(slab)].outer.size(),
+                            prepared_.nestings[upper_section(slab)].outer.size());
+  const auto of_class = [&](bool upper, RegionId r) {
+    return std::find(apart.regions.begin(), apart.regions.end(), regions.in_slab(upper, r)) !=
+           apart.regions.end();
+  };
+  const LinkCandidate* least = nullptr;
+  for (const LinkCandidate& candidate : plan_.correspondence.candidates[slab]) {
+    if (!candidate.made() || candidate.distance == 0) continue;
+    if (candidate.evidence == Evidence::label || candidate.evidence == Evidence::decision) continue;
+    if (!of_class(false, candidate.link.lower) || !of_class(true, candidate.link.upper)) continue;
+    if (least == nullptr || candidate.score() < least->score()) least = &candidate;
+  }
+  if (least == nullptr) return cannot_connect(slab, apart);
+  std::vector<SlabId> touched;
+  if (auto error = adopt(decision_.make_without(least->link), touched)) return *error;
+  return touched;
+}
+
+std::optional<Error> SlabBuilds::adopt(Result<Correspondence> anew, std::vector<SlabId>& touched) {
+  if (!anew) return anew.error();
+  for (const SlabId k : outcome_.ids()) {
+    if (anew->links[k] != plan_.correspondence.links[k]) touched.push_back(k);
+  }
+  plan_.correspondence = std::move(*anew);
+  return std::nullopt;
 }
 
 Error SlabBuilds::cannot_connect(SlabId slab, const Unconnectable& apart) const {

@@ -1,6 +1,6 @@
 // Phase 2, build: the solid of each slab, from its two sections and its links alone. Where a slab
 // asks for finer contours its sections are conformed again, and the slabs that this touches are
-// built again, no others.
+// built again, no others; where that does not help either a link is dropped.
 #pragma once
 
 #include <cstdint>
@@ -35,8 +35,12 @@ class SlabBuilds {
 
  private:
   [[nodiscard]] std::optional<Error> build(const std::vector<SlabId>& slabs);
-  // The slabs to build again.
+  // These two return the slabs to build again.
   [[nodiscard]] Result<std::vector<SlabId>> refine(SlabId slab, const RefineHere& wanted);
+  [[nodiscard]] Result<std::vector<SlabId>> drop(SlabId slab, const Unconnectable& apart);
+  // Plans by it from now on; adds the slabs whose links are others.
+  [[nodiscard]] std::optional<Error> adopt(Result<Correspondence> anew,
+                                           std::vector<SlabId>& touched);
   [[nodiscard]] Error cannot_connect(SlabId slab, const Unconnectable& apart) const;
 
   PreparedStack& prepared_;

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "correspondence/correspondence.hpp"
 
@@ -23,6 +24,7 @@ struct Plan {
   /// The contours to be refined to Gabriel edges, by section; empty: none.
   IdVector<SectionId, IdVector<ContourId, bool>> gabriel;
   Correspondence correspondence;
+  std::vector<RegionMotion> motions;  ///< that it was decided by; in the plan's unit
 };
 
 }  // namespace tetloft::internal

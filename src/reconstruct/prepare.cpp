@@ -22,7 +22,8 @@ std::optional<Error> PreparedStack::conform_section(SectionId s,
 }
 
 Result<PreparedStack> prepare(const SectionStack& given, Unit unit,
-                              const ReconstructOptions& options, WatchedWork& work) {
+                              const ReconstructOptions& options, WatchedWork& work,
+                              Conform conform) {
   if (Result<void> valid = validate(given, untold(options.execution)); !valid) return valid.error();
   PreparedStack prepared;
   prepared.work_limit = options.work_limit;
@@ -37,7 +38,8 @@ Result<PreparedStack> prepare(const SectionStack& given, Unit unit,
   auto error = first_error(all_ids<SectionId>(prepared.section_count()), options.execution.threads,
                            work, [&](SectionId s) {
                              prepared.nestings[s] = nest(prepared.stack.sections[s]);
-                             auto failed = prepared.conform_section(s);
+                             auto failed = conform == Conform::all ? prepared.conform_section(s)
+                                                                   : std::nullopt;
                              work.step_done();
                              return failed;
                            });

@@ -30,8 +30,13 @@ struct PreparedStack {
                                                      const IdVector<ContourId, bool>& gabriel = {});
 };
 
-/// Validates and conforms all sections, each a step of the work. Errors are in the unit given.
+/// Are the sections needed as conforming ones?
+enum class Conform : std::uint8_t { all, none };
+
+/// Validates, nests and conforms all sections, each a step of the work. Errors are in the unit
+/// given.
 [[nodiscard]] Result<PreparedStack> prepare(const SectionStack& given, Unit unit,
-                                            const ReconstructOptions& options, WatchedWork& work);
+                                            const ReconstructOptions& options, WatchedWork& work,
+                                            Conform conform = Conform::all);
 
 }  // namespace tetloft::internal

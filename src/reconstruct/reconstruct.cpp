@@ -14,6 +14,7 @@
 #include "core/parallel.hpp"
 #include "core/unit_of_length.hpp"
 #include "core/watched_work.hpp"
+#include "correspondence/link_report.hpp"
 #include "model/scaling.hpp"
 #include "reconstruct/build.hpp"
 #include "reconstruct/decide.hpp"
@@ -95,6 +96,7 @@ Result<std::optional<Reconstruction>> make(PreparedStack& prepared,
   Result<Correspondence> decided = decision.make(all_ids<SlabId>(prepared.slab_count()), work);
   if (!decided) return decided.error();
   plan.correspondence = std::move(*decided);
+  plan.motions = decision.motions();
   clock.end(Step::correspondence);
 
   SlabBuilds builds(prepared, decision, plan, options, work);
@@ -104,6 +106,8 @@ Result<std::optional<Reconstruction>> make(PreparedStack& prepared,
   count(report.rules, Rule::gabriel_refinement, builds.refinements());
   StepClock gluing(report.seconds);
   result.model = glue(prepared.sections, plan.correspondence.component, std::move(parts));
+  result.model.links = region_links(plan.correspondence.candidates, prepared.nestings);
+  result.model.motions = std::move(plan.motions);
   gluing.end(Step::assembly);
   describe(prepared, result.model, report);
   if (!scale_exactly(result.model, -prepared.exponent)) return std::optional<Reconstruction>();

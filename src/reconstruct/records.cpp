@@ -12,12 +12,14 @@ namespace tetloft::internal {
 
 namespace {
 
-constexpr RecordKind kPlan{"plan", 1, "a plan"};
+constexpr RecordKind kPlan{"plan", 2, "a plan"};
 constexpr RecordKind kSolid{"slab", 1, "the solid of a slab"};
 
 // The least that a vector of a vector takes: its count.
 constexpr std::size_t kVector = sizeof(std::uint64_t);
 constexpr std::size_t kLink = 2 * sizeof(std::uint32_t);
+constexpr std::size_t kCandidate = kLink + 3 + 5 * sizeof(double);
+constexpr std::size_t kMotion = 2 * sizeof(std::uint32_t) + 1 + 2 * sizeof(double);
 constexpr std::size_t kPiece = 5 * sizeof(std::uint32_t) + 1;
 
 void put_gabriel(const Plan& plan, RecordWriter& out) {
@@ -38,6 +40,78 @@ void get_gabriel(RecordReader& in, Plan& plan) {
   }
 }
 
+void put_candidates(const StackCandidates& candidates, RecordWriter& out) {
+  out.put_count(candidates.size());
+  for (const SlabCandidates& slab : candidates) {
+    out.put_count(slab.size());
+    for (const LinkCandidate& candidate : slab) {
+      out.put(candidate.link.lower);
+      out.put(candidate.link.upper);
+      out.put(static_cast<std::uint8_t>(candidate.evidence));
+      out.put(static_cast<std::uint8_t>(candidate.fate));
+      out.put(static_cast<std::uint8_t>(candidate.lead ? 1 : 0));
+      for (const double value : {candidate.ratio, candidate.moved, candidate.distance,
+                                 candidate.margin, candidate.lead.value_or(0)}) {
+        out.put(value);
+      }
+    }
+  }
+}
+
+LinkCandidate get_candidate(RecordReader& in, SlabId slab) {
+  LinkCandidate candidate;
+  candidate.link.slab = slab;
+  candidate.link.lower = in.get<RegionId>();
+  candidate.link.upper = in.get<RegionId>();
+  candidate.evidence = static_cast<Evidence>(in.get<std::uint8_t>());
+  candidate.fate = static_cast<LinkFate>(in.get<std::uint8_t>());
+  in.require(is_enumerator(candidate.evidence, Evidence::decision) &&
+                 is_enumerator(candidate.fate, LinkFate::unrealisable),
+             "has a link of no evidence or fate");
+  const bool leads = in.get<std::uint8_t>() != 0;
+  double lead = 0;
+  for (double* const value :
+       {&candidate.ratio, &candidate.moved, &candidate.distance, &candidate.margin, &lead}) {
+    *value = in.get<double>();
+    in.require(std::isfinite(*value), "has a link with a number that is not finite");
+  }
+  if (leads) candidate.lead = lead;
+  return candidate;
+}
+
+void get_candidates(RecordReader& in, StackCandidates& candidates) {
+  candidates.resize(in.get_count(kVector));
+  for (const SlabId slab : candidates.ids()) {
+    const std::size_t count = in.get_count(kCandidate);
+    candidates[slab].reserve(count);
+    for (std::size_t k = 0; k < count; ++k) candidates[slab].push_back(get_candidate(in, slab));
+  }
+}
+
+void put_motions(const std::vector<RegionMotion>& motions, RecordWriter& out) {
+  out.put_count(motions.size());
+  for (const RegionMotion& motion : motions) {
+    out.put(motion.slab);
+    out.put(static_cast<std::uint8_t>(motion.upper ? 1 : 0));
+    out.put(motion.contour);
+    out.put(motion.by.x);
+    out.put(motion.by.y);
+  }
+}
+
+void get_motions(RecordReader& in, std::vector<RegionMotion>& motions) {
+  motions.resize(in.get_count(kMotion));
+  for (RegionMotion& motion : motions) {
+    motion.slab = in.get<SlabId>();
+    motion.upper = in.get<std::uint8_t>() != 0;
+    motion.contour = in.get<ContourId>();
+    motion.by.x = in.get<double>();
+    motion.by.y = in.get<double>();
+    in.require(std::isfinite(motion.by.x) && std::isfinite(motion.by.y),
+               "has a motion that is not finite");
+  }
+}
+
 void put_correspondence(const Correspondence& correspondence, RecordWriter& out) {
   out.put_count(correspondence.links.size());
   for (const std::vector<Link>& links : correspondence.links) {
@@ -51,6 +125,7 @@ void put_correspondence(const Correspondence& correspondence, RecordWriter& out)
   for (const auto& section : correspondence.component) out.put_all(section);
   out.put_count(correspondence.partition.size());
   for (const auto& section : correspondence.partition) out.put_all(section);
+  put_candidates(correspondence.candidates, out);
 }
 
 void get_correspondence(RecordReader& in, Correspondence& correspondence) {
@@ -68,13 +143,14 @@ void get_correspondence(RecordReader& in, Correspondence& correspondence) {
   for (auto& section : correspondence.component) section.raw() = in.get_all<ComponentId>();
   correspondence.partition.resize(in.get_count(kVector));
   for (auto& section : correspondence.partition) section.raw() = in.get_all<ComponentId>();
+  get_candidates(in, correspondence.candidates);
 }
 
 void check_plan(const Plan& plan, RecordReader& in) {
-  const auto& [links, component, partition] = plan.correspondence;
+  const auto& [links, component, partition, candidates] = plan.correspondence;
   const std::size_t sections = plan.gabriel.size();
   in.require(sections > 0 && links.size() == sections - 1 && component.size() == sections &&
-                 partition.size() == sections,
+                 partition.size() == sections && candidates.size() == links.size(),
              "plans some of its sections");
   if (in.refused()) return;
   for (const SectionId s : plan.gabriel.ids()) {
@@ -87,6 +163,18 @@ void check_plan(const Plan& plan, RecordReader& in) {
                      link.upper.index() < component[upper_section(slab)].size(),
                  "links a region it lacks");
     }
+  }
+  for (const SlabId slab : candidates.ids()) {
+    for (const LinkCandidate& candidate : candidates[slab]) {
+      in.require(candidate.link.lower.index() < component[lower_section(slab)].size() &&
+                     candidate.link.upper.index() < component[upper_section(slab)].size(),
+                 "tells of a region it lacks");
+    }
+  }
+  for (const RegionMotion& motion : plan.motions) {
+    in.require(motion.slab.index() < links.size() &&
+                   motion.contour.index() < partition[section_of(motion.slab, motion.upper)].size(),
+               "moves a contour it lacks");
   }
 }
 
@@ -144,6 +232,7 @@ std::string to_record(const Plan& plan) {
   out.put(plan.ends ? plan.ends->above : 0);
   put_gabriel(plan, out);
   put_correspondence(plan.correspondence, out);
+  put_motions(plan.motions, out);
   return out.take();
 }
 
@@ -159,6 +248,7 @@ Result<Plan> plan_from_record(std::string_view bytes, const std::string& name) {
     in.require(std::isfinite(below) && std::isfinite(above), "has an end that is not finite");
     get_gabriel(in, plan);
     get_correspondence(in, plan.correspondence);
+    get_motions(in, plan.motions);
     check_plan(plan, in);
     if (Result<void> read = in.end(); !read) return read.error();
     return plan;

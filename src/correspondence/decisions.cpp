@@ -1,0 +1,86 @@
+#include "correspondence/decisions.hpp"
+
+#include <limits>
+#include <map>
+#include <string>
+#include <utility>
+
+namespace tetloft::internal {
+
+namespace {
+
+Error decision_error(SectionId section, ContourId contour, std::string message) {
+  Place place;
+  place.section = section.index();
+  place.contour = contour.index();
+  return {ErrorCode::invalid_input, std::move(message), place};
+}
+
+Result<Link> link_of(const IdVector<SectionId, Nesting>& nestings, const LinkDecision& decision) {
+  if (decision.slab.index() + 1 >= nestings.size()) {
+    return decision_error(SectionId(decision.slab.index()), decision.lower,
+                          "the decision names a section that does not exist, or has none above");
+  }
+  const SectionId below = lower_section(decision.slab);
+  const SectionId above = upper_section(decision.slab);
+  for (const auto& [section, contour] :
+       {std::pair(below, decision.lower), std::pair(above, decision.upper)}) {
+    if (contour.index() >= nestings[section].region.size()) {
+      return decision_error(section, contour, "the decision names a contour that does not exist");
+    }
+  }
+  return Link{decision.slab, nestings[below].region[decision.lower],
+              nestings[above].region[decision.upper]};
+}
+
+}  // namespace
+
+LinkCandidate asked_for(const Link& link, const StackSections& sections, Evidence evidence) {
+  const SectionRegions& below = sections[lower_section(link.slab)];
+  const SectionRegions& above = sections[upper_section(link.slab)];
+  LinkCandidate candidate{link, evidence};
+  candidate.ratio = candidate.moved =
+      overlap_ratio(below.outline[link.lower], above.outline[link.upper]);
+  candidate.distance =
+      gaps_apart(below, link.lower, above, link.upper, std::numeric_limits<double>::infinity())
+          .value_or(0);
+  candidate.margin = 1;
+  return candidate;
+}
+
+Result<std::set<Link>> apply_decisions(const IdVector<SectionId, Nesting>& nestings,
+                                       const StackSections& sections,
+                                       const std::vector<LinkDecision>& decisions,
+                                       StackCandidates& candidates) {
+  std::map<Link, bool> joined;
+  for (const LinkDecision& decision : decisions) {
+    const Result<Link> link = link_of(nestings, decision);
+    if (!link) return link.error();
+    const auto [at, fresh] = joined.try_emplace(*link, decision.join);
+    if (!fresh && at->second != decision.join) {
+      return decision_error(lower_section(decision.slab), decision.lower,
+                            "it is both joined to and parted from contour " +
+                                std::to_string(decision.upper.index()) +
+                                " of the section above, or their regions are");
+    }
+  }
+  std::set<Link> parted;
+  for (const auto& [link, join] : joined) {
+    SlabCandidates& of_slab = candidates[link.slab];
+    if (join) {
+      add_candidate(of_slab, asked_for(link, sections, Evidence::decision));
+      continue;
+    }
+    parted.insert(link);
+    if (LinkCandidate* const known = find_candidate(of_slab, link)) {
+      known->fate = LinkFate::decided_part;
+    } else {
+      LinkCandidate decided = asked_for(link, sections, Evidence::decision);
+      decided.fate = LinkFate::decided_part;
+      add_candidate(of_slab, decided);
+    }
+  }
+  return parted;
+}
+
+}  // namespace tetloft::internal

@@ -1,0 +1,26 @@
+// The user's decisions on single links: rule 4 of include/tetloft/correspondence.hpp.
+#pragma once
+
+#include <set>
+#include <vector>
+
+#include <tetloft/nesting.hpp>
+#include <tetloft/result.hpp>
+
+#include "correspondence/candidate.hpp"
+#include "correspondence/section_regions.hpp"
+
+namespace tetloft::internal {
+
+/// Makes joined pairs candidates, and parted ones none. The parted pairs; or invalid_input where a
+/// decision names no contour, or two contradict each other.
+[[nodiscard]] Result<std::set<Link>> apply_decisions(const IdVector<SectionId, Nesting>& nestings,
+                                                     const StackSections& sections,
+                                                     const std::vector<LinkDecision>& decisions,
+                                                     StackCandidates& candidates);
+
+/// A candidate that is one whatever is measured.
+[[nodiscard]] LinkCandidate asked_for(const Link& link, const StackSections& sections,
+                                      Evidence evidence);
+
+}  // namespace tetloft::internal

@@ -1,0 +1,69 @@
+// The API of links: decides as a reconstruction does, and builds nothing.
+#include <tetloft/links.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/guard.hpp"
+#include "core/option_rules.hpp"
+#include "core/parallel.hpp"
+#include "core/unit_of_length.hpp"
+#include "core/watched_work.hpp"
+#include "correspondence/link_report.hpp"
+#include "reconstruct/decide.hpp"
+#include "reconstruct/prepare.hpp"
+#include "reconstruct/stack_errors.hpp"
+
+namespace tetloft {
+
+using namespace internal;
+
+namespace {
+
+double doubt(const RegionLink& link) {
+  const double margin = std::abs(link.margin);
+  return link.evidence == Evidence::lone && link.lead ? std::min(margin, std::abs(*link.lead))
+                                                      : margin;
+}
+
+Result<StackLinks> links_of(const SectionStack& stack, const ReconstructOptions& options) {
+  Result<void> sensible = check_correspondence_options(options.correspondence);
+  if (!sensible) return sensible.error();
+  WatchedWork work(options.execution, 0);
+  const bool reverse = options.correspondence.criterion == Criterion::reverse;
+  Result<PreparedStack> prepared =
+      prepare(stack, Unit::of_the_stack, options, work, reverse ? Conform::all : Conform::none);
+  if (!prepared) return prepared.error();
+  Decision decision(*prepared, options);
+  Result<Correspondence> decided = decision.make(all_ids<SlabId>(prepared->slab_count()), work);
+  if (!decided) return decided.error();
+  StackLinks result;
+  result.links = region_links(decided->candidates, prepared->nestings);
+  result.motions = decision.motions();
+  for (RegionMotion& motion : result.motions) motion.by = scaled(motion.by, -prepared->exponent);
+  result.partition = std::move(decided->partition);
+  for (const auto& section : result.partition) {
+    for (const ComponentId id : section) {
+      result.components = std::max(result.components, id.index() + 1);
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+Result<StackLinks> find_links(const SectionStack& stack, const LinkOptions& given_options) {
+  ReconstructOptions asked;
+  asked.correspondence = given_options.correspondence;
+  asked.execution = given_options.execution;
+  return guard_threads(asked,
+                       [&](const ReconstructOptions& options) { return links_of(stack, options); });
+}
+
+std::vector<RegionLink> least_sure_first(std::vector<RegionLink> links) {
+  std::stable_sort(links.begin(), links.end(),
+                   [](const RegionLink& a, const RegionLink& b) { return doubt(a) < doubt(b); });
+  return links;
+}
+
+}  // namespace tetloft
