@@ -9,6 +9,8 @@
 #include <optional>
 #include <string>
 
+#include "sections/segments.hpp"
+#include "spatial/box_tree.hpp"
 #include "support/rational_geometry.hpp"
 #include "support/stacks/generate.hpp"
 #include "unit/sections/shapes.hpp"
@@ -228,8 +230,7 @@ TEST(RegionDistance, TakesAnyLimit) {
   EXPECT_EQ(within(square, {Contour{}}, 1e300), std::nullopt);
 }
 
-// Squares of distances at, just below and just above (k + 1/2)² of the last bit: 3, 4, 5 and its
-// like have ends at lattice points, so a length is any number wanted.
+// At halves of the last bit, which bounds never decide, just below and just above.
 TEST(RegionDistance, RoundsHalvesUp) {
   const double one = 0x1p-31;
   const Region square{rectangle(-1, -1, 0, 0)};
@@ -240,15 +241,31 @@ TEST(RegionDistance, RoundsHalvesUp) {
     const Region nearer{rectangle(std::nextafter(gap, 0.0), -1, 9, 0)};
     ASSERT_NO_FATAL_FAILURE(expect_exact(square, nearer));
     EXPECT_EQ(distance(square, nearer), gap - one / 2);
-    // The same along a diagonal, (3, 4) / 5 of it: bounds never decide it.
-    const double u = gap / 8;  // 3 u, 4 u are doubles, and their root is 5 u
-    const Region aside{rectangle(3 * u, 4 * u, 9, 9)};
-    ASSERT_NO_FATAL_FAILURE(expect_exact(square, aside));
-    ASSERT_NO_FATAL_FAILURE(
-        expect_exact(square, {rectangle(std::nextafter(3 * u, 0.0), 4 * u, 9, 9)}));
   }
-  const double half = (1 + one / 2) / 5;  // a double next to a fifth of a half
-  ASSERT_NO_FATAL_FAILURE(expect_exact(square, {rectangle(3 * half, 4 * half, 9, 9)}));
+}
+
+// A vertex from an edge along (4, −3): the distance is 5 m, and an odd number of 33 bits, in units
+// that are small or large.
+TEST(RegionDistance, RoundsHalvesUpBesideAnEdge) {
+  Prng prng(9);
+  const Region corner{rectangle(-1, -1, 0, 0)};
+  for (int round = 0; round < 300; ++round) {
+    const double m = static_cast<double>(0x33333335 + 2 * prng.below(0x19999998));
+    const double s = static_cast<double>(1 + prng.below(0xFFFFFFFF));
+    const double t = static_cast<double>(1 + prng.below(0xFFFF));
+    const double unit = std::ldexp(1, static_cast<int>(prng.below(400)) - 200);
+    const Region beside = moved(
+        {contour(
+            {{3 * m + 4 * s, 4 * m - 3 * s}, {0x1p40, 0x1p40}, {3 * m - 4 * t, 4 * m + 3 * t}})},
+        unit, {0, 0});
+    const Region origin = moved(corner, unit, {0, 0});
+    ASSERT_NO_FATAL_FAILURE(expect_exact(origin, beside)) << "round " << round;
+    ASSERT_EQ(distance(origin, beside), (5 * m + 1) * unit) << "round " << round;
+    // Less than a double below the half: a corner an ulp nearer along x.
+    const Region nearer{rectangle(std::nextafter(3 * m, 0.0), 4 * m, 0x1p40, 0x1p40)};
+    ASSERT_NO_FATAL_FAILURE(expect_exact(corner, nearer)) << "round " << round;
+    ASSERT_EQ(distance(corner, nearer), 5 * m - 1) << "round " << round;
+  }
 }
 
 // Many regions that touch, contain and cross each other, on a grid of few points.
@@ -401,6 +418,24 @@ TEST(RegionDistance, MeasuresNothingOfWhatIsBeyondTheLimit) {
   EXPECT_FALSE(far.distance);
   EXPECT_LT(far.pairs, 100U);
   EXPECT_EQ(sections::measure(a, beside, *near.distance).distance, near.distance);
+}
+
+TEST(Segments, TouchAsRationalsSay) {
+  Prng prng(10);
+  int touching = 0;
+  for (int round = 0; round < 5000; ++round) {
+    Point2 p[4];
+    for (Point2& q : p) {
+      q = {static_cast<double>(prng.below(4)), static_cast<double>(prng.below(4))};
+    }
+    if (p[0] == p[1] || p[2] == p[3]) continue;
+    if (!box_of(p[0], p[1]).meets(box_of(p[2], p[3]))) continue;
+    const bool expected = oracle::segments_meet(oracle::exactly(p[0]), oracle::exactly(p[1]),
+                                                oracle::exactly(p[2]), oracle::exactly(p[3]));
+    ASSERT_EQ(sections::touch(p[0], p[1], p[2], p[3]), expected) << "round " << round;
+    touching += expected ? 1 : 0;
+  }
+  EXPECT_GT(touching, 1000);
 }
 
 TEST(CompareArea, IsExact) {
