@@ -41,10 +41,13 @@ std::vector<LinkRule> all_rules() {
     const std::string form = std::string("moved ") + name;
     rules.push_back({form, evidence, 0.1, 1, 2, false});
     rules.push_back({form + " + lone", evidence, 0.1, 1, 2, true});
-    if (evidence == Evidence::moved_half) continue;
-    for (const double clear : {0.9, 0.7, 0.5, 0.3, 0.1}) {
-      rules.push_back({form + " + lone, clear " + std::to_string(clear).substr(0, 4), evidence, 0.1, 1, 2, true, clear});
-    }
+    if (evidence == Evidence::moved_half || evidence == Evidence::moved_smaller) continue;
+    for (int mode = 0; mode < 4; ++mode)
+      for (const double clear : {0.95, 0.9, 0.8, 0.7, 0.6, 0.5, 0.4}) {
+        rules.push_back({form + " + lone, clear " + std::to_string(mode) + " " +
+                             std::to_string(clear).substr(0, 4),
+                         evidence, 0.1, 1, 2, true, clear, mode});
+      }
   }
   return rules;
 }
@@ -98,7 +101,7 @@ struct Options {
 
 struct Tally {
   std::array<Errors, 6> kind{};
-  std::size_t exact = 0, components = 0;
+  std::size_t exact = 0, components = 0, moving = 0, regions = 0;
 };
 
 int survey(const Options& options, const std::vector<LinkRule>& rules) {
@@ -117,7 +120,8 @@ int survey(const Options& options, const std::vector<LinkRule>& rules) {
     std::printf("\n");
     std::fflush(stdout);
   }
-  for (std::size_t r = 0; r < rules.size(); ++r) std::printf("%-36s %ld\n", rules[r].name.c_str(), sum[r]);
+  for (std::size_t r = 0; r < rules.size(); ++r)
+    std::printf("%-36s %ld\n", rules[r].name.c_str(), sum[r]);
   return 0;
 }
 
@@ -142,6 +146,8 @@ void corpus(const Options& options, const std::vector<LinkRule>& rules, std::siz
           if (e.missing + e.wrong > 0) exact = false;
         }
         if (exact) ++tally[r].exact;
+        const auto m = moving(rules[r], slabs);
+        tally[r].moving += m.first, tally[r].regions += m.second;
       }
     }
   }
@@ -151,8 +157,9 @@ void corpus(const Options& options, const std::vector<LinkRule>& rules, std::siz
   for (std::size_t r = 0; r < rules.size(); ++r) {
     Errors sum;
     for (const Errors& e : tally[r].kind) sum.missing += e.missing, sum.wrong += e.wrong;
-    std::printf("%-32s %4zu + %4zu = %4zu  exact %3zu |", rules[r].name.c_str(), sum.missing, sum.wrong,
-                sum.missing + sum.wrong, tally[r].exact);
+    std::printf("%-32s %4zu + %4zu = %4zu  exact %3zu moving %4.1f %% |", rules[r].name.c_str(),
+                sum.missing, sum.wrong, sum.missing + sum.wrong, tally[r].exact,
+                100.0 * double(tally[r].moving) / double(tally[r].regions));
     for (const Errors& e : tally[r].kind) std::printf(" %3zu+%-3zu", e.missing, e.wrong);
     std::printf("\n");
   }
@@ -162,7 +169,8 @@ void corpus(const Options& options, const std::vector<LinkRule>& rules, std::siz
 
 int main(int argc, char** argv) {
   constexpr const char* kUsage =
-      "usage: tetloft_criteria [--solids N] [--seed S] [--size N] [--spacing N] [--contours smooth|lattice] [FILE.cnt …]\n";
+      "usage: tetloft_criteria [--solids N] [--seed S] [--size N] [--spacing N] [--contours "
+      "smooth|lattice] [FILE.cnt …]\n";
   Options options;
   for (int i = 1; i < argc; ++i) {
     const std::string option = argv[i];
@@ -188,7 +196,7 @@ int main(int argc, char** argv) {
   }
   const std::vector<LinkRule> rules = all_rules();
   if (!options.files.empty()) return survey(options, rules);
-  for (const std::size_t spacing : {std::size_t{6}, std::size_t{12}}) {
+  for (const std::size_t spacing : {std::size_t{2}, std::size_t{6}, std::size_t{12}}) {
     if (options.spacing == 0 || options.spacing == spacing) corpus(options, rules, spacing);
   }
   return 0;

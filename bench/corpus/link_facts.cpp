@@ -50,7 +50,8 @@ double ratio(const std::optional<Outlined>& a, const std::optional<Outlined>& b)
 
 double point_segment(const Point2& p, const Point2& a, const Point2& b) {
   const double dx = b.x - a.x, dy = b.y - a.y;
-  const double t = std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / (dx * dx + dy * dy), 0.0, 1.0);
+  const double t =
+      std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / (dx * dx + dy * dy), 0.0, 1.0);
   const double ex = p.x - a.x - t * dx, ey = p.y - a.y - t * dy;
   return ex * ex + ey * ey;
 }

@@ -15,13 +15,38 @@ struct Clear {
 Clear clear_regions(const LinkRule& rule, const SlabFacts& slab) {
   const std::size_t lows = slab.low_area.size(), highs = slab.high_area.size();
   std::vector<std::size_t> low(lows, 0), high(highs, 0);
+  std::vector<double> worst_low(lows, 2), worst_high(highs, 2);
+  std::vector<double> best_low(lows, 0), best_high(highs, 0);
   for (const PairFacts& p : slab.pairs) {
-    if (p.plain > 0) ++low[p.low], ++high[p.high];
+    if (!(p.plain > 0)) continue;
+    ++low[p.low], ++high[p.high];
+    worst_low[p.low] = std::min(worst_low[p.low], p.plain);
+    worst_high[p.high] = std::min(worst_high[p.high], p.plain);
+    best_low[p.low] = std::max(best_low[p.low], p.plain);
+    best_high[p.high] = std::max(best_high[p.high], p.plain);
   }
   Clear clear{std::vector<bool>(lows, false), std::vector<bool>(highs, false)};
   for (const PairFacts& p : slab.pairs) {
-    if (p.plain > 0 && p.plain >= rule.clear && low[p.low] == 1 && high[p.high] == 1) {
+    if (!(p.plain > 0)) continue;
+    if (rule.mode == 0 && p.plain >= rule.clear && low[p.low] == 1 && high[p.high] == 1) {
       clear.low[p.low] = clear.high[p.high] = true;
+    }
+    if (rule.mode == 1) {
+      if (worst_low[p.low] >= rule.clear) clear.low[p.low] = true;
+      if (worst_high[p.high] >= rule.clear) clear.high[p.high] = true;
+    }
+    if (rule.mode == 2) {
+      if (best_low[p.low] >= rule.clear) clear.low[p.low] = true;
+      if (best_high[p.high] >= rule.clear) clear.high[p.high] = true;
+    }
+  }
+  if (rule.mode == 3) {  // both ends of every overlap
+    for (std::size_t i = 0; i < lows; ++i) clear.low[i] = low[i] > 0;
+    for (std::size_t i = 0; i < highs; ++i) clear.high[i] = high[i] > 0;
+    for (const PairFacts& p : slab.pairs) {
+      if (!(p.plain > 0)) continue;
+      if (worst_low[p.low] < rule.clear || worst_high[p.high] < rule.clear)
+        clear.low[p.low] = clear.high[p.high] = false;
     }
   }
   return clear;
@@ -46,6 +71,27 @@ std::vector<double> evidence_of(const LinkRule& rule, const SlabFacts& slab) {
   return result;
 }
 
+}  // namespace
+
+std::pair<std::size_t, std::size_t> moving(const LinkRule& rule,
+                                           const std::vector<SlabFacts>& slabs) {
+  std::pair<std::size_t, std::size_t> result{0, 0};
+  for (const SlabFacts& slab : slabs) {
+    Clear clear = clear_regions(rule, slab);
+    std::vector<bool> low(slab.low_area.size(), false), high(slab.high_area.size(), false);
+    for (const PairFacts& p : slab.pairs) {
+      if (p.distance < 0.9 && !clear.low[p.low]) low[p.low] = true;
+      if (p.distance < 0.9 && !clear.high[p.high]) high[p.high] = true;
+    }
+    result.second += low.size() + high.size();
+    for (bool b : low) result.first += b;
+    for (bool b : high) result.first += b;
+  }
+  return result;
+}
+
+namespace {
+
 struct Candidate {
   std::size_t slab = 0, pair = 0;
   double score = 0;
@@ -66,9 +112,11 @@ StackLinks links_by(const LinkRule& rule, const std::vector<SlabFacts>& slabs) {
     const SlabFacts& slab = slabs[s];
     evidence.push_back(evidence_of(rule, slab));
     const std::vector<double>& m = evidence.back();
-    std::vector<bool> strong_low(slab.low_area.size(), false), strong_high(slab.high_area.size(), false);
+    std::vector<bool> strong_low(slab.low_area.size(), false),
+        strong_high(slab.high_area.size(), false);
     for (std::size_t p = 0; p < m.size(); ++p) {
-      if (m[p] >= rule.guard) strong_low[slab.pairs[p].low] = strong_high[slab.pairs[p].high] = true;
+      if (m[p] >= rule.guard)
+        strong_low[slab.pairs[p].low] = strong_high[slab.pairs[p].high] = true;
     }
     for (std::size_t p = 0; p < m.size(); ++p) {
       const PairFacts& pair = slab.pairs[p];

@@ -24,9 +24,13 @@ struct LinkRule {
   /// A region that overlaps one region alone, which overlaps it alone, by this ratio or more, does
   /// not move; above 1: every region moves.
   double clear = 2;
+  int mode = 0;
 };
 
 /// By slab, the regions linked.
+/// How many regions move, and of how many, summed over slabs.
+std::pair<std::size_t, std::size_t> moving(const LinkRule& rule,
+                                           const std::vector<SlabFacts>& slabs);
 using StackLinks = std::vector<std::vector<std::pair<std::size_t, std::size_t>>>;
 [[nodiscard]] StackLinks links_by(const LinkRule& rule, const std::vector<SlabFacts>& slabs);
 

@@ -4,11 +4,15 @@
 #include <cmath>
 #include <cstdint>
 
-namespace tetloft::internal {
+namespace tetloft::internal::motion {
 
 namespace {
 
 using Edge = LatticeEdges::Edge;
+
+// A little farther than distances are followed: a sample beyond this along x or y is farther than
+// kFarthest in rounded arithmetic, too (coordinates below 2^40 have ulps of 2^-13 at most).
+constexpr double kReach = kFarthest + 0x1p-10;
 
 // The least index of [low, high] that is at least `at`.
 std::int64_t first_index(double at, std::int64_t low, std::int64_t high) {
@@ -18,22 +22,22 @@ std::int64_t first_index(double at, std::int64_t low, std::int64_t high) {
 }
 
 // Lowers the squared distances of the samples around the edge.
-void measure(const Edge& e, const LatticeWindow& w, double limit, std::vector<double>& squared) {
-  const std::int64_t i0 = first_index(e.a.x - limit, w.i0, w.i1);
-  const std::int64_t i1 = first_index(e.b.x + limit, w.i0, w.i1);
-  const std::int64_t j0 = first_index(std::min(e.a.y, e.b.y) - limit, w.j0, w.j1);
-  const std::int64_t j1 = first_index(std::max(e.a.y, e.b.y) + limit, w.j0, w.j1);
+void measure(const Edge& e, const LatticeWindow& w, std::vector<double>& squared) {
+  const std::int64_t i0 = first_index(e.a.x - kReach, w.i0, w.i1);
+  const std::int64_t j0 = first_index(std::min(e.a.y, e.b.y) - kReach, w.j0, w.j1);
+  const std::int64_t j1 = first_index(std::max(e.a.y, e.b.y) + kReach, w.j0, w.j1);
+  const auto n = static_cast<int>(first_index(e.b.x + kReach, w.i0, w.i1) - i0);
+  if (n <= 0) return;
   const double dx = e.b.x - e.a.x;
   const double dy = e.b.y - e.a.y;
-  const double inverse = 1 / (dx * dx + dy * dy);
-  const double x0 = static_cast<double>(i0) - e.a.x;
+  const double length2 = dx * dx + dy * dy;
+  const auto x0 = static_cast<double>(i0);
   for (std::int64_t j = j0; j < j1; ++j) {
     const double py = static_cast<double>(j) - e.a.y;
-    double* const row = squared.data() + static_cast<std::size_t>(j - w.j0) * w.nx() + (i0 - w.i0);
-    const int n = static_cast<int>(i1 - i0);
+    double* const row = squared.data() + w.place(i0, j);
     for (int i = 0; i < n; ++i) {
-      const double px = x0 + static_cast<double>(i);
-      double t = (px * dx + py * dy) * inverse;
+      const double px = (x0 + static_cast<double>(i)) - e.a.x;
+      double t = (px * dx + py * dy) / length2;
       t = t < 0 ? 0 : t;
       t = t > 1 ? 1 : t;
       const double ex = px - t * dx;
@@ -45,7 +49,7 @@ void measure(const Edge& e, const LatticeWindow& w, double limit, std::vector<do
 }
 
 // Where an edge passes the rows, all samples from there on change sides.
-void cross(const Edge& e, const LatticeWindow& w, std::vector<std::uint8_t>& crossed) {
+void pass(const Edge& e, const LatticeWindow& w, std::vector<std::uint8_t>& passed) {
   const bool up = e.a.y < e.b.y;
   const Point2& low = up ? e.a : e.b;
   const Point2& high = up ? e.b : e.a;
@@ -53,9 +57,7 @@ void cross(const Edge& e, const LatticeWindow& w, std::vector<std::uint8_t>& cro
   for (std::int64_t j = first_index(low.y, w.j0, w.j1); j < end; ++j) {
     const double t = (static_cast<double>(j) - low.y) / (high.y - low.y);
     const std::int64_t i = first_index(low.x + t * (high.x - low.x), w.i0, w.i1);
-    if (i < w.i1) {
-      crossed[static_cast<std::size_t>(j - w.j0) * w.nx() + static_cast<std::size_t>(i - w.i0)] ^= 1U;
-    }
+    if (i < w.i1) passed[w.place(i, j)] ^= 1U;
   }
 }
 
@@ -63,29 +65,40 @@ void cross(const Edge& e, const LatticeWindow& w, std::vector<std::uint8_t>& cro
 
 LatticeEdges::LatticeEdges(const Section& section, double step) {
   for (const Contour& contour : section.contours) {
+    Box2 box;
     Point2 last{contour.vertices.back().x / step, contour.vertices.back().y / step};
     for (const Point2& p : contour.vertices) {
       const Point2 next{p.x / step, p.y / step};
-      box_.add(next);
-      if (!(last == next)) edges_.push_back(canonical_less(last, next) ? Edge{last, next} : Edge{next, last});
+      box.add(next);
+      // Rounding may have closed an edge.
+      if (canonical_less(last, next)) edges_.push_back({last, next});
+      if (canonical_less(next, last)) edges_.push_back({next, last});
       last = next;
     }
+    contours_.push_back({box, edges_.size()});
+    box_.add(box);
   }
 }
 
-DistanceSamples sample_distances(const LatticeEdges& edges, const LatticeWindow& window,
-                                 double limit) {
-  DistanceSamples result{window, std::vector<double>(window.size(), limit * limit)};
-  std::vector<std::uint8_t> crossed(window.size(), 0);
-  for (const Edge& e : edges.edges()) {
-    measure(e, window, limit, result.value);
-    cross(e, window, crossed);
-  }
+Box2 LatticeEdges::reached_from(const LatticeWindow& w) {
+  Box2 box;
+  box.add(Point2{static_cast<double>(w.i0) - kReach, static_cast<double>(w.j0) - kReach});
+  box.add(Point2{static_cast<double>(w.i1) + kReach, static_cast<double>(w.j1) + kReach});
+  return box;
+}
+
+DistanceSamples sample_distances(const LatticeEdges& edges, const LatticeWindow& window) {
+  DistanceSamples result{window, std::vector<double>(window.size(), kFarthest * kFarthest)};
+  std::vector<std::uint8_t> passed(window.size(), 0);
+  edges.visit_near(window, [&](const Edge& e) {
+    measure(e, window, result.value);
+    pass(e, window, passed);
+  });
   std::size_t k = 0;
   for (std::size_t j = 0; j < window.ny(); ++j) {
     std::uint8_t inside = 0;
     for (std::size_t i = 0; i < window.nx(); ++i, ++k) {
-      inside ^= crossed[k];
+      inside ^= passed[k];
       const double d = std::sqrt(result.value[k]);
       result.value[k] = inside != 0 ? -d : d;
     }
@@ -93,4 +106,4 @@ DistanceSamples sample_distances(const LatticeEdges& edges, const LatticeWindow&
   return result;
 }
 
-}  // namespace tetloft::internal
+}  // namespace tetloft::internal::motion

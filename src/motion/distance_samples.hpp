@@ -1,6 +1,7 @@
-// Signed distances to the contours of a section, sampled on a lattice.
+// Signed distances to the contours of a section, sampled on the lattice of a slab.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include <tetloft/point.hpp>
@@ -9,40 +10,60 @@
 #include "motion/lattice_window.hpp"
 #include "spatial/box_tree.hpp"
 
-namespace tetloft::internal {
+namespace tetloft::internal::motion {
 
-/// The edges of a section's contours in units of the lattice's step, each with its ends in
-/// canonical order.
+/// Distances are followed as far as this, in lattice units: one gap.
+inline constexpr double kFarthest = kStepsPerGap;
+
+/// The edges of a section's contours in lattice units, each with its ends in canonical order.
 class LatticeEdges {
  public:
   struct Edge {
     Point2 a, b;
   };
+  struct Part {
+    Box2 box;
+    std::size_t end = 0;  // behind its last edge
+  };
+
   LatticeEdges(const Section& section, double step);
 
-  [[nodiscard]] const std::vector<Edge>& edges() const { return edges_; }
-  /// Of all of them.
+  /// The bounds of all contours.
   [[nodiscard]] const Box2& box() const { return box_; }
+  /// Calls visit(edge) for the edges of every contour that comes within kFarthest of the window.
+  template <class Visit>
+  void visit_near(const LatticeWindow& window, const Visit& visit) const {
+    const Box2 near = reached_from(window);
+    std::size_t first = 0;
+    for (const Part& contour : contours_) {
+      if (contour.box.meets(near)) {
+        for (std::size_t e = first; e < contour.end; ++e) visit(edges_[e]);
+      }
+      first = contour.end;
+    }
+  }
 
  private:
+  [[nodiscard]] static Box2 reached_from(const LatticeWindow& window);
+
   std::vector<Edge> edges_;
+  std::vector<Part> contours_;
   Box2 box_;
 };
 
-/// Samples of a window, row by row.
 struct DistanceSamples {
   LatticeWindow window;
-  std::vector<double> value;
+  std::vector<double> value;  // by window.place()
   [[nodiscard]] const double* at(std::int64_t i, std::int64_t j) const {
-    return value.data() + static_cast<std::size_t>(j - window.j0) * window.nx() +
-           static_cast<std::size_t>(i - window.i0);
+    return value.data() + window.place(i, j);
   }
 };
 
-/// The signed distances of the window's samples to the edges: negative at points of odd crossing
-/// number, and `limit` at most on either side. A sample depends on the set of edges alone, neither
-/// on their order nor on the window.
+/// The signed distances of the window's samples to the edges, in lattice units: negative at points
+/// of odd crossing number, and kFarthest at most on either side. A sample depends on the set of
+/// edges alone: neither on their order nor on the window. Requires coordinates below 2^40 in
+/// lattice units.
 [[nodiscard]] DistanceSamples sample_distances(const LatticeEdges& edges,
-                                               const LatticeWindow& window, double limit);
+                                               const LatticeWindow& window);
 
-}  // namespace tetloft::internal
+}  // namespace tetloft::internal::motion

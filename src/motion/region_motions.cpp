@@ -1,292 +1,162 @@
+// Distances are sampled once for all wanted regions of a slab that lie near each other.
 #include "motion/region_motions.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
-#include <limits>
+#include <cstddef>
 
-#include <tetloft/overlap.hpp>
-
+#include "motion/displacement.hpp"
 #include "motion/distance_samples.hpp"
+#include "motion/lattice_window.hpp"
+#include "spatial/box_tree.hpp"
 
 namespace tetloft::internal {
 
 namespace {
 
-double env(const char* name, double value) {
-  const char* const text = std::getenv(name);
-  return text != nullptr ? std::atof(text) : value;
-}
-const double kSteps = env("M_STEPS", 4);   // samples per gap
-const double kRadius = env("M_R", 1.0);    // gaps
-const double kReach = env("M_REACH", 2.6); // gaps
-const double kStiffness = env("M_LAMBDA", 0.005);
-const double kNeighbour = env("M_NB", 0.5);
-const double kLimit = env("M_LIMIT", 1.0);
-const long kStride = static_cast<long>(env("M_STRIDE", 2));
-const double kLargest = env("M_LARGEST", 1e9);  // gaps
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+using motion::DistanceSamples;
+using motion::LatticeEdges;
+using motion::LatticeWindow;
 
-// A displacement of samples by whole steps and a fraction.
-struct Shift {
-  std::int64_t i, j;
-  double fx, fy;
-};
+// Larger regions, in gaps along x or y, do not move: what they overlap hardly depends on a gap.
+constexpr double kLargest = 12;
+// A section farther beyond the slab, in gaps, says nothing of it.
+constexpr double kFarthestNeighbour = 2;
+// Doubles measure to a fraction of a step below this, in lattice units.
+constexpr double kLargestUnits = 0x1p40;
+// Below it, steps come near the end of what doubles hold.
+constexpr double kLeastGap = 0x1p-1000;
 
-Shift shift_by(double i, double j) {
-  const double fi = std::floor(i), fj = std::floor(j);
-  return {static_cast<std::int64_t>(fi), static_cast<std::int64_t>(fj), i - fi, j - fj};
+// Whether doubles measure there; true of no box.
+bool fits(const Box2& box) {
+  return std::min(box.x0, box.y0) > -kLargestUnits && std::max(box.x1, box.y1) < kLargestUnits;
 }
 
-double shifted(const double* row, std::size_t nx, std::int64_t k, const Shift& s) {
-  if (s.fx == 0 && s.fy == 0) return row[k];
-  const double* const next = row + nx;
-  const double low = row[k] + s.fx * (row[k + 1] - row[k]);
-  const double high = next[k] + s.fx * (next[k + 1] - next[k]);
-  return low + s.fy * (high - low);
-}
-
-// Sections k - 1 to k + 2 of a slab; the outer ones may be missing.
-struct SlabSamples {
-  std::array<const DistanceSamples*, 4> section{};
-  double below = 0, above = 0;  // gaps there by the gap here
-};
-
-struct Kernel {
-  std::int64_t first = 0;  // index of the first sample
-  std::vector<double> weight;
-  double sum = 0;
-};
-
-// Around [low, high], in lattice units.
-Kernel kernel(double low, double high, double reach) {
-  Kernel k;
-  const double stride = static_cast<double>(kStride);
-  k.first = static_cast<std::int64_t>(std::ceil((low - reach) / stride)) * kStride;
-  for (std::int64_t i = k.first; static_cast<double>(i) <= high + reach; i += kStride) {
-    const double x = static_cast<double>(i);
-    const double t = std::max({low - x, x - high, 0.0}) / reach;
-    const double w = (1 - t * t) * (1 - t * t);
-    k.weight.push_back(w);
-    k.sum += w;
-  }
-  return k;
-}
-
-class Search {
- public:
-  Search(const SlabSamples& samples, bool upper, const Box2& box)
-      : here_(*samples.section[upper ? 2 : 1]),
-        there_(*samples.section[upper ? 1 : 2]),
-        behind_(samples.section[upper ? 3 : 0]),
-        beyond_(samples.section[upper ? 0 : 3]),
-        back_(upper ? samples.above : samples.below),
-        on_(1 + (upper ? samples.below : samples.above)),
-        columns_(kernel(box.x0, box.x1, kReach * kSteps)),
-        rows_(kernel(box.y0, box.y1, kReach * kSteps)),
-        scale_(1 / (columns_.sum * rows_.sum * kSteps * kSteps)) {}
-
-  // The mean cost of the displacement by (i, j), or infinity where it is `most` or more.
-  double cost(std::int64_t i, std::int64_t j, double most) const {
-    const double length2 = static_cast<double>(i * i + j * j);
-    const double rest = kStiffness * length2 / (kSteps * kSteps);
-    const Shift back = shift_by(-back_ * static_cast<double>(i), -back_ * static_cast<double>(j));
-    const Shift on = shift_by(on_ * static_cast<double>(i), on_ * static_cast<double>(j));
-    double sum = 0;
-    for (std::size_t y = 0; y < rows_.weight.size(); ++y) {
-      const std::int64_t row = rows_.first + static_cast<std::int64_t>(y) * kStride;
-      sum += rows_.weight[y] * row_cost(row, i, j, back, on);
-      if (sum * scale_ + rest >= most) return kInfinity;
-    }
-    return sum * scale_ + rest;
-  }
-
- private:
-  double row_cost(std::int64_t row, std::int64_t i, std::int64_t j, const Shift& back,
-                  const Shift& on) const {
-    const double* const here = here_.at(columns_.first, row);
-    const double* const there = there_.at(columns_.first + i, row + j);
-    double main = 0, side = 0;
-    const std::size_t n = columns_.weight.size();
-    for (std::size_t x = 0; x < n; ++x) {
-      const std::int64_t k = static_cast<std::int64_t>(x) * kStride;
-      const double e = there[k] - here[k];
-      main += columns_.weight[x] * (e * e);
-    }
-    if (behind_ != nullptr) {
-      const double* const behind = behind_->at(columns_.first + back.i, row + back.j);
-      for (std::size_t x = 0; x < n; ++x) {
-        const std::int64_t k = static_cast<std::int64_t>(x) * kStride;
-        const double e = here[k] - shifted(behind, behind_->window.nx(), k, back);
-        side += columns_.weight[x] * (e * e);
-      }
-    }
-    if (beyond_ != nullptr) {
-      const double* const beyond = beyond_->at(columns_.first + on.i, row + on.j);
-      for (std::size_t x = 0; x < n; ++x) {
-        const std::int64_t k = static_cast<std::int64_t>(x) * kStride;
-        const double e = shifted(beyond, beyond_->window.nx(), k, on) - there[k];
-        side += columns_.weight[x] * (e * e);
-      }
-    }
-    return main + kNeighbour * side;
-  }
-
-  const DistanceSamples& here_;
-  const DistanceSamples& there_;
-  const DistanceSamples* behind_;
-  const DistanceSamples* beyond_;
-  double back_, on_;
-  Kernel columns_, rows_;
-  double scale_;
-};
-
-struct Step {
-  std::int64_t i, j;
-};
-
-// All displacements within the radius, the shortest first.
-std::vector<Step> displacements() {
-  const double radius = kRadius * kSteps;
-  const auto r = static_cast<std::int64_t>(radius);
-  std::vector<Step> result;
-  for (std::int64_t j = -r; j <= r; ++j) {
-    for (std::int64_t i = -r; i <= r; ++i) {
-      if (static_cast<double>(i * i + j * j) <= radius * radius) result.push_back({i, j});
-    }
-  }
-  std::sort(result.begin(), result.end(), [](const Step& a, const Step& b) {
-    const std::int64_t la = a.i * a.i + a.j * a.j, lb = b.i * b.i + b.j * b.j;
-    if (la != lb) return la < lb;
-    return a.i != b.i ? a.i < b.i : a.j < b.j;
-  });
-  return result;
-}
-
-// Where the parabola through the values at -1, 0 and 1, the least of which is at 0, has its least.
-double vertex(double before, double at, double after) {
-  const double bend = before + after - 2 * at;
-  return bend > 0 ? std::clamp((before - after) / (2 * bend), -0.5, 0.5) : 0.0;
-}
-
-// In lattice units, in the sense from the region's plane to the other.
-Point2 displacement(const Search& search, const std::vector<Step>& steps) {
-  Step best{0, 0};
-  double least = kInfinity;
-  for (const Step& s : steps) {
-    const double cost = search.cost(s.i, s.j, least);
-    if (cost < least) {
-      least = cost;
-      best = s;
-    }
-  }
-  const auto around = [&](std::int64_t i, std::int64_t j) {
-    return search.cost(best.i + i, best.j + j, kInfinity);
-  };
-  return {static_cast<double>(best.i) + vertex(around(-1, 0), least, around(1, 0)),
-          static_cast<double>(best.j) + vertex(around(0, -1), least, around(0, 1))};
-}
-
-struct Wanted {
-  bool upper;
+// A region to be moved, its bounds in lattice units.
+struct Mover {
+  bool upper = false;
   RegionId region;
-  Box2 box;  // lattice units
+  Box2 box;
 };
 
-LatticeWindow window_of(const Box2& box) {
-  const double reach = kReach * kSteps;
-  return {static_cast<std::int64_t>(std::floor(box.x0 - reach)),
-          static_cast<std::int64_t>(std::floor(box.y0 - reach)),
-          static_cast<std::int64_t>(std::floor(box.x1 + reach)) + 2,
-          static_cast<std::int64_t>(std::floor(box.y1 + reach)) + 2};
-}
-
+// Movers near each other, and all that is looked at of their own sections.
 struct Group {
   LatticeWindow window;
-  std::vector<Wanted> wanted;
+  std::vector<Mover> movers;
 };
 
-std::vector<Group> grouped(const std::vector<Wanted>& all) {
+std::vector<Group> grouped(const std::vector<Mover>& movers) {
   std::vector<Group> groups;
-  for (const Wanted& w : all) {
-    const LatticeWindow window = window_of(w.box);
-    const auto at = std::find_if(groups.begin(), groups.end(), [&](const Group& g) {
-      return g.window.joined(window).size() <= g.window.size() + window.size();
+  for (const Mover& mover : movers) {
+    const LatticeWindow window = motion::window_of(mover.box);
+    const auto near = std::find_if(groups.begin(), groups.end(), [&](const Group& group) {
+      return group.window.joined(window).size() <= group.window.size() + window.size();
     });
-    if (at == groups.end()) {
-      groups.push_back({window, {w}});
+    if (near == groups.end()) {
+      groups.push_back({window, {mover}});
     } else {
-      at->window = at->window.joined(window);
-      at->wanted.push_back(w);
+      near->window = near->window.joined(window);
+      near->movers.push_back(mover);
     }
   }
   return groups;
 }
 
-double rounded(double u, double gap) {
-  const double unit = std::ldexp(1.0, std::ilogb(gap) - 10);
-  return std::floor(u / unit + 0.5) * unit;
-}
+// A slab with the sections beside it, in units of its lattice.
+class SampledSlab {
+ public:
+  SampledSlab(SlabId slab, const SectionStack& stack) {
+    const std::size_t k = slab.index();
+    const auto section = [&](std::size_t s) -> const Section& {
+      return stack.sections[SectionId(s)];
+    };
+    gap_ = section(k + 1).z - section(k).z;
+    step_ = gap_ / motion::kStepsPerGap;
+    if (!(gap_ >= kLeastGap)) return;
+    if (k > 0) below_ = (section(k).z - section(k - 1).z) / gap_;
+    if (k + 2 < stack.sections.size()) above_ = (section(k + 2).z - section(k + 1).z) / gap_;
+    if (k > 0 && below_ <= kFarthestNeighbour) edges_[0].emplace(section(k - 1), step_);
+    edges_[1].emplace(section(k), step_);
+    edges_[2].emplace(section(k + 1), step_);
+    if (k + 2 < stack.sections.size() && above_ <= kFarthestNeighbour) {
+      edges_[3].emplace(section(k + 2), step_);
+    }
+    measurable_ = std::all_of(edges_.begin(), edges_.end(),
+                              [](const auto& edges) { return !edges || fits(edges->box()); });
+  }
+
+  [[nodiscard]] bool measurable() const { return measurable_; }
+  [[nodiscard]] double step() const { return step_; }
+
+  /// The bounds of a contour, if it is small enough to move.
+  [[nodiscard]] std::optional<Box2> movable(const Contour& contour) const {
+    Box2 box;
+    for (const Point2& p : contour.vertices) box.add(Point2{p.x / step_, p.y / step_});
+    const double side = std::max(box.x1 - box.x0, box.y1 - box.y0);
+    if (!(side <= kLargest * motion::kStepsPerGap)) return std::nullopt;
+    return box;
+  }
+
+  void move(const Group& group, SlabMotions& motions) const {
+    std::array<DistanceSamples, 4> samples;
+    const std::array<double, 4> gaps{1 + below_, 1, 1, 1 + above_};
+    for (std::size_t s = 0; s < 4; ++s) {
+      if (!edges_[s]) continue;
+      samples[s] =
+          motion::sample_distances(*edges_[s], group.window.widened(motion::margin_of(gaps[s])));
+    }
+    const auto* const first = edges_[0] ? &samples[0] : nullptr;
+    const auto* const last = edges_[3] ? &samples[3] : nullptr;
+    for (const Mover& mover : group.movers) {
+      if (mover.upper) {
+        const Point2 u = motion::displacement(
+            {last, &samples[2], &samples[1], first, above_, below_}, mover.box);
+        motions.upper[mover.region] = Point2{-rounded(u.x), -rounded(u.y)};
+      } else {
+        const Point2 u = motion::displacement(
+            {first, &samples[1], &samples[2], last, below_, above_}, mover.box);
+        motions.lower[mover.region] = Point2{rounded(u.x), rounded(u.y)};
+      }
+    }
+  }
+
+ private:
+  // Lattice units to those of the plane, on the lattice of motions.
+  [[nodiscard]] double rounded(double u) const {
+    const double unit = std::ldexp(1.0, std::ilogb(gap_) - 10);
+    return std::round(u * step_ / unit) * unit;
+  }
+
+  double gap_ = 0, step_ = 0;
+  double below_ = 0, above_ = 0;  // the gaps beside, by this one
+  std::array<std::optional<LatticeEdges>, 4> edges_;
+  bool measurable_ = false;
+};
 
 }  // namespace
 
 SlabMotions estimate_motions(SlabId slab, const SectionStack& stack,
                              const IdVector<SectionId, Nesting>& nestings,
                              const WantedRegions& wanted) {
-  const std::size_t k = slab.index();
-  const auto z = [&](std::size_t s) { return stack.sections[SectionId(s)].z; };
-  const double gap = z(k + 1) - z(k);
-  const double step = gap / kSteps;
-  SlabMotions result;
-  std::vector<Wanted> all;
-  const auto collect = [&](bool upper, const std::vector<RegionId>& regions,
-                           IdVector<RegionId, std::optional<Point2>>& motions) {
-    const SectionId s(k + (upper ? 1 : 0));
-    motions.resize(nestings[s].outer.size());
-    for (const RegionId r : regions) {
-      motions[r] = Point2{0, 0};
-      Box2 box;
-      for (const Point2& p : stack.sections[s].contours[nestings[s].outer[r]].vertices) {
-        box.add(Point2{p.x / step, p.y / step});
-      }
-      if (std::max(box.x1 - box.x0, box.y1 - box.y0) > kLargest * kSteps) continue;
-      all.push_back({upper, r, box});
-    }
+  const SectionId below(slab.index()), above(slab.index() + 1);
+  SlabMotions motions;
+  motions.lower.resize(nestings[below].outer.size());
+  motions.upper.resize(nestings[above].outer.size());
+  for (const RegionId r : wanted.lower) motions.lower[r] = Point2{};
+  for (const RegionId r : wanted.upper) motions.upper[r] = Point2{};
+  if (wanted.lower.empty() && wanted.upper.empty()) return motions;
+  const SampledSlab sampled(slab, stack);
+  if (!sampled.measurable()) return motions;
+  std::vector<Mover> movers;
+  const auto add = [&](SectionId section, bool upper, RegionId region) {
+    const Contour& outer = stack.sections[section].contours[nestings[section].outer[region]];
+    if (const auto box = sampled.movable(outer)) movers.push_back({upper, region, *box});
   };
-  collect(false, wanted.lower, result.lower);
-  collect(true, wanted.upper, result.upper);
-  if (all.empty()) return result;
-
-  SlabSamples samples;
-  if (k > 0) samples.below = (z(k) - z(k - 1)) / gap;
-  if (k + 2 < stack.sections.size()) samples.above = (z(k + 2) - z(k + 1)) / gap;
-  const bool has_below = k > 0 && samples.below <= 2;
-  const bool has_above = k + 2 < stack.sections.size() && samples.above <= 2;
-  std::array<std::optional<LatticeEdges>, 4> edges;
-  for (std::size_t s = 0; s < 4; ++s) {
-    if ((s == 0 && !has_below) || (s == 3 && !has_above)) continue;
-    edges[s].emplace(stack.sections[SectionId(k + s - 1)], step);
-  }
-  const std::vector<Step> steps = displacements();
-  const double r = std::floor(kRadius * kSteps) + 1;
-  for (const Group& group : grouped(all)) {
-    std::array<DistanceSamples, 4> fields;
-    for (std::size_t s = 0; s < 4; ++s) {
-      if (!edges[s]) continue;
-      const double on = s == 0 ? 1 + samples.below : s == 3 ? 1 + samples.above : 1;
-      const auto margin = static_cast<std::int64_t>(std::ceil(r * on)) + 1;
-      fields[s] = sample_distances(*edges[s], group.window.widened(margin), kLimit * kSteps);
-      samples.section[s] = &fields[s];
-    }
-    for (const Wanted& w : group.wanted) {
-      const Point2 u = displacement(Search(samples, w.upper, w.box), steps);
-      const double sign = w.upper ? -1 : 1;
-      (w.upper ? result.upper : result.lower)[w.region] =
-          Point2{rounded(sign * u.x * step, gap), rounded(sign * u.y * step, gap)};
-    }
-  }
-  return result;
+  for (const RegionId r : wanted.lower) add(below, false, r);
+  for (const RegionId r : wanted.upper) add(above, true, r);
+  for (const Group& group : grouped(movers)) sampled.move(group, motions);
+  return motions;
 }
 
 }  // namespace tetloft::internal
