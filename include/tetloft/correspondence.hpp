@@ -7,13 +7,20 @@
 //       ratios are ordered among each other, or reported, it is the double that function gives;
 //   d   is their distance as sets of the plane, region_distance(), over the gap, the difference in
 //       z of their sections: doubles, by two further operations. 0 iff they meet;
-//   m   is, by `moved`, the ratio of the two as they are moved (MOVED_RULE); else r;
+//   m   is r; by `moved` the mean of r where A is moved by its motion u and B lies still, and of r
+//       where A lies still and B is moved back by its own: (r + r) / 2 in doubles. A motion is one
+//       of Model::motions, or 0: of a region at rest, and of one whose box, larger by the gap on
+//       all sides, meets no box of a region of the other section. How motions are found:
+//       src/motion/README.md. A moved region has the vertices (x ± ux, y ± uy), rounded, and if it
+//       is no region any more (as a section not valid, or nested otherwise) its ratios are 0.
+//       A is at rest iff it overlaps a region of the other section, and in all pairs of regions
+//       that overlap of which A or a region that A overlaps is one, r ≥ 0.7;
 //   s   is m − d, in doubles.
 //
 // 1. Candidates, by criterion.
 //    `overlap`: the pairs with r > tau, except weak links between two well-connected regions:
 //    r < 1/4 while each of the two has another link of ratio ≥ 1/4 in the same slab.
-//    `moved`: the pairs with m > tau + d (a sum in doubles, compared exactly).
+//    `moved`: the pairs with m > tau + d, in doubles.
 //    `reverse`: the pairs (region of a vertex below, region of a vertex above) of every reverse
 //    tetrahedron (type II or IE).
 // 2. Chains, unless `reverse`, or `chain` is off. A region without candidate in a slab is single
@@ -76,6 +83,8 @@ enum class Criterion : std::uint8_t {
 /// The thresholds tau of the criteria that have one.
 inline constexpr double kDefaultOverlap = 0.02;
 inline constexpr double kDefaultMoved = 0.10;
+/// Rest, by `moved`: regions that overlap so far do not move.
+inline constexpr double kRestOverlap = 0.7;
 /// The guard of the overlap criterion: a link at least this strong is trusted, and
 /// outrules weaker ones between two regions that both have one. Both numbers are settled by
 /// measurement on solids of known truth: bench/corpus/README.md.

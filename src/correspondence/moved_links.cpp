@@ -10,40 +10,60 @@ namespace tetloft::internal {
 
 namespace {
 
-// A pair that overlaps so far, and nothing else, stays where it is.
-constexpr double kClearOverlap = 0.5;
+// Of each region of a slab's section: does it overlap something?
+using Flags = IdVector<RegionId, std::uint8_t>;
+
+struct Unclear {
+  Flags lower, upper;
+};
+
+// The regions that are not at rest: some pair that they, or their partners, overlap in is weak, or
+// they overlap nothing.
+Unclear unclear_regions(const SectionRegions& below, const SectionRegions& above) {
+  const std::vector<OverlappingPair> pairs = overlapping_pairs(below, above);
+  Flags weak_lower(below.size(), 0);
+  Flags weak_upper(above.size(), 0);
+  Unclear unclear{Flags(below.size(), 1), Flags(above.size(), 1)};
+  for (const auto& [lower, upper, ratio] : pairs) {
+    unclear.lower[lower] = unclear.upper[upper] = 0;
+    if (!(ratio >= kRestOverlap)) weak_lower[lower] = weak_upper[upper] = 1;
+  }
+  for (const auto& [lower, upper, ratio] : pairs) {
+    if (weak_lower[lower] != 0 || weak_upper[upper] != 0) {
+      unclear.lower[lower] = unclear.upper[upper] = 1;
+    }
+  }
+  return unclear;
+}
+
+// Those of them that something of the other section is near enough to move to.
+std::vector<RegionId> movable(const SectionRegions& section, const Flags& unclear,
+                              const SectionRegions& other, double gap) {
+  std::vector<RegionId> result;
+  for (const RegionId r : section.ids()) {
+    if (unclear[r] == 0) continue;
+    const Box2& box = section.box[r];
+    bool near = false;
+    other.for_each_near({box.x0 - gap, box.y0 - gap, box.x1 + gap, box.y1 + gap},
+                        [&](RegionId) { near = true; });
+    if (near) result.push_back(r);
+  }
+  return result;
+}
 
 }  // namespace
 
 SlabMotions motions_where_unclear(SlabId slab, const SectionStack& stack,
                                   const IdVector<SectionId, Nesting>& nestings,
                                   const SectionRegions& below, const SectionRegions& above) {
-  const std::vector<OverlappingPair> pairs = overlapping_pairs(below, above);
-  IdVector<RegionId, std::size_t> of_lower(below.size(), 0);
-  IdVector<RegionId, std::size_t> of_upper(above.size(), 0);
-  for (const OverlappingPair& pair : pairs) {
-    ++of_lower[pair.lower];
-    ++of_upper[pair.upper];
+  const Unclear unclear = unclear_regions(below, above);
+  const double gap = above.z - below.z;
+  const WantedRegions wanted{movable(below, unclear.lower, above, gap),
+                             movable(above, unclear.upper, below, gap)};
+  if (wanted.lower.empty() && wanted.upper.empty()) {
+    return {IdVector<RegionId, std::optional<Point2>>(below.size()),
+            IdVector<RegionId, std::optional<Point2>>(above.size())};
   }
-  IdVector<RegionId, std::uint8_t> clear_lower(below.size(), 0);
-  IdVector<RegionId, std::uint8_t> clear_upper(above.size(), 0);
-  for (const auto& [lower, upper, ratio] : pairs) {
-    if (of_lower[lower] == 1 && of_upper[upper] == 1 && ratio >= kClearOverlap) {
-      clear_lower[lower] = clear_upper[upper] = 1;
-    }
-  }
-  WantedRegions wanted;
-  for (const RegionId r : below.ids()) {
-    if (clear_lower[r] == 0) wanted.lower.push_back(r);
-  }
-  for (const RegionId r : above.ids()) {
-    if (clear_upper[r] == 0) wanted.upper.push_back(r);
-  }
-  SlabMotions motions{IdVector<RegionId, std::optional<Point2>>(below.size()),
-                      IdVector<RegionId, std::optional<Point2>>(above.size())};
-  if (wanted.lower.empty() && wanted.upper.empty()) return motions;
-  // Nothing moves where there is nothing to move to.
-  if (below.size() == 0 || above.size() == 0) return motions;
   return estimate_motions(slab, stack, nestings, wanted);
 }
 
@@ -63,7 +83,7 @@ SlabCandidates moved_links(SlabId slab, const SectionRegions& below, const Secti
       candidate.distance = *d;
       candidate.margin = candidate.score() - tau;
       if (candidate.ratio == 0 && candidate.score() <= 0) continue;
-      if (!moved.exceeds(i, j, tau + *d)) candidate.fate = LinkFate::too_weak;
+      if (!(candidate.moved > tau + *d)) candidate.fate = LinkFate::too_weak;
       if (!(candidate.ratio > tau)) candidate.evidence = Evidence::motion;
       candidates.push_back(candidate);
     }

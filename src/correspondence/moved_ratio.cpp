@@ -1,9 +1,5 @@
 #include "correspondence/moved_ratio.hpp"
 
-#include <algorithm>
-
-#include "correspondence/overlap_links.hpp"
-
 namespace tetloft::internal {
 
 MovedPairs::MovedPairs(const SectionRegions& below, const SectionRegions& above,
@@ -31,32 +27,19 @@ MovedPairs::Places MovedPairs::places(const SectionRegions& section,
   return places;
 }
 
-template <class Ask>
-bool MovedPairs::any(RegionId lower, RegionId upper, const Ask& ask) const {
+double MovedPairs::ratio(RegionId lower, RegionId upper) const {
   const Place& low = lower_[lower];
   const Place& high = upper_[upper];
-  if ((!low.moves || !high.moves) && ask(below_.outline[lower], above_.outline[upper])) return true;
-  if (low.there && low.box.meets(above_.box[upper]) &&
-      ask(low.there->outline(), above_.outline[upper])) {
-    return true;
-  }
-  return high.there && high.box.meets(below_.box[lower]) &&
-         ask(below_.outline[lower], high.there->outline());
-}
-
-double MovedPairs::ratio(RegionId lower, RegionId upper) const {
-  double largest = 0;
-  any(lower, upper, [&](const RegionOutline& a, const RegionOutline& b) {
-    largest = std::max(largest, overlap_ratio(a, b));
-    return false;
-  });
-  return largest;
-}
-
-bool MovedPairs::exceeds(RegionId lower, RegionId upper, double bound) const {
-  return any(lower, upper, [&](const RegionOutline& a, const RegionOutline& b) {
-    return compare_overlap(a, b, bound) == Sign::positive;
-  });
+  const bool all_move = low.moves && high.moves;
+  const double still = all_move ? 0 : overlap_ratio(below_.outline[lower], above_.outline[upper]);
+  const auto of = [&](const Place& place, const RegionOutline& other, const Box2& box) {
+    if (!place.moves) return still;
+    const bool meets = place.there && place.box.meets(box);
+    return meets ? overlap_ratio(place.there->outline(), other) : 0.0;
+  };
+  return (of(low, above_.outline[upper], above_.box[upper]) +
+          of(high, below_.outline[lower], below_.box[lower])) /
+         2;
 }
 
 }  // namespace tetloft::internal

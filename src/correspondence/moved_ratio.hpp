@@ -1,4 +1,5 @@
-// m of the rule: how far two regions overlap where they are moved (include/tetloft/correspondence.hpp).
+// m of the rule: how far two regions overlap where they are moved
+// (include/tetloft/correspondence.hpp).
 #pragma once
 
 #include <optional>
@@ -15,10 +16,8 @@ class MovedPairs {
   /// Sections must outlive this. Empty motions: none.
   MovedPairs(const SectionRegions& below, const SectionRegions& above, const SlabMotions& motions);
 
-  /// m, as overlap_ratio() rounds it.
+  /// m.
   [[nodiscard]] double ratio(RegionId lower, RegionId upper) const;
-  /// m > bound, exactly.
-  [[nodiscard]] bool exceeds(RegionId lower, RegionId upper, double bound) const;
   /// A box around where the region lies and where it is moved to.
   [[nodiscard]] const Box2& reach_of_lower(RegionId r) const { return lower_[r].reach; }
   [[nodiscard]] const Box2& reach_of_upper(RegionId r) const { return upper_[r].reach; }
@@ -33,11 +32,6 @@ class MovedPairs {
   using Places = IdVector<RegionId, Place>;
   static Places places(const SectionRegions& section,
                        const IdVector<RegionId, std::optional<Point2>>& motions, double sign);
-  // Calls ask(a, b) -> bool for the pairs of outlines of which m is the largest ratio, until one
-  // is true.
-  template <class Ask>
-  bool any(RegionId lower, RegionId upper, const Ask& ask) const;
-
   const SectionRegions& below_;
   const SectionRegions& above_;
   Places lower_, upper_;
