@@ -34,6 +34,10 @@ bool exceeds(const RegionOutline& a, const RegionOutline& b, double ratio, doubl
   return compared(a, b, ratio, tau) == Sign::positive;
 }
 
+bool reaches(const RegionOutline& a, const RegionOutline& b, double ratio, double tau) {
+  return compared(a, b, ratio, tau) != Sign::negative;
+}
+
 SlabCandidates overlap_links(SlabId slab, const SectionRegions& below, const SectionRegions& above,
                              double tau) {
   SlabCandidates candidates;
@@ -44,7 +48,7 @@ SlabCandidates overlap_links(SlabId slab, const SectionRegions& below, const Sec
   for (const auto& [i, j, ratio] : overlapping_pairs(below, above)) {
     const RegionOutline& low = below.outline[i];
     const RegionOutline& high = above.outline[j];
-    strong.push_back(compared(low, high, ratio, kStrongOverlap) != Sign::negative);
+    strong.push_back(reaches(low, high, ratio, kStrongOverlap));
     if (strong.back()) strong_below[i] = strong_above[j] = 1;
     LinkCandidate candidate{{slab, i, j}};
     candidate.ratio = candidate.moved = ratio;

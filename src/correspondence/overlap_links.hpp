@@ -20,6 +20,10 @@ struct OverlappingPair {
 [[nodiscard]] bool exceeds(const RegionOutline& a, const RegionOutline& b, double ratio,
                            double tau);
 
+/// Is it at least tau?
+[[nodiscard]] bool reaches(const RegionOutline& a, const RegionOutline& b, double ratio,
+                           double tau);
+
 /// All pairs that overlap: those that the rule takes, and the others.
 [[nodiscard]] SlabCandidates overlap_links(SlabId slab, const SectionRegions& below,
                                            const SectionRegions& above, double tau);
