@@ -33,21 +33,17 @@ std::vector<LinkRule> all_rules() {
       {"the same + lone", Evidence::plain, 0.02, 0, 0.25, true},
       {"overlap 0.1 + lone", Evidence::plain, 0.1, 1, 2, true},
   };
-  const std::pair<const char*, Evidence> forms[] = {{"max", Evidence::moved_max},
-                                                    {"mean", Evidence::moved_mean},
-                                                    {"smaller", Evidence::moved_smaller},
-                                                    {"half", Evidence::moved_half}};
+  const std::pair<const char*, Evidence> forms[] = {{"max", Evidence::max},
+                                                    {"mean", Evidence::mean},
+                                                    {"joint", Evidence::joint},
+                                                    {"jmax", Evidence::joint_max},
+                                                    {"three", Evidence::three}};
   for (const auto& [name, evidence] : forms) {
     const std::string form = std::string("moved ") + name;
     rules.push_back({form, evidence, 0.1, 1, 2, false});
     rules.push_back({form + " + lone", evidence, 0.1, 1, 2, true});
-    if (evidence == Evidence::moved_half || evidence == Evidence::moved_smaller) continue;
-    for (int mode = 0; mode < 4; ++mode)
-      for (const double clear : {0.95, 0.9, 0.8, 0.7, 0.6, 0.5, 0.4}) {
-        rules.push_back({form + " + lone, clear " + std::to_string(mode) + " " +
-                             std::to_string(clear).substr(0, 4),
-                         evidence, 0.1, 1, 2, true, clear, mode});
-      }
+    rules.push_back({form + " + lone 0.08", evidence, 0.08, 1, 2, true});
+    rules.push_back({form + " + lone 0.12", evidence, 0.12, 1, 2, true});
   }
   return rules;
 }
@@ -110,7 +106,7 @@ int survey(const Options& options, const std::vector<LinkRule>& rules) {
     const auto read = read_cnt(file);
     const auto truth = read_stack_truth(file).components;
     if (!read || !truth) continue;
-    const std::vector<SlabFacts> slabs = facts_of(read->stack);
+    const std::vector<SlabFacts> slabs = facts_of(read->stack, 0.7);
     std::printf("%s %g:", file.substr(file.rfind('/') + 1).c_str(), *truth);
     for (std::size_t r = 0; r < rules.size(); ++r) {
       const auto got = static_cast<long>(component_count(slabs, links_by(rules[r], slabs)));
@@ -134,7 +130,7 @@ void corpus(const Options& options, const std::vector<LinkRule>& rules, std::siz
       const SampledSolid solid = sample_solid(kSolidKinds[kind], options.seed + k, options.size);
       const SlicedSolid sliced = slice(
           solid, spacing, options.contours == "smooth" ? Contouring::smooth : Contouring::lattice);
-      const std::vector<SlabFacts> slabs = facts_of(sliced.stack);
+      const std::vector<SlabFacts> slabs = facts_of(sliced.stack, 0.7);
       ++stacks;
       for (std::size_t r = 0; r < rules.size(); ++r) {
         const StackLinks links = links_by(rules[r], slabs);
@@ -146,8 +142,7 @@ void corpus(const Options& options, const std::vector<LinkRule>& rules, std::siz
           if (e.missing + e.wrong > 0) exact = false;
         }
         if (exact) ++tally[r].exact;
-        const auto m = moving(rules[r], slabs);
-        tally[r].moving += m.first, tally[r].regions += m.second;
+        for (const SlabFacts& f : slabs) tally[r].moving += f.moving, tally[r].regions += f.regions;
       }
     }
   }

@@ -88,25 +88,26 @@ double distance(const Outlined& a, const Outlined& b, double reach) {
   return std::sqrt(least);
 }
 
-struct Placed {
-  std::optional<Outlined> here, whole, half;
+// A region where it lies, and its motion; none where it is at rest.
+struct Mover {
+  Outlined here;
+  Point2 u;
 };
 
-std::vector<Placed> placed(const Section& section, const Nesting& nesting,
-                           const IdVector<RegionId, std::optional<Point2>>& motions, double sign) {
-  std::vector<Placed> result;
+std::vector<Mover> movers(const Section& section, const Nesting& nesting,
+                          const IdVector<RegionId, std::optional<Point2>>& motions) {
+  std::vector<Mover> result;
   for (std::size_t r = 0; r < nesting.outer.size(); ++r) {
-    const RegionOutline region = outline(section, nesting, RegionId(r));
-    const Point2 u = motions[RegionId(r)].value();
-    result.push_back({moved(region, {0, 0}), moved(region, {sign * u.x, sign * u.y}),
-                      moved(region, {sign * u.x / 2, sign * u.y / 2})});
+    result.push_back({moved(outline(section, nesting, RegionId(r)), {0, 0}).value(), motions[RegionId(r)].value()});
   }
   return result;
 }
 
+Point2 scaled(const Point2& u, double by) { return {u.x * by, u.y * by}; }
+
 }  // namespace
 
-std::vector<SlabFacts> facts_of(const SectionStack& stack) {
+std::vector<SlabFacts> facts_of(const SectionStack& stack, double rest) {
   IdVector<SectionId, Nesting> nestings;
   for (const Section& section : stack.sections) nestings.push_back(nest(section));
   std::vector<SlabFacts> result;
@@ -118,28 +119,58 @@ std::vector<SlabFacts> facts_of(const SectionStack& stack) {
     for (std::size_t r = 0; r < nestings[below].outer.size(); ++r) wanted.lower.emplace_back(r);
     for (std::size_t r = 0; r < nestings[above].outer.size(); ++r) wanted.upper.emplace_back(r);
     const SlabMotions motions = estimate_motions(SlabId(k), stack, nestings, wanted);
-    const auto lows = placed(stack.sections[below], nestings[below], motions.lower, 1);
-    const auto highs = placed(stack.sections[above], nestings[above], motions.upper, -1);
-    for (const Placed& p : lows) slab.low_area.push_back(area(p.here->outline()));
-    for (const Placed& p : highs) slab.high_area.push_back(area(p.here->outline()));
+    auto lows = movers(stack.sections[below], nestings[below], motions.lower);
+    auto highs = movers(stack.sections[above], nestings[above], motions.upper);
+    for (const Mover& p : lows) slab.low_area.push_back(area(p.here.outline()));
+    for (const Mover& p : highs) slab.high_area.push_back(area(p.here.outline()));
     const double reach = kReach * slab.gap;
+    std::vector<double> worst_low(lows.size(), 2), worst_high(highs.size(), 2);
     for (std::size_t i = 0; i < lows.size(); ++i) {
       for (std::size_t j = 0; j < highs.size(); ++j) {
-        Box2 wide = lows[i].here->box;
+        Box2 wide = lows[i].here.box;
         wide.x0 -= reach, wide.y0 -= reach, wide.x1 += reach, wide.y1 += reach;
-        if (!wide.meets(highs[j].here->box)) continue;
+        if (!wide.meets(highs[j].here.box)) continue;
         PairFacts pair{i, j};
         pair.plain = ratio(lows[i].here, highs[j].here);
         if (pair.plain == 0) {
-          pair.distance = distance(*lows[i].here, *highs[j].here, reach) / slab.gap;
+          pair.distance = distance(lows[i].here, highs[j].here, reach) / slab.gap;
+        } else {
+          worst_low[i] = std::min(worst_low[i], pair.plain);
+          worst_high[j] = std::min(worst_high[j], pair.plain);
         }
         if (pair.distance >= kReach) continue;
-        pair.moved_low = ratio(lows[i].whole, highs[j].here);
-        pair.moved_high = ratio(lows[i].here, highs[j].whole);
-        pair.moved_half = ratio(lows[i].half, highs[j].half);
         slab.pairs.push_back(pair);
       }
     }
+    std::vector<bool> low_rests(lows.size(), false), high_rests(highs.size(), false);
+    for (const PairFacts& p : slab.pairs) {
+      if (p.plain > 0) low_rests[p.low] = high_rests[p.high] = true;
+    }
+    for (const PairFacts& p : slab.pairs) {
+      if (p.plain == 0 || (worst_low[p.low] >= rest && worst_high[p.high] >= rest)) continue;
+      low_rests[p.low] = high_rests[p.high] = false;
+    }
+    for (std::size_t i = 0; i < lows.size(); ++i) if (low_rests[i]) lows[i].u = {0, 0};
+    for (std::size_t j = 0; j < highs.size(); ++j) if (high_rests[j]) highs[j].u = {0, 0};
+    std::vector<bool> low(lows.size(), false), high(highs.size(), false);
+    for (PairFacts& p : slab.pairs) {
+      if (p.distance < 0.9) low[p.low] = high[p.high] = true;
+      const Mover& a = lows[p.low];
+      const Mover& b = highs[p.high];
+      if (low_rests[p.low] && high_rests[p.high]) {
+        p.moved_low = p.moved_high = p.moved_joint = p.plain;
+        continue;
+      }
+      const auto mid = [&](double s, double t) { return Point2{s * a.u.x + t * b.u.x, s * a.u.y + t * b.u.y}; };
+      p.moved_low = ratio(moved(a.here.outline(), a.u), b.here);
+      p.moved_high = ratio(a.here, moved(b.here.outline(), scaled(b.u, -1)));
+      p.moved_joint = ratio(moved(a.here.outline(), mid(0.5, 0.5)), b.here);
+      p.moved_q = ratio(moved(a.here.outline(), mid(0.75, 0.25)), b.here);
+      p.moved_r = ratio(moved(a.here.outline(), mid(0.25, 0.75)), b.here);
+    }
+    slab.regions = lows.size() + highs.size();
+    for (std::size_t i = 0; i < lows.size(); ++i) slab.moving += low[i] && !low_rests[i];
+    for (std::size_t i = 0; i < highs.size(); ++i) slab.moving += high[i] && !high_rests[i];
     result.push_back(std::move(slab));
   }
   return result;

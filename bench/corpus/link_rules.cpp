@@ -1,96 +1,30 @@
 #include "corpus/link_rules.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 namespace tetloft::bench {
 
 namespace {
 
-// Of each region of one side of a slab: does it stay where it is?
-struct Clear {
-  std::vector<bool> low, high;
-};
-
-Clear clear_regions(const LinkRule& rule, const SlabFacts& slab) {
-  const std::size_t lows = slab.low_area.size(), highs = slab.high_area.size();
-  std::vector<std::size_t> low(lows, 0), high(highs, 0);
-  std::vector<double> worst_low(lows, 2), worst_high(highs, 2);
-  std::vector<double> best_low(lows, 0), best_high(highs, 0);
-  for (const PairFacts& p : slab.pairs) {
-    if (!(p.plain > 0)) continue;
-    ++low[p.low], ++high[p.high];
-    worst_low[p.low] = std::min(worst_low[p.low], p.plain);
-    worst_high[p.high] = std::min(worst_high[p.high], p.plain);
-    best_low[p.low] = std::max(best_low[p.low], p.plain);
-    best_high[p.high] = std::max(best_high[p.high], p.plain);
+double evidence_of(Evidence evidence, const PairFacts& p) {
+  switch (evidence) {
+    case Evidence::plain: return p.plain;
+    case Evidence::max: return std::max(p.moved_low, p.moved_high);
+    case Evidence::mean: return (p.moved_low + p.moved_high) / 2;
+    case Evidence::joint: return p.moved_joint;
+    case Evidence::joint_max: return std::max(p.moved_joint, (p.moved_low + p.moved_high) / 2);
+    case Evidence::three: return (p.moved_low + p.moved_high + 2*p.moved_joint) / 4;
   }
-  Clear clear{std::vector<bool>(lows, false), std::vector<bool>(highs, false)};
-  for (const PairFacts& p : slab.pairs) {
-    if (!(p.plain > 0)) continue;
-    if (rule.mode == 0 && p.plain >= rule.clear && low[p.low] == 1 && high[p.high] == 1) {
-      clear.low[p.low] = clear.high[p.high] = true;
-    }
-    if (rule.mode == 1) {
-      if (worst_low[p.low] >= rule.clear) clear.low[p.low] = true;
-      if (worst_high[p.high] >= rule.clear) clear.high[p.high] = true;
-    }
-    if (rule.mode == 2) {
-      if (best_low[p.low] >= rule.clear) clear.low[p.low] = true;
-      if (best_high[p.high] >= rule.clear) clear.high[p.high] = true;
-    }
-  }
-  if (rule.mode == 3) {  // both ends of every overlap
-    for (std::size_t i = 0; i < lows; ++i) clear.low[i] = low[i] > 0;
-    for (std::size_t i = 0; i < highs; ++i) clear.high[i] = high[i] > 0;
-    for (const PairFacts& p : slab.pairs) {
-      if (!(p.plain > 0)) continue;
-      if (worst_low[p.low] < rule.clear || worst_high[p.high] < rule.clear)
-        clear.low[p.low] = clear.high[p.high] = false;
-    }
-  }
-  return clear;
+  return 0;
 }
 
 std::vector<double> evidence_of(const LinkRule& rule, const SlabFacts& slab) {
-  const Clear clear = clear_regions(rule, slab);
   std::vector<double> result;
-  for (const PairFacts& p : slab.pairs) {
-    const double low = clear.low[p.low] ? p.plain : p.moved_low;
-    const double high = clear.high[p.high] ? p.plain : p.moved_high;
-    switch (rule.evidence) {
-      case Evidence::plain: result.push_back(p.plain); break;
-      case Evidence::moved_max: result.push_back(std::max(low, high)); break;
-      case Evidence::moved_mean: result.push_back((low + high) / 2); break;
-      case Evidence::moved_smaller:
-        result.push_back(slab.low_area[p.low] <= slab.high_area[p.high] ? low : high);
-        break;
-      case Evidence::moved_half: result.push_back(p.moved_half); break;
-    }
-  }
+  for (const PairFacts& p : slab.pairs) result.push_back(evidence_of(rule.evidence, p));
   return result;
 }
-
-}  // namespace
-
-std::pair<std::size_t, std::size_t> moving(const LinkRule& rule,
-                                           const std::vector<SlabFacts>& slabs) {
-  std::pair<std::size_t, std::size_t> result{0, 0};
-  for (const SlabFacts& slab : slabs) {
-    Clear clear = clear_regions(rule, slab);
-    std::vector<bool> low(slab.low_area.size(), false), high(slab.high_area.size(), false);
-    for (const PairFacts& p : slab.pairs) {
-      if (p.distance < 0.9 && !clear.low[p.low]) low[p.low] = true;
-      if (p.distance < 0.9 && !clear.high[p.high]) high[p.high] = true;
-    }
-    result.second += low.size() + high.size();
-    for (bool b : low) result.first += b;
-    for (bool b : high) result.first += b;
-  }
-  return result;
-}
-
-namespace {
 
 struct Candidate {
   std::size_t slab = 0, pair = 0;

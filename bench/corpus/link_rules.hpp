@@ -10,7 +10,7 @@
 namespace tetloft::bench {
 
 /// What is compared with the threshold.
-enum class Evidence : std::uint8_t { plain, moved_max, moved_mean, moved_smaller, moved_half };
+enum class Evidence : std::uint8_t { plain, max, mean, joint, joint_max, three };
 
 struct LinkRule {
   std::string name;
@@ -21,16 +21,9 @@ struct LinkRule {
   /// A weaker link yields where both regions have one as strong as this; above 1: no guard.
   double guard = 2;
   bool lone = false;
-  /// A region that overlaps one region alone, which overlaps it alone, by this ratio or more, does
-  /// not move; above 1: every region moves.
-  double clear = 2;
-  int mode = 0;
 };
 
 /// By slab, the regions linked.
-/// How many regions move, and of how many, summed over slabs.
-std::pair<std::size_t, std::size_t> moving(const LinkRule& rule,
-                                           const std::vector<SlabFacts>& slabs);
 using StackLinks = std::vector<std::vector<std::pair<std::size_t, std::size_t>>>;
 [[nodiscard]] StackLinks links_by(const LinkRule& rule, const std::vector<SlabFacts>& slabs);
 
