@@ -29,8 +29,8 @@
 //    (centre − centre of origin) · (gap / gap). A centre is that of the bounding box of a region's
 //    outer contour, (least + largest) / 2. Its origin: if A has one candidate in the slab beneath,
 //    the other region of it; if none, the region of least d there (then of least number), if that
-//    d ≤ 1; otherwise A has no origin. Likewise, downwards, for a single region above. Two single
-//    regions with d ≤ 1 are a candidate iff either of them, moved on, has an overlap ratio > 0.1
+//    d ≤ 2; otherwise A has no origin. Likewise, downwards, for a single region above. Two single
+//    regions with d ≤ 2 are a candidate iff either of them, moved on, has an overlap ratio > 0.1
 //    with the other. A moved region has the vertices (x + dx, y + dy), rounded, and counts if it
 //    is still a region: as a section it is valid and nested as before. Chains look at the
 //    candidates of 1 alone.
@@ -92,7 +92,7 @@ inline constexpr double kStrongOverlap = 0.25;
 /// What a region that is moved on as it came must overlap (rule 2).
 inline constexpr double kChainOverlap = 0.1;
 /// How far chains reach, in gaps; and lone regions, large and small ones (rule 3).
-inline constexpr double kChainReach = 1.0;
+inline constexpr double kChainReach = 2.0;
 inline constexpr double kLoneReach = 0.5;
 inline constexpr double kSmallLoneReach = 1.0;
 

@@ -24,8 +24,11 @@ class LoneRegions {
     if (const auto slab = slab_above()) mark_linked(candidates[*slab], false);
   }
 
-  [[nodiscard]] std::vector<LinkCandidate> links() const {
+  [[nodiscard]] std::vector<LinkCandidate> links() {
     std::vector<LinkCandidate> links;
+    if (std::find(lone_.begin(), lone_.end(), 1) == lone_.end()) return links;
+    if (const auto slab = slab_below()) moved_below_.emplace(pairs_of(*slab));
+    if (const auto slab = slab_above()) moved_above_.emplace(pairs_of(*slab));
     for (const RegionId r : own_.ids()) {
       if (lone_[r] == 0) continue;
       if (const auto link = preferred(r)) links.push_back(*link);
@@ -43,6 +46,10 @@ class LoneRegions {
     return SlabId(section_.index());
   }
 
+  [[nodiscard]] MovedPairs pairs_of(SlabId slab) const {
+    return {sections_[lower_section(slab)], sections_[upper_section(slab)], motions_[slab]};
+  }
+
   void mark_linked(const SlabCandidates& candidates, bool upper) {
     for (const LinkCandidate& candidate : candidates) {
       if (candidate.made()) lone_[upper ? candidate.link.upper : candidate.link.lower] = 0;
@@ -56,15 +63,16 @@ class LoneRegions {
     const SectionRegions& above = sections_[upper_section(slab)];
     const SectionRegions& others = upper ? below : above;
     const double gap = above.z - below.z;
-    const MovedPairs moved(below, above, motions_[slab]);
+    const MovedPairs& moved = upper ? *moved_below_ : *moved_above_;
     const bool small = compare_area(own_.outline[r], gap / 2) == Sign::negative;
     others.for_each_near(grown(own_.box[r], kLookout * gap), [&](RegionId q) {
       LinkCandidate pair{{slab, upper ? q : r, upper ? r : q}, Evidence::lone};
       const auto& [id, lower, higher] = pair.link;
-      const auto d = gaps_apart(below, lower, above, higher, kLookout);
-      if (!d) return;
       pair.ratio = overlap_ratio(below.outline[lower], above.outline[higher]);
-      pair.moved = moved.ratio(lower, higher);
+      const auto d =
+          pair.ratio > 0 ? std::optional(0.0) : gaps_apart(below, lower, above, higher, kLookout);
+      if (!d) return;
+      pair.moved = moved.ratio(lower, higher, pair.ratio);
       pair.distance = *d;
       pair.margin = (small ? kSmallLoneReach : kLoneReach) - *d;
       pair.fate = pair.margin > 0 ? LinkFate::made : LinkFate::too_weak;
@@ -91,6 +99,7 @@ class LoneRegions {
   const IdVector<SlabId, SlabMotions>& motions_;
   const SectionRegions& own_;
   IdVector<RegionId, std::uint8_t> lone_;
+  std::optional<MovedPairs> moved_below_, moved_above_;  // of the slabs beside, once there is one
 };
 
 }  // namespace

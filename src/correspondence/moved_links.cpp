@@ -4,13 +4,12 @@
 #include <vector>
 
 #include "correspondence/moved_ratio.hpp"
-#include "correspondence/overlap_links.hpp"
 
 namespace tetloft::internal {
 
 namespace {
 
-// Of each region of a slab's section: does it overlap something?
+// Of each region of a section.
 using Flags = IdVector<RegionId, std::uint8_t>;
 
 struct Unclear {
@@ -19,14 +18,16 @@ struct Unclear {
 
 // The regions that are not at rest: some pair that they, or their partners, overlap in is weak, or
 // they overlap nothing.
-Unclear unclear_regions(const SectionRegions& below, const SectionRegions& above) {
-  const std::vector<OverlappingPair> pairs = overlapping_pairs(below, above);
+Unclear unclear_regions(const SectionRegions& below, const SectionRegions& above,
+                        const std::vector<OverlappingPair>& pairs) {
   Flags weak_lower(below.size(), 0);
   Flags weak_upper(above.size(), 0);
   Unclear unclear{Flags(below.size(), 1), Flags(above.size(), 1)};
   for (const auto& [lower, upper, ratio] : pairs) {
     unclear.lower[lower] = unclear.upper[upper] = 0;
-    if (!(ratio >= kRestOverlap)) weak_lower[lower] = weak_upper[upper] = 1;
+    const Sign rest =
+        compare_overlap(below.outline[lower], above.outline[upper], kRestOverlap, ratio);
+    if (rest == Sign::negative) weak_lower[lower] = weak_upper[upper] = 1;
   }
   for (const auto& [lower, upper, ratio] : pairs) {
     if (weak_lower[lower] != 0 || weak_upper[upper] != 0) {
@@ -55,8 +56,9 @@ std::vector<RegionId> movable(const SectionRegions& section, const Flags& unclea
 
 SlabMotions motions_where_unclear(SlabId slab, const SectionStack& stack,
                                   const IdVector<SectionId, Nesting>& nestings,
-                                  const SectionRegions& below, const SectionRegions& above) {
-  const Unclear unclear = unclear_regions(below, above);
+                                  const SectionRegions& below, const SectionRegions& above,
+                                  const std::vector<OverlappingPair>& overlapping) {
+  const Unclear unclear = unclear_regions(below, above, overlapping);
   const double gap = above.z - below.z;
   const WantedRegions wanted{movable(below, unclear.lower, above, gap),
                              movable(above, unclear.upper, below, gap)};
@@ -68,26 +70,34 @@ SlabMotions motions_where_unclear(SlabId slab, const SectionStack& stack,
 }
 
 SlabCandidates moved_links(SlabId slab, const SectionRegions& below, const SectionRegions& above,
+                           const std::vector<OverlappingPair>& overlapping,
                            const SlabMotions& motions, double tau) {
   const MovedPairs moved(below, above, motions);
   SlabCandidates candidates;
-  for (const RegionId i : below.ids()) {
-    for (const RegionId j : above.ids()) {
-      if (!moved.reach_of_lower(i).meets(moved.reach_of_upper(j))) continue;
-      // No ratio exceeds 1.
-      const auto d = gaps_apart(below, i, above, j, 1 - tau);
-      if (!d) continue;
-      LinkCandidate candidate{{slab, i, j}};
-      candidate.ratio = overlap_ratio(below.outline[i], above.outline[j]);
-      candidate.moved = moved.ratio(i, j);
-      candidate.distance = *d;
-      candidate.margin = candidate.score() - tau;
-      if (candidate.ratio == 0 && candidate.score() <= 0) continue;
-      if (!(candidate.moved > tau + *d)) candidate.fate = LinkFate::too_weak;
-      if (!(candidate.ratio > tau)) candidate.evidence = Evidence::motion;
-      candidates.push_back(candidate);
-    }
+  const auto add = [&](RegionId lower, RegionId upper, double r, double d) {
+    LinkCandidate candidate{{slab, lower, upper}};
+    candidate.ratio = r;
+    candidate.moved = moved.ratio(lower, upper, r);
+    candidate.distance = d;
+    candidate.margin = candidate.moved - (tau + d);
+    if (r == 0 && candidate.score() <= 0) return;
+    if (!(candidate.moved > tau + d)) candidate.fate = LinkFate::too_weak;
+    if (!(r > tau)) candidate.evidence = Evidence::motion;
+    candidates.push_back(candidate);
+  };
+  for (const auto& [lower, upper, ratio] : overlapping) add(lower, upper, ratio, 0);
+  const std::size_t known = candidates.size();
+  for (const auto& [lower, upper] : moved.near_where_moved()) {
+    const auto last = candidates.begin() + static_cast<std::ptrdiff_t>(known);
+    const auto at = std::lower_bound(
+        candidates.begin(), last, Link{slab, lower, upper},
+        [](const LinkCandidate& candidate, const Link& link) { return candidate.link < link; });
+    if (at != last && at->link == Link{slab, lower, upper}) continue;
+    // No ratio exceeds 1.
+    if (const auto d = gaps_apart(below, lower, above, upper, 1)) add(lower, upper, 0, *d);
   }
+  std::sort(candidates.begin(), candidates.end(),
+            [](const LinkCandidate& a, const LinkCandidate& b) { return a.link < b.link; });
   return candidates;
 }
 

@@ -1,7 +1,10 @@
 // Candidates of criterion `moved`: rule 1 of include/tetloft/correspondence.hpp.
 #pragma once
 
+#include <vector>
+
 #include "correspondence/candidate.hpp"
+#include "correspondence/overlap_links.hpp"
 #include "correspondence/section_regions.hpp"
 #include "motion/region_motions.hpp"
 
@@ -11,12 +14,14 @@ namespace tetloft::internal {
 [[nodiscard]] SlabMotions motions_where_unclear(SlabId slab, const SectionStack& stack,
                                                 const IdVector<SectionId, Nesting>& nestings,
                                                 const SectionRegions& below,
-                                                const SectionRegions& above);
+                                                const SectionRegions& above,
+                                                const std::vector<OverlappingPair>& overlapping);
 
-/// All pairs that overlap as they lie or as they are moved: those that the rule takes, and the
-/// others.
+/// All pairs that overlap as they lie or, within reach, as they are moved: those that the rule
+/// takes, and the others.
 [[nodiscard]] SlabCandidates moved_links(SlabId slab, const SectionRegions& below,
-                                         const SectionRegions& above, const SlabMotions& motions,
-                                         double tau);
+                                         const SectionRegions& above,
+                                         const std::vector<OverlappingPair>& overlapping,
+                                         const SlabMotions& motions, double tau);
 
 }  // namespace tetloft::internal

@@ -1,5 +1,7 @@
 #include "correspondence/moved_ratio.hpp"
 
+#include "core/sort_distinct.hpp"
+
 namespace tetloft::internal {
 
 MovedPairs::MovedPairs(const SectionRegions& below, const SectionRegions& above,
@@ -15,31 +17,38 @@ MovedPairs::Places MovedPairs::places(const SectionRegions& section,
   Places places(section.size());
   for (const RegionId r : section.ids()) {
     Place& place = places[r];
-    place.box = place.reach = section.box[r];
     if (motions.empty() || !motions[r]) continue;
     place.moves = true;
     place.there = moved(section.outline[r], {sign * motions[r]->x, sign * motions[r]->y});
     if (!place.there) continue;
-    place.box = Box2();
     for (const Point2& p : place.there->section.contours[ContourId(0)].vertices) place.box.add(p);
-    place.reach.add(place.box);
   }
   return places;
 }
 
-double MovedPairs::ratio(RegionId lower, RegionId upper) const {
-  const Place& low = lower_[lower];
-  const Place& high = upper_[upper];
-  const bool all_move = low.moves && high.moves;
-  const double still = all_move ? 0 : overlap_ratio(below_.outline[lower], above_.outline[upper]);
-  const auto of = [&](const Place& place, const RegionOutline& other, const Box2& box) {
-    if (!place.moves) return still;
+double MovedPairs::ratio(RegionId lower, RegionId upper, double r) const {
+  const auto of = [r](const Place& place, const RegionOutline& other, const Box2& box) {
+    if (!place.moves) return r;
     const bool meets = place.there && place.box.meets(box);
     return meets ? overlap_ratio(place.there->outline(), other) : 0.0;
   };
-  return (of(low, above_.outline[upper], above_.box[upper]) +
-          of(high, below_.outline[lower], below_.box[lower])) /
+  return (of(lower_[lower], above_.outline[upper], above_.box[upper]) +
+          of(upper_[upper], below_.outline[lower], below_.box[lower])) /
          2;
+}
+
+std::vector<std::pair<RegionId, RegionId>> MovedPairs::near_where_moved() const {
+  std::vector<std::pair<RegionId, RegionId>> pairs;
+  for (const RegionId i : lower_.ids()) {
+    if (!lower_[i].there) continue;
+    above_.for_each_near(lower_[i].box, [&](RegionId j) { pairs.emplace_back(i, j); });
+  }
+  for (const RegionId j : upper_.ids()) {
+    if (!upper_[j].there) continue;
+    below_.for_each_near(upper_[j].box, [&](RegionId i) { pairs.emplace_back(i, j); });
+  }
+  sort_distinct(pairs);
+  return pairs;
 }
 
 }  // namespace tetloft::internal

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "correspondence/moved_region.hpp"
 #include "correspondence/section_regions.hpp"
@@ -16,18 +18,16 @@ class MovedPairs {
   /// Sections must outlive this. Empty motions: none.
   MovedPairs(const SectionRegions& below, const SectionRegions& above, const SlabMotions& motions);
 
-  /// m.
-  [[nodiscard]] double ratio(RegionId lower, RegionId upper) const;
-  /// A box around where the region lies and where it is moved to.
-  [[nodiscard]] const Box2& reach_of_lower(RegionId r) const { return lower_[r].reach; }
-  [[nodiscard]] const Box2& reach_of_upper(RegionId r) const { return upper_[r].reach; }
+  /// m of a pair with this overlap ratio r.
+  [[nodiscard]] double ratio(RegionId lower, RegionId upper, double r) const;
+  /// The pairs that may overlap where one of the two is moved, sorted.
+  [[nodiscard]] std::vector<std::pair<RegionId, RegionId>> near_where_moved() const;
 
  private:
   struct Place {
     bool moves = false;
     std::optional<MovedRegion> there;  // none where rounding leaves no region
     Box2 box;                          // there
-    Box2 reach;
   };
   using Places = IdVector<RegionId, Place>;
   static Places places(const SectionRegions& section,

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sections/distance.hpp"
+
 namespace tetloft::internal {
 
 namespace {
@@ -24,7 +26,16 @@ SectionRegions::SectionRegions(const Section& section, const Nesting& nesting)
     : z(section.z),
       outline(outlines(section, nesting)),
       box(boxes_of(section, nesting)),
-      tree_(box.raw()) {}
+      tree_(box.raw()),
+      edges_(outline.size()) {
+  for (std::unique_ptr<Edges>& edges : edges_) edges = std::make_unique<Edges>();
+}
+
+const sections::ContourEdges& SectionRegions::edges(RegionId r) const {
+  Edges& edges = *edges_[r];
+  std::call_once(edges.once, [&] { edges.tree.emplace(outline[r]); });
+  return *edges.tree;
+}
 
 std::optional<double> gaps_apart(const SectionRegions& below, RegionId lower,
                                  const SectionRegions& above, RegionId upper, double reach) {
@@ -32,7 +43,7 @@ std::optional<double> gaps_apart(const SectionRegions& below, RegionId lower,
   // The limit only saves work: a little more than what may pass the comparison of d itself.
   const double limit = gap * reach * (1 + kSlack);
   const std::optional<double> distance =
-      region_distance_within(below.outline[lower], above.outline[upper], limit);
+      sections::measure(below.edges(lower), above.edges(upper), limit).distance;
   if (!distance || *distance / gap > reach) return std::nullopt;
   return *distance / gap;
 }

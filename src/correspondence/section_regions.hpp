@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <vector>
 
 #include <tetloft/nesting.hpp>
 #include <tetloft/overlap.hpp>
 
+#include "sections/contour_edges.hpp"
 #include "spatial/box_tree.hpp"
 
 namespace tetloft::internal {
@@ -37,15 +40,23 @@ class SectionRegions {
     for (const RegionId r : found) visit(r);
   }
 
+  /// The edges of a region, in a tree that is made when it is first asked for. Thread-safe.
+  [[nodiscard]] const sections::ContourEdges& edges(RegionId r) const;
+
  private:
+  struct Edges {
+    std::once_flag once;
+    std::optional<sections::ContourEdges> tree;
+  };
   BoxTree2 tree_;
+  IdVector<RegionId, std::unique_ptr<Edges>> edges_;
 };
 
 /// Of a stack, by section.
 using StackSections = IdVector<SectionId, SectionRegions>;
 
 /// d of the rule: the distance of two regions over the gap between their sections; none where it
-/// exceeds `reach`.
+/// exceeds `reach`. For regions whose interiors meet it is 0, which needs no asking.
 [[nodiscard]] std::optional<double> gaps_apart(const SectionRegions& below, RegionId lower,
                                                const SectionRegions& above, RegionId upper,
                                                double reach);

@@ -55,11 +55,13 @@ std::optional<Error> Decision::find_by_criterion(SlabId slab) {
   switch (options_.correspondence.criterion) {
     case Criterion::reverse: return find_reverse(slab);
     case Criterion::overlap: by_criterion_[slab] = overlap_links(slab, below, above, tau); break;
-    case Criterion::moved:
-      motions_[slab] =
-          motions_where_unclear(slab, prepared_.stack, prepared_.nestings, below, above);
-      by_criterion_[slab] = moved_links(slab, below, above, motions_[slab], tau);
+    case Criterion::moved: {
+      const std::vector<OverlappingPair> overlapping = overlapping_pairs(below, above);
+      motions_[slab] = motions_where_unclear(slab, prepared_.stack, prepared_.nestings, below,
+                                             above, overlapping);
+      by_criterion_[slab] = moved_links(slab, below, above, overlapping, motions_[slab], tau);
       break;
+    }
   }
   return std::nullopt;
 }

@@ -73,8 +73,8 @@ bool drifts_onto(const SectionStack& stack, const Region& origin, const Region& 
 }
 
 // The further links by drift, by definition.
-Links drift_links(const SectionStack& stack, const std::vector<Region>& regions,
-                  const Links& overlap, double drift) {
+[[maybe_unused]] Links drift_links(const SectionStack& stack, const std::vector<Region>& regions,
+                                   const Links& overlap, double drift) {
   // The regions of section s that r is linked with.
   const auto partners = [&](std::size_t r, std::size_t s) {
     std::vector<std::size_t> result;
@@ -223,11 +223,7 @@ void Oracle::components() {
 
 std::vector<std::size_t> Oracle::expected_sets() const {
   const std::vector<Region> regions = regions_of(stack_);
-  Links links = overlap_links(regions, options_.correspondence.tau);
-  if (const auto& drift = options_.correspondence.drift) {
-    const Links further = drift_links(stack_, regions, links, *drift);
-    links.insert(links.end(), further.begin(), further.end());
-  }
+  const Links links = overlap_links(regions, threshold_of(options_.correspondence));
   std::vector<std::size_t> set(stack_.contour_count());
   for (std::size_t c = 0; c < set.size(); ++c) set[c] = c;
   const auto unite = [&](std::size_t a, std::size_t b) {
