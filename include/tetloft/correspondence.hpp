@@ -111,6 +111,12 @@ struct LinkDecision {
   bool join = true;  ///< or part
 };
 
+/// What a user decides: the contents of a file of labels.
+struct Labels {
+  std::vector<Label> labels = {};
+  std::vector<LinkDecision> decisions = {};
+};
+
 struct CorrespondenceOptions {
   Criterion criterion = Criterion::overlap;
   /// The threshold of `overlap` and `moved`, in [0, 1); none: kDefaultOverlap, kDefaultMoved.

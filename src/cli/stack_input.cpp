@@ -213,25 +213,6 @@ Result<StackInput> read_stack_input(const std::string& path, const Preparation& 
   return input;
 }
 
-Result<std::vector<Label>> read_label_option(const Arguments& arguments,
-                                             const SectionStack& stack) {
-  const auto path = arguments.text("--labels");
-  if (!path) return std::vector<Label>();
-  Result<std::vector<Label>> labels = read_labels(*path);
-  if (!labels) return labels;
-  for (const Label& label : *labels) {
-    const bool known = label.section.index() < stack.sections.size() &&
-                       label.contour.index() < stack.sections[label.section].contours.size();
-    if (known) continue;
-    Error error{ErrorCode::invalid_input, "the label names a contour that the stack lacks", {}};
-    error.where.file = *path;
-    error.where.section = label.section.index();
-    error.where.contour = label.contour.index();
-    return error;
-  }
-  return labels;
-}
-
 namespace {
 
 void write_snap(JsonWriter& json, const SnapReport& report) {

@@ -33,7 +33,7 @@ SectionStack sample(const std::string& name) {
 }
 
 std::vector<Label> labels_from(std::string_view text) {
-  return value_or_throw(parse_labels(text, "test"));
+  return value_or_throw(parse_labels(text, "test")).labels;
 }
 
 Contour box(double x0, double y0, double x1, double y1) {
