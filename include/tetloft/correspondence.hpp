@@ -118,7 +118,7 @@ struct Labels {
 };
 
 struct CorrespondenceOptions {
-  Criterion criterion = Criterion::overlap;
+  Criterion criterion = Criterion::moved;
   /// The threshold of `overlap` and `moved`, in [0, 1); none: kDefaultOverlap, kDefaultMoved.
   std::optional<double> tau = std::nullopt;
   /// Rule 2: oblique parts whose neighbouring sections do not overlap.

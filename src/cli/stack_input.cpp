@@ -15,8 +15,8 @@ using namespace internal;
 std::vector<Option> stack_options() {
   std::vector<Option> options{
       {"--correspondence", "RULE",
-       "which contours form one component: overlap (default), moved (as the surroundings move from "
-       "section to section), or reverse (reverse tetrahedra)"},
+       "which contours form one component: moved (default: they overlap as their surroundings move "
+       "from section to section), overlap (as they lie), or reverse (reverse tetrahedra)"},
       {"--overlap", "TAU",
        "overlap and moved unite two regions above this ratio of areas, from 0 to below 1 (default "
        "0.02, 0.1)"},
