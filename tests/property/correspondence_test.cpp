@@ -142,6 +142,12 @@ void corrupt(Prng& prng, Model& claims) {
     if (prng.chance(0.1)) link.slab = SlabId();
     claims.links.push_back(link);
   }
+  if (prng.chance(0.5)) {
+    for (RegionMotion& motion : claims.motions) {
+      motion.by = {static_cast<double>(prng.below(9)) - 4, static_cast<double>(prng.below(3)) - 1};
+    }
+    return;
+  }
   if (claims.motions.empty()) return;
   RegionMotion motion = claims.motions[prng.below(claims.motions.size())];
   switch (prng.below(6)) {
@@ -191,6 +197,53 @@ Answer compare(Tried& tried, const CorrespondenceOptions& options, const std::st
   EXPECT_FALSE(again->unrealised.has_value()) << what;
   EXPECT_EQ(canonical(made->partition), canonical(again->set)) << what;
   return Answer::sets;
+}
+
+// One to four shapes on a lattice that lean from section to section: what is equal is often so.
+std::vector<Contour> random_shapes(Prng& prng, int section, const Point2& lean) {
+  std::vector<Contour> contours;
+  for (std::uint64_t k = prng.below(4); k > 0; --k) {
+    const double x = static_cast<double>(prng.below(12)) + lean.x * section;
+    const double y = static_cast<double>(prng.below(6)) + lean.y * section;
+    const double w = static_cast<double>(1 + prng.below(5));
+    const double h = static_cast<double>(1 + prng.below(3));
+    if (prng.chance(0.2)) {
+      contours.push_back({{{x, y}, {x + w, y}, {x, y + h}}});
+      continue;
+    }
+    contours.push_back({{{x, y}, {x + w, y}, {x + w, y + h}, {x, y + h}}});
+    if (prng.chance(0.2)) {
+      contours.push_back(
+          {{{x + w / 4, y + h / 4}, {x + w / 2, y + h / 4}, {x + w / 4, y + h / 2}}});
+    }
+  }
+  return contours;
+}
+
+SectionStack lattice_stack(Prng& prng) {
+  for (;;) {
+    SectionStack stack;
+    const Point2 lean{static_cast<double>(prng.below(9)) - 4, static_cast<double>(prng.below(3))};
+    double z = 0;
+    for (int s = 0; s < 4; ++s) {
+      stack.sections.push_back({z, IdVector<ContourId, Contour>(random_shapes(prng, s, lean))});
+      z += static_cast<double>(1 + prng.below(3));
+    }
+    if (validate(stack).ok()) return stack;
+  }
+}
+
+TEST(Correspondence, IsTheSameOnLattices) {
+  constexpr std::uint64_t kStacks = 400;
+  for (std::uint64_t seed = 1; seed <= kStacks; ++seed) {
+    Prng prng(seed);
+    Tried tried{lattice_stack(prng), 1, prng};
+    const std::string name = "seed " + std::to_string(seed);
+    for (const Criterion criterion : {Criterion::overlap, Criterion::moved}) {
+      compare(tried, {.criterion = criterion}, name + ", plain");
+    }
+    compare(tried, random_options(tried.prng, tried.stack), name + ", options");
+  }
 }
 
 TEST(Correspondence, IsTheSameWhenItIsComputedAnew) {

@@ -29,9 +29,10 @@ inline SectionStack stack_of(const std::vector<std::vector<Contour>>& layers, do
   return stack;
 }
 
-/// Rule 1 alone.
+/// Rule 1 alone, by overlap.
 inline CorrespondenceOptions plain() {
   CorrespondenceOptions options;
+  options.criterion = Criterion::overlap;
   options.chain = options.lone = false;
   return options;
 }

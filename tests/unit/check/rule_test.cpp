@@ -60,9 +60,10 @@ TEST(Chains, OverlapByMoreThanATenth) {
 }
 
 TEST(Chains, ReachAsFarAsTheGap) {
-  EXPECT_EQ(classes(stack_of({{square(-9)}, {square(0)}, {square(11)}}), with_chains()),
+  const double gap = 1 / kChainReach;
+  EXPECT_EQ(classes(stack_of({{square(-9)}, {square(0)}, {square(11)}}, gap), with_chains()),
             (Classes{0, 0, 0}));
-  EXPECT_EQ(classes(stack_of({{square(-9)}, {square(0)}, {square(11.0625)}}), with_chains()),
+  EXPECT_EQ(classes(stack_of({{square(-9)}, {square(0)}, {square(11.0625)}}, gap), with_chains()),
             (Classes{0, 0, 1}));
 }
 
@@ -80,20 +81,18 @@ TEST(Chains, FollowOneCandidateOnly) {
 }
 
 TEST(Chains, StartAtWhatIsNearest) {
-  EXPECT_EQ(classes(stack_of({{square(-11)}, {square(0)}, {square(10.5)}}), with_chains()),
-            (Classes{0, 0, 0}));
-  EXPECT_EQ(classes(stack_of({{square(-11.0625)}, {square(0)}, {square(10.5)}}), with_chains()),
-            (Classes{0, 1, 2}));
+  const auto chained = [](const std::vector<std::vector<Contour>>& layers) {
+    return classes(stack_of(layers, 1 / kChainReach), with_chains());
+  };
+  EXPECT_EQ(chained({{square(-11)}, {square(0)}, {square(10.5)}}), (Classes{0, 0, 0}));
+  EXPECT_EQ(chained({{square(-11.0625)}, {square(0)}, {square(10.5)}}), (Classes{0, 1, 2}));
   // The nearer of two; of two equally near ones that of lower number, on the left.
-  EXPECT_EQ(classes(stack_of({{square(-11), square(10.75)}, {square(0)}, {square(-10.5)}}),
-                    with_chains()),
+  EXPECT_EQ(chained({{square(-11), square(10.75)}, {square(0)}, {square(-10.5)}}),
             (Classes{0, 1, 1, 1}));
-  EXPECT_EQ(
-      classes(stack_of({{square(11), square(-11)}, {square(0)}, {square(10.5)}}), with_chains()),
-      (Classes{0, 1, 1, 1}));
-  EXPECT_EQ(
-      classes(stack_of({{square(11), square(-11)}, {square(0)}, {square(-10.5)}}), with_chains()),
-      (Classes{0, 1, 0, 2}));
+  EXPECT_EQ(chained({{square(11), square(-11)}, {square(0)}, {square(10.5)}}),
+            (Classes{0, 1, 1, 1}));
+  EXPECT_EQ(chained({{square(11), square(-11)}, {square(0)}, {square(-10.5)}}),
+            (Classes{0, 1, 0, 2}));
 }
 
 TEST(Chains, LeadToSingleRegionsOnly) {
@@ -112,8 +111,8 @@ TEST(Chains, MoveRegionsWithTheirHoles) {
 }
 
 TEST(Chains, CountWithTheRatioMovedOnWhereLabelsCompete) {
-  // 0.5 below, 0.75 − 0.1 above.
-  const SectionStack stack = stack_of({{square(0, 4)}, {square(2, 4)}, {square(7, 4)}}, 10);
+  // 0.25 below, 0.5 − 0.1 above.
+  const SectionStack stack = stack_of({{square(-1, 4)}, {square(2, 4)}, {square(7, 4)}}, 10);
   EXPECT_EQ(classes(stack, labelled({{0, 0, 1}, {2, 0, 2}}, with_chains())), (Classes{0, 1, 1}));
 }
 
