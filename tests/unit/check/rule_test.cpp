@@ -198,7 +198,8 @@ std::vector<std::string> wrong_motions(const SectionStack& stack,
 
 TEST(MovedOverlap, IsTheMeanOfBothWays) {
   const std::vector<RegionMotion> both{motion(0, false, 0, 6), motion(0, true, 0, 6)};
-  EXPECT_EQ(classes(apart(), moved()), (Classes{0, 1}));
+  const std::vector<RegionMotion> still{motion(0, false, 0, 0)};
+  EXPECT_EQ(classes(apart(), moved(), {{}, still}), (Classes{0, 1}));
   EXPECT_EQ(classes(apart(), moved(), {{}, both}), (Classes{0, 0}));
   for (const RegionMotion& one : both) {
     const std::vector<RegionMotion> alone{one};
@@ -283,7 +284,9 @@ TEST(MovedOverlap, FindsMotionsAnew) {
   ASSERT_EQ(right.size(), 6U);
   EXPECT_NEAR(right[0].by.x, 6, 1);
   EXPECT_EQ(against(right), 0U);
-  EXPECT_EQ(against({}), 6U);
+  EXPECT_EQ(against({right[0]}), 5U);
+  EXPECT_EQ(against({}), 0U);
+  EXPECT_EQ(classes(stack, moved()), (Classes{0, 0, 0, 0}));
   std::vector<RegionMotion> other = right;
   other[2].by.y = std::nextafter(other[2].by.y, 1.0);
   EXPECT_EQ(against(other), 1U);
