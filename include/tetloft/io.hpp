@@ -69,9 +69,11 @@ enum class Validity { required, unchecked };
 enum class Encoding { binary, ascii };
 
 /// VTK XML unstructured grid: Float64 points; cell data component, slab, kind; point data
-/// section, contour, origin, each left out where the model's is empty; an invalid id is −1.
-/// ASCII digits read back exactly. Refused (invalid_input) where an array has a wrong length, a
-/// tet names a vertex that there is not, or a kind or origin is none.
+/// section, contour, origin, each left out where the model's is empty; an invalid id is −1; links
+/// and motions as field data. All is read back bit for bit, ASCII too. Refused (invalid_input)
+/// where an array has a wrong length, a tet names a vertex that there is not, a kind or origin is
+/// none; or a link or motion has no slab or contour, no evidence or fate, or a number that is not
+/// finite.
 [[nodiscard]] TETLOFT_API Result<void> write_vtu(const std::string& path, const Model& model,
                                                  Encoding encoding = Encoding::binary);
 [[nodiscard]] TETLOFT_API Result<std::string> format_vtu(const Model& model,
@@ -84,9 +86,10 @@ enum class Encoding { binary, ascii };
 [[nodiscard]] TETLOFT_API Result<std::string> format_vtu(const std::vector<Point3>& points,
                                                          const std::vector<TetVertices>& tets,
                                                          Encoding encoding = Encoding::binary);
-/// Reads points, tets and, where present, the data arrays that write_vtu makes. Accepts
+/// Reads points, tets and, where present, the arrays that write_vtu makes. Accepts
 /// ascii, inline base64 and appended (raw or base64) data, uncompressed.
-/// Arrays that a file lacks, or has with values of another meaning, are left empty.
+/// Arrays that a file lacks, or has with values of another meaning, are left empty, and so are
+/// links, or motions, of which one array is such.
 [[nodiscard]] TETLOFT_API Result<Model> read_vtu(const std::string& path);
 /// The same from bytes; `name` stands for the file in messages.
 [[nodiscard]] TETLOFT_API Result<Model> parse_vtu(std::string_view bytes, const std::string& name);

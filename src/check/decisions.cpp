@@ -64,8 +64,10 @@ DroppedLinks dropped_links(const Regions& regions, std::span<const RegionLink> c
                               std::to_string(claim.upper.index()) + ": " + why);
     };
     const auto link = link_of(regions, claim.slab, claim.lower, claim.upper);
-    if (!link.has_value()) {
-      wrong("no such contours");
+    const std::size_t s = claim.slab.index();
+    if (!link.has_value() || !regions.is_outer(s, claim.lower.index()) ||
+        !regions.is_outer(s + 1, claim.upper.index())) {
+      wrong("no such outer contours");
     } else if (dropped.links.count(*link) != 0) {
       wrong("told twice");
     } else if (const char* why = objection_to_dropping(regions, *link, candidates)) {

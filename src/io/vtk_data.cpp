@@ -234,8 +234,10 @@ Result<DataArray> declare_array(const XmlTag& tag, std::string_view name,
     size = static_cast<std::size_t>(*value);
     return true;
   };
-  const bool sizes =
-      read_size("NumberOfComponents", array.components) && read_size("offset", array.offset);
+  std::size_t tuples = 0;
+  const bool sizes = read_size("NumberOfComponents", array.components) &&
+                     read_size("NumberOfTuples", tuples) && read_size("offset", array.offset);
+  if (tag.find("NumberOfTuples") != nullptr) array.tuples = tuples;
   const std::string* const format = tag.find("format");
   if (format == nullptr || *format == "ascii") {
     array.format = DataArray::Format::ascii;

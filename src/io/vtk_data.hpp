@@ -40,6 +40,7 @@ struct DataArray {
   std::string_view name;
   ScalarType type = ScalarType::float32;
   std::size_t components = 1;
+  std::optional<std::size_t> tuples;  ///< as announced
   Format format = Format::ascii;
   std::size_t offset = 0;    ///< into the appended data
   std::string_view text;     ///< what stands between its tags

@@ -26,13 +26,52 @@ std::string attribute_value(std::string_view text) {
   return value;
 }
 
-std::string array_head(const VtkArray& array) {
+// The data of the whole have a count of their own: nothing else says how many they are.
+std::string array_head(const VtkArray& array, bool of_whole) {
   std::string text =
       "<DataArray type=\"" + array.type + "\" Name=\"" + attribute_value(array.name) + '"';
   if (array.components != 1) {
     text += " NumberOfComponents=\"" + std::to_string(array.components) + '"';
   }
+  if (of_whole) text += " NumberOfTuples=\"" + std::to_string(array.tuples) + '"';
   return text;
+}
+
+// The elements of groups, one after the other: arrays as text, or where they are appended.
+class HeadWriter {
+ public:
+  HeadWriter(Sink& sink, Encoding encoding) : sink_(sink), ascii_(encoding == Encoding::ascii) {}
+
+  void append(const VtkGroup& group, bool of_whole = false) {
+    sink_.append('<' + group.element + ">\n");
+    for (const VtkArray& array : group.arrays) {
+      if (ascii_) {
+        sink_.append(array_head(array, of_whole) + " format=\"ascii\">\n");
+        array.append_text(sink_);
+        sink_.append("</DataArray>\n");
+      } else {
+        sink_.append(array_head(array, of_whole) + " format=\"appended\" offset=\"" +
+                     std::to_string(offset_) + "\"/>\n");
+        offset_ += sizeof(std::uint64_t) + array.bytes;
+      }
+    }
+    sink_.append("</" + group.element + ">\n");
+  }
+
+ private:
+  Sink& sink_;
+  bool ascii_;
+  std::uint64_t offset_ = 0;
+};
+
+void append_bytes(Sink& sink, const VtkGroup& group) {
+  for (const VtkArray& array : group.arrays) {
+    if (!sink.ok()) return;
+    std::string count;
+    append_little(count, static_cast<std::uint64_t>(array.bytes));
+    sink.append(count);
+    array.append_bytes(sink);
+  }
 }
 
 }  // namespace
@@ -47,40 +86,20 @@ bool is_vtk_file(std::string_view bytes, std::string_view grid_type) {
          attributes.find('\'' + std::string(grid_type) + '\'') != std::string_view::npos;
 }
 
-void append_vtk_file(Sink& sink, const std::string& grid_type, const std::string& counts,
-                     const std::vector<VtkGroup>& groups, Encoding encoding) {
-  const bool ascii = encoding == Encoding::ascii;
-  sink.append("<?xml version=\"1.0\"?>\n<VTKFile type=\"" + grid_type +
+void append_vtk_file(Sink& sink, const VtkFile& file, Encoding encoding) {
+  sink.append("<?xml version=\"1.0\"?>\n<VTKFile type=\"" + file.grid_type +
               "\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<" +
-              grid_type + ">\n<Piece " + counts + ">\n");
-  std::uint64_t offset = 0;
-  for (const VtkGroup& group : groups) {
-    sink.append('<' + group.element + ">\n");
-    for (const VtkArray& array : group.arrays) {
-      if (ascii) {
-        sink.append(array_head(array) + " format=\"ascii\">\n");
-        array.append_text(sink);
-        sink.append("</DataArray>\n");
-      } else {
-        sink.append(array_head(array) + " format=\"appended\" offset=\"" + std::to_string(offset) +
-                    "\"/>\n");
-        offset += sizeof(std::uint64_t) + array.bytes;
-      }
-    }
-    sink.append("</" + group.element + ">\n");
-  }
-  sink.append("</Piece>\n</" + grid_type + ">\n");
-  if (!ascii) {
+              file.grid_type + ">\n");
+  HeadWriter head(sink, encoding);
+  if (!file.field_data.arrays.empty()) head.append(file.field_data, true);
+  sink.append("<Piece " + file.counts + ">\n");
+  for (const VtkGroup& group : file.groups) head.append(group);
+  sink.append("</Piece>\n</" + file.grid_type + ">\n");
+  if (encoding != Encoding::ascii) {
     sink.append("<AppendedData encoding=\"raw\">\n_");
-    for (const VtkGroup& group : groups) {
-      for (const VtkArray& array : group.arrays) {
-        if (!sink.ok()) return;
-        std::string count;
-        append_little(count, static_cast<std::uint64_t>(array.bytes));
-        sink.append(count);
-        array.append_bytes(sink);
-      }
-    }
+    append_bytes(sink, file.field_data);
+    for (const VtkGroup& group : file.groups) append_bytes(sink, group);
+    if (!sink.ok()) return;
     sink.append("\n</AppendedData>\n");
   }
   sink.append("</VTKFile>\n");

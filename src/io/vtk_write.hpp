@@ -33,6 +33,7 @@ struct VtkArray {
   std::string name;
   std::string type;
   std::size_t components = 1;
+  std::size_t tuples = 0;
   std::size_t bytes = 0;
   std::function<void(Sink&)> append_text;
   std::function<void(Sink&)> append_bytes;
@@ -42,7 +43,8 @@ struct VtkArray {
 template <class T, class Get>
 VtkArray vtk_array(std::string name, std::size_t components, std::size_t n, Get get) {
   static_assert(std::same_as<T, std::remove_cvref_t<decltype(get(std::size_t{0}))>>);
-  VtkArray array{std::move(name), vtk_type_name<T>(), components, n * sizeof(T), {}, {}};
+  VtkArray array{
+      std::move(name), vtk_type_name<T>(), components, n / components, n * sizeof(T), {}, {}};
   array.append_text = [n, components, get](Sink& sink) {
     Pieces pieces(sink);
     std::string& piece = pieces.text();
@@ -88,8 +90,14 @@ VtkGroup vtk_points(std::size_t n, Get get) {
 /// Whether a file begins as VTK XML of this grid type.
 [[nodiscard]] bool is_vtk_file(std::string_view bytes, std::string_view grid_type);
 
-/// Writes a file of one piece; `counts` are the attributes of Piece.
-void append_vtk_file(Sink& sink, const std::string& grid_type, const std::string& counts,
-                     const std::vector<VtkGroup>& groups, Encoding encoding);
+/// A file of one piece.
+struct VtkFile {
+  std::string grid_type;
+  std::string counts;                    ///< the attributes of Piece
+  VtkGroup field_data{"FieldData", {}};  ///< about the whole; left out where empty
+  std::vector<VtkGroup> groups;          ///< of the piece
+};
+
+void append_vtk_file(Sink& sink, const VtkFile& file, Encoding encoding);
 
 }  // namespace tetloft::internal::io

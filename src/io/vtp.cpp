@@ -53,13 +53,16 @@ Written write_surface_vtp(Sink& sink, const SurfaceMesh& mesh, const Model& mode
       "connectivity", 1, 3 * triangles,
       [&](std::size_t i) { return static_cast<std::int64_t>(mesh.triangles[i / 3][i % 3]); }));
   polys.arrays.push_back(offset_array(triangles, 3));
-  append_vtk_file(sink, "PolyData", poly_counts(mesh.points.size(), 0, triangles),
-                  {surface_fields<true>("PointData", model, mesh.vertex),
-                   surface_fields<false>("CellData", model, mesh.tet),
-                   vtk_points(mesh.points.size(),
-                              [&](std::size_t i) -> const Point3& { return mesh.points[i]; }),
-                   polys},
-                  target.options.encoding);
+  append_vtk_file(
+      sink,
+      {.grid_type = "PolyData",
+       .counts = poly_counts(mesh.points.size(), 0, triangles),
+       .groups = {surface_fields<true>("PointData", model, mesh.vertex),
+                  surface_fields<false>("CellData", model, mesh.tet),
+                  vtk_points(mesh.points.size(),
+                             [&](std::size_t i) -> const Point3& { return mesh.points[i]; }),
+                  polys}},
+      target.options.encoding);
   return std::vector<Warning>();
 }
 
@@ -80,12 +83,16 @@ Written write_lines_vtp(Sink& sink, const LineSet& lines, const Target& target) 
   cells.arrays.push_back(vtk_array<std::int64_t>(
       "connectivity", 1, 2 * n, [](std::size_t i) { return static_cast<std::int64_t>(i); }));
   cells.arrays.push_back(offset_array(n, 2));
-  append_vtk_file(
-      sink, "PolyData", poly_counts(2 * n, n, 0),
-      {cell_data,
-       vtk_points(2 * n, [&](std::size_t i) -> const Point3& { return lines.lines[i / 2][i % 2]; }),
-       cells},
-      target.options.encoding);
+  append_vtk_file(sink,
+                  {.grid_type = "PolyData",
+                   .counts = poly_counts(2 * n, n, 0),
+                   .groups = {cell_data,
+                              vtk_points(2 * n,
+                                         [&](std::size_t i) -> const Point3& {
+                                           return lines.lines[i / 2][i % 2];
+                                         }),
+                              cells}},
+                  target.options.encoding);
   return std::vector<Warning>();
 }
 

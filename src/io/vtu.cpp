@@ -14,6 +14,7 @@
 #include "io/vtk_write.hpp"
 #include "io/vtu_read.hpp"
 #include "model/fields.hpp"
+#include "model/tables.hpp"
 #include "model/well_formed.hpp"
 
 namespace tetloft::internal::io {
@@ -48,16 +49,36 @@ VtkGroup field_group(const char* element, const Model& model, bool of_points) {
   return group;
 }
 
+// The tables, each left out where the model's is empty.
+VtkGroup table_group(const Model& model) {
+  VtkGroup group{"FieldData", {}};
+  for_each_table([&](const auto& table) {
+    const auto& rows = model.*table.rows;
+    if (rows.empty()) return;
+    for_each_column(table, [&](const auto& column) {
+      using Stored = typename std::remove_cvref_t<decltype(column)>::Stored;
+      group.arrays.push_back(vtk_array<typename Stored::Type>(
+          std::string(column.name), 1, rows.size(),
+          [&rows, get = column.get](std::size_t i) { return Stored::store(get(rows[i])); }));
+    });
+  });
+  return group;
+}
+
 // `groups` are those of the data.
-void append_grid(Sink& sink, std::vector<VtkGroup> groups, const std::vector<Point3>& points,
-                 const std::vector<TetVertices>& tets, Encoding encoding) {
+void append_grid(Sink& sink, VtkGroup tables, std::vector<VtkGroup> groups,
+                 const std::vector<Point3>& points, const std::vector<TetVertices>& tets,
+                 Encoding encoding) {
   groups.push_back(
       vtk_points(points.size(), [&points](std::size_t i) -> const Point3& { return points[i]; }));
   groups.push_back(cell_group(tets));
-  append_vtk_file(sink, "UnstructuredGrid",
-                  "NumberOfPoints=\"" + std::to_string(points.size()) + "\" NumberOfCells=\"" +
-                      std::to_string(tets.size()) + '"',
-                  groups, encoding);
+  append_vtk_file(sink,
+                  {.grid_type = "UnstructuredGrid",
+                   .counts = "NumberOfPoints=\"" + std::to_string(points.size()) +
+                             "\" NumberOfCells=\"" + std::to_string(tets.size()) + '"',
+                   .field_data = std::move(tables),
+                   .groups = std::move(groups)},
+                  encoding);
 }
 
 Written write_grid(Sink& sink, const Model& model, const Target& target) {
@@ -65,7 +86,7 @@ Written write_grid(Sink& sink, const Model& model, const Target& target) {
                                field_group("CellData", model, false)};
   // A mesh without any provenance has no element for it.
   if (fields[0].arrays.empty() && fields[1].arrays.empty()) fields.clear();
-  append_grid(sink, std::move(fields), model.points.raw(), model.tets.raw(),
+  append_grid(sink, table_group(model), std::move(fields), model.points.raw(), model.tets.raw(),
               target.options.encoding);
   return std::vector<Warning>();
 }
@@ -75,7 +96,7 @@ Written write_mesh(Sink& sink, const std::vector<Point3>& points,
                    const std::vector<TetVertices>& tets, Encoding encoding) {
   if (Result<void> known = check_encoding(encoding); !known) return known.error();
   if (Result<void> formed = check_tets(points.size(), tets); !formed) return formed.error();
-  append_grid(sink, {}, points, tets, encoding);
+  append_grid(sink, {}, {}, points, tets, encoding);
   return std::vector<Warning>();
 }
 

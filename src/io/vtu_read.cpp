@@ -14,6 +14,7 @@
 #include "io/vtu_scan.hpp"
 #include "io/xml.hpp"
 #include "model/fields.hpp"
+#include "model/tables.hpp"
 
 namespace tetloft::internal::io {
 
@@ -35,6 +36,11 @@ class GridDecoder {
       if (Result<void> tets = add_tets(piece, first_point); !tets) return tets.error();
     }
     if (Result<void> fields = read_fields(); !fields) return fields.error();
+    Result<void> tables;
+    for_each_table([&](const auto& table) {
+      if (tables) tables = read_table(table);
+    });
+    if (!tables) return tables.error();
     return std::move(model_);
   }
 
@@ -47,11 +53,11 @@ class GridDecoder {
   // file become a large grid.
   Result<void> check_apart() {
     std::vector<AppendedExtent> extents;
-    for (const VtuArray& array : grid_.arrays) {
-      if (const auto extent = appended_extent(array.data, grid_.source)) {
-        extents.push_back(*extent);
-      }
-    }
+    const auto add = [&](const DataArray& array) {
+      if (const auto extent = appended_extent(array, grid_.source)) extents.push_back(*extent);
+    };
+    for (const VtuArray& array : grid_.arrays) add(array.data);
+    for (const DataArray& array : grid_.columns) add(array);
     std::sort(extents.begin(), extents.end(),
               [](const auto& a, const auto& b) { return a.from < b.from; });
     for (std::size_t i = 1; i < extents.size(); ++i) {
@@ -202,6 +208,58 @@ class GridDecoder {
       model_.component_count = std::max(model_.component_count, component.index() + 1);
     }
     return done;
+  }
+
+  // Nothing where a column is missing or another writer's array of that name.
+  template <class Table>
+  Result<void> read_table(const Table& table) {
+    bool complete = true;
+    for_each_column(table, [&](const auto& column) {
+      using Type = typename std::remove_cvref_t<decltype(column)>::Stored::Type;
+      const DataArray* const array = grid_.find_column(column.name);
+      complete = complete && array != nullptr && array->components == 1 &&
+                 is_float(array->type) == std::is_floating_point_v<Type>;
+    });
+    if (!complete) return {};
+    std::optional<std::vector<typename Table::Row>> rows;
+    Result<bool> meant = true;
+    for_each_column(table, [&](const auto& column) {
+      if (meant && *meant) meant = read_column(*grid_.find_column(column.name), column, rows);
+    });
+    if (!meant) return meant.error();
+    if (*meant) model_.*table.rows = *std::move(rows);
+    return {};
+  }
+
+  // Whether all its values are some of this column; the first says how many rows there are.
+  template <class Column, class Row>
+  Result<bool> read_column(const DataArray& array, const Column& column,
+                           std::optional<std::vector<Row>>& rows) {
+    using Stored = typename Column::Stored;
+    const auto values = [&] {
+      if constexpr (std::is_floating_point_v<typename Stored::Type>) {
+        return read_doubles(array, grid_.source, scanner_);
+      } else {
+        return read_integers(array, grid_.source, scanner_);
+      }
+    }();
+    if (!values) return values.error();
+    const std::size_t due = array.tuples.value_or(rows ? rows->size() : values->size());
+    if (values->size() != due || (rows && rows->size() != due)) {
+      return complain(array.position, "the data array " + std::string(column.name) + " has " +
+                                          std::to_string(values->size()) + " values where " +
+                                          std::to_string(rows ? rows->size() : due) + " are due");
+    }
+    if (!rows) rows.emplace(due);
+    for (std::size_t i = 0; i < rows->size(); ++i) {
+      if constexpr (std::is_floating_point_v<typename Stored::Type>) {
+        if (!Stored::legal((*values)[i])) return false;
+      } else {
+        if ((*values)[i] < Stored::kLeast || (*values)[i] > Stored::kLargest) return false;
+      }
+      column.set((*rows)[i], Stored::load((*values)[i]));
+    }
+    return true;
   }
 
   const VtuDeclaration& grid_;

@@ -11,6 +11,7 @@
 #include "io/cursor.hpp"
 #include "io/numbers.hpp"
 #include "model/fields.hpp"
+#include "model/tables.hpp"
 
 namespace tetloft::internal::io {
 
@@ -40,6 +41,12 @@ std::optional<KnownArray> known_array(std::string_view group, std::string_view n
     if (group == (Field::kOfPoints ? "PointData" : "CellData") && name == field.name) {
       found = KnownArray{group, field.name, VtuRole::field};
     }
+  });
+  if (group != "FieldData") return found;
+  for_each_table([&](const auto& table) {
+    for_each_column(table, [&](const auto& column) {
+      if (name == column.name) found = KnownArray{group, column.name, VtuRole::column};
+    });
   });
   return found;
 }
@@ -109,8 +116,12 @@ class VtuScanner {
     if (tag.name == "Piece") return take_piece(tag);
     if (tag.name == "AppendedData") return take_appended(tag);
     if (inside() == "Piece") return take_group(tag);
+    const bool of_whole = inside(1) == "UnstructuredGrid" && inside() == "FieldData";
+    if (tag.name == "FieldData" && inside() == "UnstructuredGrid") return take_field_data(tag);
     const bool in_group = std::find(kGroups.begin(), kGroups.end(), inside()) != kGroups.end();
-    if (tag.name == "DataArray" && in_group && inside(1) == "Piece") return take_array(tag);
+    if (tag.name == "DataArray" && ((in_group && inside(1) == "Piece") || of_whole)) {
+      return take_array(tag);
+    }
     return {};
   }
 
@@ -169,6 +180,15 @@ class VtuScanner {
     return {};
   }
 
+  Result<void> take_field_data(const XmlTag& tag) {
+    if (seen_field_data_) {
+      return scanner_.complain(tag.position, "the grid has two elements 'FieldData'");
+    }
+    seen_field_data_ = true;
+    names_.clear();
+    return {};
+  }
+
   Result<void> take_array(const XmlTag& tag) {
     const std::string_view group = inside();
     const std::string* const name = tag.find("Name");
@@ -184,13 +204,17 @@ class VtuScanner {
     // Another writer's array of that name may have any type.
     const std::string* const type = tag.find("type");
     const bool text = type != nullptr && (*type == "String" || *type == "Bit");
-    if (text && known->role == VtuRole::field) return {};
+    if (text && (known->role == VtuRole::field || known->role == VtuRole::column)) return {};
     VtuArray array{known->role, {}};
     Result<DataArray> declared = declare_array(tag, known->name, scanner_);
     if (!declared) return declared.error();
     array.data = *declared;
     if (tag.kind == XmlTag::Kind::open) array.data.text = scanner_.take_text();
-    grid_.arrays.push_back(array);
+    if (array.role == VtuRole::column) {
+      grid_.columns.push_back(array.data);
+    } else {
+      grid_.arrays.push_back(array);
+    }
     return {};
   }
 
@@ -227,7 +251,8 @@ class VtuScanner {
   bool seen_root_ = false;
   std::vector<std::string_view> open_;              // elements not closed yet, outermost first
   std::array<bool, kGroups.size()> seen_groups_{};  // in the piece
-  std::set<std::string> names_;                     // of the arrays in the group
+  bool seen_field_data_ = false;
+  std::set<std::string> names_;  // of the arrays in the group
 };
 
 }  // namespace
@@ -240,6 +265,12 @@ const DataArray* VtuDeclaration::find(std::size_t piece, VtuRole role,
     if (role != VtuRole::field || arrays[i].data.name == field) return &arrays[i].data;
   }
   return nullptr;
+}
+
+const DataArray* VtuDeclaration::find_column(std::string_view name) const {
+  const auto found = std::find_if(columns.begin(), columns.end(),
+                                  [&](const DataArray& array) { return array.name == name; });
+  return found == columns.end() ? nullptr : &*found;
 }
 
 Result<VtuDeclaration> scan_vtu(XmlScanner& scanner) { return VtuScanner(scanner).scan(); }

@@ -17,7 +17,7 @@
 
 namespace tetloft::internal::io {
 
-enum class VtuRole : std::uint8_t { points, connectivity, offsets, types, field };
+enum class VtuRole : std::uint8_t { points, connectivity, offsets, types, field, column };
 
 struct VtuArray {
   VtuRole role = VtuRole::points;
@@ -35,10 +35,12 @@ struct VtuDeclaration {
   DataSource source;
   std::vector<VtuPiece> pieces;
   std::vector<VtuArray> arrays;
+  std::vector<DataArray> columns;  ///< of the model's tables: data of the whole grid
 
   /// The array of a piece, or null.
   [[nodiscard]] const DataArray* find(std::size_t piece, VtuRole role,
                                       std::string_view field = {}) const;
+  [[nodiscard]] const DataArray* find_column(std::string_view name) const;
 };
 
 /// Scans all tags. The scanner must outlive the result.

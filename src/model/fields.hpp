@@ -1,8 +1,9 @@
-// The data that a model carries beside its geometry, once: every reader, writer and check of it
-// goes through this list. In files an id is an Int32, −1 where it is invalid, and an
-// enumeration a UInt8.
+// The data that a model carries about its points and tets, once: every reader, writer and check of
+// it goes through this list. In files an id is an Int32, −1 where it is invalid, an enumeration or
+// a yes or no a UInt8, and a number, which is finite, a Float64.
 #pragma once
 
+#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -43,6 +44,28 @@ template <>
 struct StoredAs<TetKind> : StoredEnum<TetKind, kTetKinds> {};
 template <>
 struct StoredAs<PointOrigin> : StoredEnum<PointOrigin, kPointOrigins> {};
+template <>
+struct StoredAs<Evidence> : StoredEnum<Evidence, kEvidences> {};
+template <>
+struct StoredAs<LinkFate> : StoredEnum<LinkFate, kLinkFates> {};
+
+template <>
+struct StoredAs<bool> {
+  using Type = std::uint8_t;
+  static constexpr std::int64_t kLeast = 0;
+  static constexpr std::int64_t kLargest = 1;
+  static Type store(bool value) { return value ? 1 : 0; }
+  static bool load(std::int64_t value) { return value != 0; }
+  static bool legal(bool) { return true; }
+};
+
+template <>
+struct StoredAs<double> {
+  using Type = double;
+  static double store(double value) { return value; }
+  static double load(double value) { return value; }
+  static bool legal(double value) { return std::isfinite(value); }
+};
 
 /// One array of the model, by tet or by point; empty where the model has none.
 template <class Index, class V>

@@ -1,8 +1,10 @@
 #include "model/well_formed.hpp"
 
 #include <string>
+#include <type_traits>
 
 #include "model/fields.hpp"
+#include "model/tables.hpp"
 
 namespace tetloft::internal {
 
@@ -33,6 +35,21 @@ Result<void> check_values(const Model& model, const Field& field) {
   return {};
 }
 
+template <class Table>
+Result<void> check_rows(const Model& model, const Table& table) {
+  const auto& rows = model.*table.rows;
+  Result<void> fine;
+  for_each_column(table, [&](const auto& column) {
+    using Stored = typename std::remove_cvref_t<decltype(column)>::Stored;
+    for (std::size_t i = 0; i < rows.size() && fine; ++i) {
+      if (Stored::legal(column.get(rows[i]))) continue;
+      fine = refusal("the model's " + std::string(table.row) + ' ' + std::to_string(i) +
+                     " has a value in " + std::string(column.name) + " that there is not");
+    }
+  });
+  return fine;
+}
+
 }  // namespace
 
 Result<void> check_tets(std::size_t vertex_count, std::span<const TetVertices> tets) {
@@ -54,6 +71,9 @@ Result<void> check_well_formed(const Model& model) {
   });
   for_each_field([&](const auto& field) {
     if (fine) fine = check_values(model, field);
+  });
+  for_each_table([&](const auto& table) {
+    if (fine) fine = check_rows(model, table);
   });
   return fine;
 }

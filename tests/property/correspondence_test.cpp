@@ -1,5 +1,6 @@
-// What belongs together, computed twice: by the reconstruction (find_links) and by check, over
-// stacks of all kinds, with labels and decisions at random.
+// What belongs together, computed three times: by the reconstruction (find_links), by check and, of
+// small stacks, by an oracle in rationals; over stacks of all kinds, with labels and decisions at
+// random.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,6 +14,7 @@
 
 #include "check/partition.hpp"
 #include "core/prng.hpp"
+#include "support/correspondence_oracle.hpp"
 #include "support/stacks/generate.hpp"
 
 namespace tetloft::testing {
@@ -97,13 +99,38 @@ CorrespondenceOptions random_options(Prng& prng, const SectionStack& stack) {
 // What became of one comparison.
 enum class Answer : std::uint8_t { sets, unrealisable, refused };
 
+constexpr std::size_t kMostForOracle = 60;  // vertices
+
+// What check makes of these claims, and the oracle of a small stack.
+void compare_with_oracle(const SectionStack& stack, const CorrespondenceOptions& options,
+                         const Model& claims, const std::string& what) {
+  if (stack.vertex_count() > kMostForOracle) return;
+  const auto checked =
+      checking::expected_partition(stack, stack, options, {claims.links, claims.motions});
+  const oracle::ExpectedSets truth = oracle::expected_sets(claims, stack, options);
+  EXPECT_EQ(checked.ok(), !truth.refused) << what;
+  if (!checked.ok() || truth.refused) return;
+  EXPECT_EQ(checked->wrong_motions.empty() && checked->wrong_dropped.empty(), truth.claims_hold)
+      << what;
+  EXPECT_EQ(checked->dropped, truth.dropped) << what;
+  EXPECT_EQ(checked->unrealised.has_value(), !truth.realised) << what;
+  if (truth.realised) {
+    EXPECT_EQ(canonical(checked->set), canonical(truth.set)) << what;
+  }
+}
+
 Answer compare(const SectionStack& stack, const CorrespondenceOptions& options,
                const std::string& what) {
   const Result<StackLinks> made = find_links(stack, {options, {}});
-  checking::Claims claims;
-  if (made.ok()) claims = {made->links, made->motions};
+  Model claims;
+  if (made.ok()) {
+    claims.links = made->links;
+    claims.motions = made->motions;
+  }
+  compare_with_oracle(stack, options, claims, what);
   // Without a result its motions are not known either; they matter for the sets alone.
-  const auto again = checking::expected_partition(stack, stack, options, claims, !made.ok());
+  const auto again = checking::expected_partition(stack, stack, options,
+                                                  {claims.links, claims.motions}, !made.ok());
   if (!made.ok() && made.error().code == ErrorCode::invalid_input) {
     EXPECT_FALSE(again.ok()) << what;
     if (!again.ok()) {

@@ -16,6 +16,8 @@
 
 #include <tetloft/model.hpp>
 
+#include "support/same_rows.hpp"
+
 namespace tetloft::test {
 
 /// A new folder, removed with everything in it.
@@ -87,7 +89,30 @@ inline std::vector<double> hard_doubles() {
           2.2250738585072011e-308};
 }
 
-/// Two tets on hard points, with every label.
+/// Links and motions of hard numbers, with every evidence and fate.
+inline void add_hard_rows(Model& model) {
+  const std::vector<double> hard = hard_doubles();
+  const auto number = [&](int i) { return hard[static_cast<std::size_t>(i) % hard.size()]; };
+  for (int i = 0; i < kEvidences; ++i) {
+    RegionLink link{SlabId(i),
+                    ContourId(3 * i),
+                    ContourId(i == 2 ? 0x7FFFFFFF : 1),
+                    static_cast<Evidence>(i),
+                    static_cast<LinkFate>(i % kLinkFates),
+                    number(i),
+                    number(i + 5),
+                    number(i + 9),
+                    number(i + 13),
+                    {}};
+    if (i % 3 != 1) link.lead = number(i + 1);
+    model.links.push_back(link);
+  }
+  for (int i = 0; i < 5; ++i) {
+    model.motions.push_back({SlabId(i), i % 2 == 1, ContourId(7 - i), {number(i), number(i + 8)}});
+  }
+}
+
+/// Two tets on hard points, with every label and both tables.
 inline Model hard_model() {
   Model model;
   const std::vector<double> hard = hard_doubles();
@@ -109,6 +134,7 @@ inline Model hard_model() {
   model.kind.push_back(TetKind::prism);
   model.kind.push_back(TetKind::t1_internal);
   model.component_count = 2;
+  add_hard_rows(model);
   return model;
 }
 
@@ -125,6 +151,8 @@ inline void expect_same(const Model& a, const Model& b) {
   EXPECT_EQ(a.contour, b.contour);
   EXPECT_EQ(a.origin, b.origin);
   EXPECT_EQ(a.component_count, b.component_count);
+  EXPECT_TRUE(same_rows(a.links, b.links));
+  EXPECT_TRUE(same_rows(a.motions, b.motions));
 }
 
 }  // namespace tetloft::test

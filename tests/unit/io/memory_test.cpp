@@ -180,6 +180,22 @@ std::vector<Family> grids() {
   add("labels", grid(piece(1, n,
                            "<Points>" + array("P", "Int8", "0 0 0") + "</Points>" + cells(n) +
                                "<CellData>" + labels + "</CellData>")));
+  std::string links, most_links;
+  for (const char* name : {"slab", "lower", "upper", "evidence", "fate", "has_lead"}) {
+    links += array("link_" + std::string(name), "Int8", numbers(n, "0"));
+  }
+  for (const char* name : {"ratio", "moved", "distance", "margin", "lead"}) {
+    most_links = links;
+    links += array("link_" + std::string(name), "Float32", numbers(n, "0"));
+  }
+  add("links", grid("<FieldData>" + links + "</FieldData>" + piece(0, 0, "")));
+  add("most of links", grid("<FieldData>" + most_links + "</FieldData>" + piece(0, 0, "")));
+  std::string motions;
+  for (const char* name : {"slab", "upper", "contour", "x", "y"}) {
+    motions += array("motion_" + std::string(name),
+                     *name == 'x' || *name == 'y' ? "Float32" : "Int8", numbers(2 * n, "0"));
+  }
+  add("motions", grid("<FieldData>" + motions + "</FieldData>" + piece(0, 0, "")));
   add("long token",
       grid(piece(1, 0, "<Points>" + array("P", "Int8", std::string(kSize, '1')) + "</Points>")));
   add("huge counts", grid(repeated("<Piece NumberOfPoints=\"9223372036854775807\" "

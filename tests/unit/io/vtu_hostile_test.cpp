@@ -115,7 +115,8 @@ TEST(ReadVtu, RefusesWhatStandsTwice) {
   const std::string whole = written(Encoding::ascii);
   std::size_t tried = 0;
   // Every array, every group and the whole piece, given again right behind.
-  for (const char* element : {"DataArray", "Points", "Cells", "PointData", "CellData"}) {
+  for (const char* element :
+       {"DataArray", "Points", "Cells", "PointData", "CellData", "FieldData"}) {
     const std::string open = '<' + std::string(element);
     const std::string close = "</" + std::string(element) + '>';
     for (std::size_t from = whole.find(open); from != std::string::npos;
@@ -127,7 +128,7 @@ TEST(ReadVtu, RefusesWhatStandsTwice) {
       ++tried;
     }
   }
-  EXPECT_EQ(tried, 10U + 4U);
+  EXPECT_EQ(tried, 26U + 5U);
   for (const char* word : {"type=\"Float64\"", "NumberOfPoints", "version=\"1.0\""}) {
     std::string bytes = whole;
     const std::size_t at = bytes.rfind(word);

@@ -46,6 +46,7 @@ TEST_P(VtuEncoding, WritesMeshesWithoutProvenance) {
   EXPECT_EQ(read->tets, model.tets);
   EXPECT_TRUE(read->component.empty());
   EXPECT_TRUE(read->origin.empty());
+  EXPECT_TRUE(read->links.empty());
   EXPECT_EQ(read->component_count, 0U);
   // What was read without provenance can be written again.
   EXPECT_TRUE(write_vtu(folder.file("n.vtu"), *read, GetParam()).ok());

@@ -8,7 +8,9 @@
 #include <string>
 #include <type_traits>
 
+#include "model/tables.hpp"
 #include "model/well_formed.hpp"
+#include "support/same_rows.hpp"
 
 namespace tetloft {
 
@@ -63,6 +65,57 @@ TEST(ModelFields, AreCheckedForTheirSize) {
                                            " has 3 values where " + std::to_string(due) +
                                            " are due");
   });
+}
+
+TEST(ModelTables, HaveColumnsThatAreNamedOnceAfterTheirRows) {
+  std::set<std::string_view> names;
+  for_each_table([&](const auto& table) {
+    for_each_column(table, [&](const auto& column) {
+      EXPECT_TRUE(names.insert(column.name).second) << column.name;
+      EXPECT_TRUE(column.name.starts_with(std::string(table.row) + '_')) << column.name;
+    });
+  });
+  for_each_field([&](const auto& field) { EXPECT_FALSE(names.contains(field.name)); });
+  EXPECT_EQ(names.size(), 11U + 5U);
+}
+
+// A row set column by column from another is that other.
+template <class Table>
+typename Table::Row copied(const Table& table, const typename Table::Row& row) {
+  typename Table::Row copy;
+  for_each_column(table, [&](const auto& column) {
+    using Stored = typename std::remove_cvref_t<decltype(column)>::Stored;
+    column.set(copy, Stored::load(Stored::store(column.get(row))));
+  });
+  return copy;
+}
+
+TEST(ModelTables, CarryWholeRows) {
+  const ModelTable<RegionLink> links{"link", &Model::links};
+  RegionLink link{
+      SlabId(1), ContourId(2), ContourId(3), Evidence::lone, LinkFate::outruled, 0.1, 0.2,
+      0.3,       0.4,          0.5};
+  EXPECT_TRUE(test::same_row(copied(links, link), link));
+  link.lead = std::nullopt;
+  EXPECT_TRUE(test::same_row(copied(links, link), link));
+  const RegionMotion motion{SlabId(4), true, ContourId(5), {0.25, -0.0}};
+  EXPECT_TRUE(
+      test::same_row(copied(ModelTable<RegionMotion>{"motion", &Model::motions}, motion), motion));
+}
+
+TEST(ModelTables, AreCheckedRowByRow) {
+  Model model;
+  model.links.resize(2, {SlabId(0), ContourId(0), ContourId(0)});
+  model.motions.resize(2, {SlabId(0), false, ContourId(0), {}});
+  EXPECT_TRUE(check_well_formed(model).ok());
+  model.links[1].lead = std::numeric_limits<double>::infinity();
+  const auto refused = check_well_formed(model);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().message,
+            "the model's link 1 has a value in link_lead that there is not");
+  model.links.clear();
+  model.motions[1].contour = ContourId();
+  EXPECT_FALSE(check_well_formed(model).ok());
 }
 
 }  // namespace

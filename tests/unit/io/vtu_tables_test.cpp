@@ -1,0 +1,288 @@
+// The tables of a model, its links and motions, in unstructured grids.
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <tetloft/io.hpp>
+
+#include "core/prng.hpp"
+#include "unit/io/io_support.hpp"
+
+namespace tetloft {
+
+using namespace internal;
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+std::string written(const Model& model, Encoding encoding) {
+  const auto bytes = format_vtu(model, encoding);
+  EXPECT_TRUE(bytes.ok()) << to_string(bytes.error());
+  return *bytes;
+}
+
+std::size_t count_of(const std::string& word, const std::string& text) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
+    ++count;
+  }
+  return count;
+}
+
+// Any bits that are a finite number.
+double random_number(Prng& prng) {
+  for (;;) {
+    const double value = std::bit_cast<double>(prng.below(~std::uint64_t{0}));
+    if (std::isfinite(value)) return value;
+  }
+}
+
+Model random_tables(Prng& prng) {
+  Model model = test::hard_model();
+  model.links.clear();
+  model.motions.clear();
+  const auto index = [&] { return prng.below(4) == 0 ? 0x7FFFFFFFU : prng.below(1000); };
+  for (std::uint64_t n = prng.below(40); n > 0; --n) {
+    RegionLink link{SlabId(index()),
+                    ContourId(index()),
+                    ContourId(index()),
+                    static_cast<Evidence>(prng.below(kEvidences)),
+                    static_cast<LinkFate>(prng.below(kLinkFates)),
+                    random_number(prng),
+                    random_number(prng),
+                    random_number(prng),
+                    random_number(prng),
+                    {}};
+    if (prng.below(2) == 0) link.lead = random_number(prng);
+    model.links.push_back(link);
+  }
+  for (std::uint64_t n = prng.below(40); n > 0; --n) {
+    model.motions.push_back({SlabId(index()),
+                             prng.below(2) == 0,
+                             ContourId(index()),
+                             {random_number(prng), random_number(prng)}});
+  }
+  return model;
+}
+
+TEST(VtuTables, ReadBackBitForBit) {
+  Prng prng(31);
+  for (int trial = 0; trial < 200; ++trial) {
+    const Model model = random_tables(prng);
+    for (const Encoding encoding : {Encoding::binary, Encoding::ascii}) {
+      const std::string bytes = written(model, encoding);
+      const auto read = parse_vtu(bytes, "m.vtu");
+      ASSERT_TRUE(read.ok()) << to_string(read.error());
+      test::expect_same(model, *read);
+      EXPECT_EQ(written(*read, encoding), bytes);
+    }
+  }
+}
+
+TEST(VtuTables, AreDataOfTheWholeGridWithTheirCounts) {
+  const Model model = test::hard_model();
+  for (const Encoding encoding : {Encoding::binary, Encoding::ascii}) {
+    const std::string bytes = written(model, encoding);
+    const std::size_t from = bytes.find("<FieldData>");
+    const std::size_t to = bytes.find("</FieldData>");
+    ASSERT_NE(from, std::string::npos);
+    EXPECT_LT(bytes.find("<UnstructuredGrid>"), from);
+    EXPECT_LT(to, bytes.find("<Piece "));
+    const std::string inside = bytes.substr(from, to - from);
+    EXPECT_EQ(count_of("NumberOfTuples=\"" + std::to_string(model.links.size()) + '"', inside),
+              11U);
+    EXPECT_EQ(count_of("NumberOfTuples=\"" + std::to_string(model.motions.size()) + '"', inside),
+              5U);
+    EXPECT_EQ(count_of("NumberOfTuples", bytes), 16U);
+  }
+}
+
+TEST(VtuTables, AreLeftOutWhereEmpty) {
+  Model model = test::hard_model();
+  model.links.clear();
+  EXPECT_EQ(count_of("Name=\"link_", written(model, Encoding::binary)), 0U);
+  EXPECT_EQ(count_of("Name=\"motion_", written(model, Encoding::binary)), 5U);
+  model.motions.clear();
+  EXPECT_EQ(count_of("FieldData", written(model, Encoding::binary)), 0U);
+  const auto read = parse_vtu(written(model, Encoding::binary), "m.vtu");
+  ASSERT_TRUE(read.ok()) << to_string(read.error());
+  EXPECT_TRUE(read->links.empty());
+  EXPECT_TRUE(read->motions.empty());
+}
+
+// Of text: the DataArray element of a column.
+std::pair<std::size_t, std::size_t> element_of(const std::string& text, const std::string& name) {
+  const std::size_t at = text.find("Name=\"" + name + '"');
+  const std::size_t from = text.rfind("<DataArray", at);
+  const std::size_t to = text.find("</DataArray>", at) + 12;
+  return {from, to - from};
+}
+
+std::string with(std::string text, const std::string& name, const std::string& element) {
+  const auto [from, size] = element_of(text, name);
+  return text.replace(from, size, element);
+}
+
+std::string column(const std::string& type, const std::string& name, const std::string& values,
+                   const std::string& rest = "") {
+  return "<DataArray type=\"" + type + "\" Name=\"" + name + "\" " + rest + " format=\"ascii\">" +
+         values + "</DataArray>";
+}
+
+const std::vector<std::string> kColumns{
+    "link_slab",    "link_lower",     "link_upper",  "link_evidence", "link_fate", "link_ratio",
+    "link_moved",   "link_distance",  "link_margin", "link_has_lead", "link_lead", "motion_slab",
+    "motion_upper", "motion_contour", "motion_x",    "motion_y"};
+
+bool of_links(const std::string& name) { return name.starts_with("link"); }
+bool is_number(const std::string& name) {
+  return name.ends_with("_x") || name.ends_with("_y") || name.ends_with("ratio") ||
+         name.ends_with("moved") || name.ends_with("distance") || name.ends_with("margin") ||
+         name == "link_lead";
+}
+std::size_t rows_of(const std::string& name) {
+  return of_links(name) ? test::hard_model().links.size() : test::hard_model().motions.size();
+}
+std::string repeated(const std::string& value, std::size_t times) {
+  std::string text;
+  for (; times > 0; --times) text += value + ' ';
+  return text;
+}
+
+// The table is left out, the other one and the rest are there.
+void expect_without_table(const std::string& bytes, const std::string& name) {
+  const auto read = parse_vtu(bytes, "m.vtu");
+  ASSERT_TRUE(read.ok()) << name << ": " << to_string(read.error());
+  Model rest = test::hard_model();
+  if (of_links(name)) {
+    rest.links.clear();
+  } else {
+    rest.motions.clear();
+  }
+  test::expect_same(rest, *read);
+}
+
+TEST(VtuTables, AreIgnoredWhereAColumnIsMissingOrMeansSomethingElse) {
+  const std::string text = written(test::hard_model(), Encoding::ascii);
+  for (const std::string& name : kColumns) {
+    const std::size_t rows = rows_of(name);
+    expect_without_table(with(text, name, ""), name);
+    const char* const other = is_number(name) ? "Int32" : "Float64";
+    expect_without_table(with(text, name, column(other, name, repeated("0", rows))), name);
+    expect_without_table(with(text, name,
+                              column(is_number(name) ? "Float64" : "Int32", name,
+                                     repeated("0", 2 * rows), "NumberOfComponents=\"2\"")),
+                         name);
+    expect_without_table(with(text, name, column("String", name, repeated("0", rows))), name);
+    if (is_number(name)) continue;
+    for (const char* value : {"-1", "2147483648"}) {
+      expect_without_table(with(text, name, column("Int64", name, repeated(value, rows))), name);
+    }
+  }
+  for (const auto& [name, value] :
+       {std::pair("link_evidence", kEvidences), std::pair("link_fate", kLinkFates),
+        std::pair("link_has_lead", 2), std::pair("motion_upper", 2)}) {
+    expect_without_table(
+        with(text, name, column("UInt8", name, repeated(std::to_string(value), rows_of(name)))),
+        name);
+  }
+}
+
+TEST(VtuTables, WithNumbersThatAreNotFiniteAreIgnored) {
+  Model model = test::hard_model();
+  const std::string whole = written(model, Encoding::binary);
+  model.links[0].margin = 0x1.2345p67;
+  const std::string marked = written(model, Encoding::binary);
+  std::string bytes = marked;
+  // The last of its bytes that differ, and the one before it: the exponent.
+  std::size_t at = bytes.size() - 1;
+  while (marked[at] == whole[at]) --at;
+  bytes[at] = '\x7F';
+  bytes[at - 1] = static_cast<char>(0xF0);
+  expect_without_table(bytes, "link_margin");
+}
+
+// What one column says of the rows, and what it holds itself, are facts of the same table.
+TEST(VtuTables, OfUnequalColumnsAreRefused) {
+  const std::string text = written(test::hard_model(), Encoding::ascii);
+  for (const std::string& name : kColumns) {
+    const std::size_t rows = rows_of(name);
+    const char* const type = is_number(name) ? "Float64" : "Int32";
+    for (const std::size_t n : {std::size_t{0}, rows - 1, rows + 1}) {
+      const auto read = parse_vtu(with(text, name, column(type, name, repeated("0", n))), "m.vtu");
+      ASSERT_FALSE(read.ok()) << name;
+      EXPECT_EQ(read.error().code, ErrorCode::invalid_input);
+      EXPECT_TRUE(read.error().where.line.has_value());
+      EXPECT_NE(read.error().message.find("data array"), std::string::npos) << read.error().message;
+    }
+    for (const char* announced : {"0", "1", "9223372036854775807", "-1", "x"}) {
+      const auto read = parse_vtu(with(text, name,
+                                       column(type, name, repeated("0", rows),
+                                              "NumberOfTuples=\"" + std::string(announced) + '"')),
+                                  "m.vtu");
+      EXPECT_FALSE(read.ok()) << name << ' ' << announced;
+    }
+    EXPECT_TRUE(parse_vtu(with(text, name, column(type, name, repeated("0", rows))), "m.vtu").ok());
+  }
+}
+
+TEST(VtuTables, MayStandBehindThePiece) {
+  std::string text = written(test::hard_model(), Encoding::ascii);
+  const std::size_t from = text.find("<FieldData>");
+  const std::size_t size = text.find("</FieldData>") + 12 - from;
+  const std::string tables = text.substr(from, size);
+  text.erase(from, size);
+  text.insert(text.find("</UnstructuredGrid>"), tables);
+  const auto read = parse_vtu(text, "m.vtu");
+  ASSERT_TRUE(read.ok()) << to_string(read.error());
+  test::expect_same(test::hard_model(), *read);
+}
+
+// Columns elsewhere are none: data of a piece, or deeper.
+TEST(VtuTables, AreReadFromTheGridAlone) {
+  std::string text = written(test::hard_model(), Encoding::ascii);
+  for (const auto& [from, to] : {std::pair("<FieldData>", "<Other><FieldData>"),
+                                 std::pair("</FieldData>", "</FieldData></Other>")}) {
+    text.replace(text.find(from), std::string(from).size(), to);
+  }
+  const auto read = parse_vtu(text, "m.vtu");
+  ASSERT_TRUE(read.ok()) << to_string(read.error());
+  EXPECT_TRUE(read->links.empty());
+  EXPECT_TRUE(read->motions.empty());
+}
+
+TEST(VtuTables, ThatCannotBeReadBackAreNotWritten) {
+  const auto refused = [](auto&& spoil, const char* word) {
+    Model model = test::hard_model();
+    spoil(model);
+    const auto bytes = format_vtu(model);
+    ASSERT_FALSE(bytes.ok()) << word;
+    EXPECT_EQ(bytes.error().code, ErrorCode::invalid_input);
+    EXPECT_NE(bytes.error().message.find(word), std::string::npos) << bytes.error().message;
+  };
+  refused([](Model& m) { m.links[0].slab = SlabId(); }, "link_slab");
+  refused([](Model& m) { m.links[1].lower = ContourId(0x80000000U); }, "link 1");
+  refused([](Model& m) { m.links[0].upper = ContourId(); }, "link_upper");
+  refused([](Model& m) { m.links[0].evidence = static_cast<Evidence>(kEvidences); },
+          "link_evidence");
+  refused([](Model& m) { m.links[0].fate = static_cast<LinkFate>(kLinkFates); }, "link_fate");
+  refused([](Model& m) { m.links[0].ratio = std::numeric_limits<double>::quiet_NaN(); },
+          "link_ratio");
+  refused([](Model& m) { m.links[0].moved = kInfinity; }, "link_moved");
+  refused([](Model& m) { m.links[0].distance = kInfinity; }, "link_distance");
+  refused([](Model& m) { m.links[0].margin = -kInfinity; }, "link_margin");
+  refused([](Model& m) { m.links[0].lead = kInfinity; }, "link_lead");
+  refused([](Model& m) { m.motions[0].slab = SlabId(); }, "motion_slab");
+  refused([](Model& m) { m.motions[0].contour = ContourId(); }, "motion_contour");
+  refused([](Model& m) { m.motions[0].by.x = kInfinity; }, "motion_x");
+  refused([](Model& m) { m.motions[0].by.y = kInfinity; }, "motion_y");
+}
+
+}  // namespace
+}  // namespace tetloft
