@@ -21,6 +21,7 @@ using namespace internal;
 namespace {
 
 double doubt(const RegionLink& link) {
+  if (link.fate == LinkFate::decided_part) return 1;
   const double margin = std::abs(link.margin);
   return link.evidence == Evidence::lone && link.lead ? std::min(margin, std::abs(*link.lead))
                                                       : margin;
