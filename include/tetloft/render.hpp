@@ -21,8 +21,10 @@ enum class ColourBy : std::uint8_t {
   slab,
   kind,      ///< TetKind
   dihedral,  ///< its smallest dihedral angle
+  /// Evidence of the least sure link (of least |margin|) of the part of a slab that it belongs to.
+  evidence,
 };
-inline constexpr int kColourings = 4;
+inline constexpr int kColourings = 5;
 [[nodiscard]] TETLOFT_API const char* name_of(ColourBy colour);
 
 /// A plane x, y or z = position. Of the model the part away from the eye stays, and is shown cut
