@@ -69,7 +69,9 @@ class Comparison {
         subject.contouring = contouring == Contouring::smooth ? "smooth" : "lattice";
         subject.name = subject.kind + '-' + std::to_string(seed) + '-' + std::to_string(spacing) +
                        '-' + subject.contouring;
-        subject.stack = slice(solid, spacing, contouring).stack;
+        SlicedSolid sliced = slice(solid, spacing, contouring);
+        subject.stack = std::move(sliced.stack);
+        subject.piece = std::move(sliced.piece);
         if (subject.stack.sections.size() < 2) continue;
         if (!reference) reference.emplace(truth_between_sections(solid, subject.stack));
         run(std::move(subject), *reference);

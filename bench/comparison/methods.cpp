@@ -80,8 +80,13 @@ Method geiger() {
 }
 
 std::vector<Method> all_methods() {
-  return {tetloft_by("tetloft overlap", {}),
-          tetloft_by("tetloft reverse", {.criterion = Criterion::reverse, .labels = {}}), geiger(),
+  CorrespondenceOptions plain;
+  plain.criterion = Criterion::overlap;
+  plain.chain = plain.lone = false;
+  return {tetloft_by("tetloft moved", {.criterion = Criterion::moved}),
+          tetloft_by("tetloft overlap", {.criterion = Criterion::overlap}),
+          tetloft_by("tetloft plain overlap", plain),
+          tetloft_by("tetloft reverse", {.criterion = Criterion::reverse}), geiger(),
           distance_field_method()};
 }
 

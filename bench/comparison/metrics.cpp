@@ -123,6 +123,9 @@ Run measure_run(const Method& method, const Subject& subject, const Reference& r
   if (!run.refusal.empty()) return run;
   TriangleMesh surface = std::move(outcome.surface);
   if (outcome.model) {
+    if (method.correspondence && !subject.piece.empty()) {
+      run.links = union_errors(subject.stack, outcome.model->links, subject.piece);
+    }
     surface = measure_tets(*outcome.model, method, subject.stack, run);
   } else {
     const SurfaceFaults faults = faults_of(surface);
@@ -158,6 +161,11 @@ Aggregate aggregate(const std::vector<SizedRun>& runs) {
     result.singular_vertices += run.singular_vertices;
     result.singular_edges += run.singular_edges;
     result.lost += run.lost;
+    if (run.links) {
+      if (!result.links) result.links.emplace();
+      result.links->missing += run.links->missing;
+      result.links->wrong += run.links->wrong;
+    }
     add(result.component_errors, run.component_error);
     add(result.cavity_errors, run.cavity_error);
     add(result.genus_errors, run.genus_error);

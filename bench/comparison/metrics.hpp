@@ -12,6 +12,7 @@
 #include "comparison/methods.hpp"
 #include "comparison/surface_distance.hpp"
 #include "comparison/truth.hpp"
+#include "comparison/union_errors.hpp"
 
 namespace tetloft::bench {
 
@@ -23,6 +24,8 @@ struct Subject {
   std::size_t spacing = 0;
   std::string contouring;
   SectionStack stack;
+  /// By slab, the pieces of its regions, as SlicedSolid::piece; empty where they are not known.
+  std::vector<std::vector<std::size_t>> piece = {};
 };
 
 /// Truth, ready to be compared with; shared by all stacks of the same extent.
@@ -45,6 +48,8 @@ struct Run {
   std::size_t singular_edges = 0;
   double deviation = 0;  ///< section_deviation()
   std::size_t lost = 0;  ///< lost_contours()
+  /// Of the method's links against the pieces, where both are known.
+  std::optional<UnionErrors> links;
   Topology topology;
   double volume = 0;
   // Against the truth, as far as that is known. Errors are absolute, of the volume relative.
@@ -67,6 +72,7 @@ struct Aggregate {
   std::size_t singular_vertices = 0, singular_edges = 0;
   std::size_t lost = 0;
   double deviation = 0;                                               ///< mean
+  std::optional<UnionErrors> links;                                   ///< sums
   std::optional<long> component_errors, cavity_errors, genus_errors;  ///< sums
   std::optional<double> volume_error, mean_distance, hausdorff;       ///< means
   double seconds_per_10k = 0;  ///< per 10,000 input vertices, of the sums

@@ -61,6 +61,7 @@ std::string line_of(const Table::Line& line) {
   cell(std::to_string(a.singular_vertices) + " + " + std::to_string(a.singular_edges));
   cell(std::to_string(a.lost));
   cell(format("%.3f", 100 * a.deviation));
+  cell(a.links ? std::to_string(a.links->missing) + " + " + std::to_string(a.links->wrong) : kNone);
   cell(show("%.1f", a.right_topology, 100));
   cell(show(a.component_errors));
   cell(show(a.cavity_errors));
@@ -95,11 +96,11 @@ std::string markdown_of(const std::vector<Table>& tables) {
   for (const Table& table : tables) {
     text += "### " + table.title + "\n\n" +
             "| stacks | method | number | refused | fully valid (%) | sections exact (%) | "
-            "singular vertices + edges | contours lost | section deviation (%) | topology right "
-            "(%) | component errors "
+            "singular vertices + edges | contours lost | section deviation (%) | unions missing + "
+            "false | topology right (%) | component errors "
             "| cavity errors | genus errors | volume error (%) | mean distance | Hausdorff | s per "
             "10,000 vertices "
-            "|\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
+            "|\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
     for (const Table::Line& line : table.lines) text += line_of(line);
     text += '\n';
   }

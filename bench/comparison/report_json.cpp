@@ -32,6 +32,10 @@ void write_run(JsonWriter& json, const Run& run) {
   json.member("singular_edges", run.singular_edges);
   json.member("section_deviation", run.deviation);
   json.member("lost_contours", run.lost);
+  if (run.links) {
+    json.member("missing_unions", run.links->missing);
+    json.member("false_unions", run.links->wrong);
+  }
   json.member("components", run.topology.components);
   json.member("cavities", run.topology.cavities);
   json.member("genus", run.topology.genus);
@@ -79,6 +83,10 @@ void write_line(JsonWriter& json, const Table::Line& line) {
   json.member("singular_edges", a.singular_edges);
   json.member("lost_contours", a.lost);
   json.member("section_deviation", a.deviation);
+  if (a.links) {
+    json.member("missing_unions", a.links->missing);
+    json.member("false_unions", a.links->wrong);
+  }
   optional_member(json, "right_topology", a.right_topology);
   optional_member(json, "component_errors", a.component_errors);
   optional_member(json, "cavity_errors", a.cavity_errors);

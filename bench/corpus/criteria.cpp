@@ -1,21 +1,29 @@
-// How well criteria of correspondence find the pieces of random solids: missing and false unions,
-// by criterion; and of sliced meshes, the components.
+// How well rules of correspondence find the pieces of random solids: missing and false unions, by
+// rule and kind, and stacks without either; and of given stacks, the components.
 //
-//   tetloft_criteria [--solids N] [--size N] [--seed S] [--spacing N] [--contours C] [FILE.cnt …]
+//   tetloft_criteria [--solids N] [--seed S] [--size N] [--spacing N] [--contours C] [--rest R]
+//   tetloft_criteria FILE.cnt …
 //
-// In each slab the regions are parted by the solid itself (the pieces between the two planes)
-// and by the criterion. Missing: unions to be added until no piece is in two classes; false:
-// unions that the criterion made and the solid does not.
+//     --solids N     of each kind (6)
+//     --seed S       of the first (1)
+//     --size N       samples along each axis (96)
+//     --spacing N    every N-th layer only (else every 2nd, 6th and 12th)
+//     --contours C   smooth (default) or lattice
+//     --rest R       the least overlap of regions at rest (0.7); above 1 all move
+//
+// In each slab the regions are parted by the solid itself (the pieces between the two planes) and
+// by the rule. Of files, those count whose truth a .json beside them tells.
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include <tetloft/io.hpp>
-#include <tetloft/sections.hpp>
 
-#include "core/union_find.hpp"
+#include "corpus/link_errors.hpp"
 #include "corpus/link_facts.hpp"
 #include "corpus/link_rules.hpp"
 #include "corpus/solids.hpp"
@@ -27,177 +35,137 @@ namespace {
 using namespace tetloft;
 using namespace tetloft::bench;
 
-std::vector<LinkRule> all_rules() {
-  std::vector<LinkRule> rules{
-      {"overlap 0.02, guard 0.25", Evidence::plain, 0.02, 0, 0.25},
-      {"the same + lone", Evidence::plain, 0.02, 0, 0.25, true},
-      {"overlap 0.1 + lone", Evidence::plain, 0.1, 1, 2, true},
-  };
-  const std::pair<const char*, Evidence> forms[] = {{"max", Evidence::moved_max},
-                                                    {"mean", Evidence::moved_mean},
-                                                    {"smaller", Evidence::moved_smaller},
-                                                    {"half", Evidence::moved_half}};
-  for (const auto& [name, evidence] : forms) {
-    const std::string form = std::string("moved ") + name;
-    rules.push_back({form, evidence, 0.1, 1, 2, false});
-    rules.push_back({form + " + lone", evidence, 0.1, 1, 2, true});
-    if (evidence == Evidence::moved_half || evidence == Evidence::moved_smaller) continue;
-    for (int mode = 0; mode < 4; ++mode)
-      for (const double clear : {0.95, 0.9, 0.8, 0.7, 0.6, 0.5, 0.4}) {
-        rules.push_back({form + " + lone, clear " + std::to_string(mode) + " " +
-                             std::to_string(clear).substr(0, 4),
-                         evidence, 0.1, 1, 2, true, clear, mode});
-      }
-  }
-  return rules;
-}
+constexpr const char* kUsage =
+    "usage: tetloft_criteria [--solids N] [--seed S] [--size N] [--spacing N]\n"
+    "                        [--contours smooth|lattice] [--rest R]\n"
+    "       tetloft_criteria FILE.cnt …\n";
 
-struct Errors {
-  std::size_t missing = 0, wrong = 0;
-};
-
-std::size_t class_count(const UnionFind& sets) {
-  std::size_t count = 0;
-  for (std::size_t k = 0; k < sets.size(); ++k) count += sets.find(k) == k ? 1U : 0U;
-  return count;
-}
-
-Errors errors_of(const SlabFacts& slab, const std::vector<std::size_t>& piece,
-                 const std::vector<std::pair<std::size_t, std::size_t>>& links) {
-  const std::size_t lows = slab.low_area.size();
-  const std::size_t n = piece.size();
-  UnionFind got(n), want(n), joint(n);
-  for (const auto& [i, j] : links) {
-    got.unite(i, lows + j);
-    joint.unite(i, lows + j);
-  }
-  for (std::size_t a = 0; a < n; ++a) {
-    for (std::size_t b = 0; b < a; ++b) {
-      if (piece[a] != piece[b]) continue;
-      want.unite(a, b);
-      joint.unite(a, b);
-    }
-  }
-  const std::size_t both = class_count(joint);
-  return {class_count(got) - both, class_count(want) - both};
-}
-
-std::size_t component_count(const std::vector<SlabFacts>& slabs, const StackLinks& links) {
-  std::vector<std::size_t> first{0};
-  for (const SlabFacts& slab : slabs) first.push_back(first.back() + slab.low_area.size());
-  UnionFind sets(first.back() + (slabs.empty() ? 0 : slabs.back().high_area.size()));
-  for (std::size_t s = 0; s < slabs.size(); ++s) {
-    for (const auto& [i, j] : links[s]) sets.unite(first[s] + i, first[s + 1] + j);
-  }
-  return class_count(sets);
-}
+constexpr std::size_t kSpacings[] = {2, 6, 12};
+constexpr std::size_t kKinds = std::size(kSolidKinds);
 
 struct Options {
   std::uint64_t solids = 6, seed = 1, size = 96, spacing = 0;
-  std::string contours = "smooth";
-  std::string only;
-  std::vector<std::string> files;
+  Contouring contours = Contouring::smooth;
+  double rest = 0.7;
+  std::vector<std::filesystem::path> files;
 };
 
+// Of a rule: errors by kind of solid, and stacks without any.
 struct Tally {
-  std::array<Errors, 6> kind{};
-  std::size_t exact = 0, components = 0, moving = 0, regions = 0;
+  std::array<UnionErrors, kKinds> of_kind{};
+  std::size_t exact = 0;
 };
 
-int survey(const Options& options, const std::vector<LinkRule>& rules) {
-  std::vector<long> sum(rules.size(), 0);
-  for (const std::string& file : options.files) {
-    const auto read = read_cnt(file);
-    const auto truth = read_stack_truth(file).components;
-    if (!read || !truth) continue;
-    const std::vector<SlabFacts> slabs = facts_of(read->stack);
-    std::printf("%s %g:", file.substr(file.rfind('/') + 1).c_str(), *truth);
-    for (std::size_t r = 0; r < rules.size(); ++r) {
-      const auto got = static_cast<long>(component_count(slabs, links_by(rules[r], slabs)));
-      std::printf(" %ld", got);
-      sum[r] += std::labs(got - static_cast<long>(*truth));
-    }
+void print_corpus(const std::vector<LinkRule>& rules, const std::vector<Tally>& tallies) {
+  std::printf("| rule | missing + false | sum | exact |");
+  for (const SolidKind kind : kSolidKinds) std::printf(" %s |", std::string(name_of(kind)).c_str());
+  std::printf("\n|---|---|---|---|---|---|---|---|---|---|\n");
+  for (std::size_t r = 0; r < rules.size(); ++r) {
+    UnionErrors sum;
+    for (const UnionErrors& errors : tallies[r].of_kind) sum += errors;
+    std::printf("| %s | %zu + %zu | %zu | %zu |", rules[r].name.c_str(), sum.missing, sum.wrong,
+                sum.sum(), tallies[r].exact);
+    for (const UnionErrors& e : tallies[r].of_kind) std::printf(" %zu + %zu |", e.missing, e.wrong);
     std::printf("\n");
-    std::fflush(stdout);
   }
-  for (std::size_t r = 0; r < rules.size(); ++r)
-    std::printf("%-36s %ld\n", rules[r].name.c_str(), sum[r]);
-  return 0;
 }
 
-void corpus(const Options& options, const std::vector<LinkRule>& rules, std::size_t spacing) {
-  std::vector<Tally> tally(rules.size());
-  std::size_t stacks = 0;
-  for (std::size_t kind = 0; kind < 6; ++kind) {
-    if (!options.only.empty() && name_of(kSolidKinds[kind]) != options.only) continue;
+void survey_corpus(const Options& options, std::size_t spacing) {
+  const std::vector<LinkRule> rules = link_rules();
+  std::vector<Tally> tallies(rules.size());
+  std::size_t stacks = 0, regions = 0, moving = 0;
+  for (std::size_t kind = 0; kind < kKinds; ++kind) {
     for (std::uint64_t k = 0; k < options.solids; ++k) {
       const SampledSolid solid = sample_solid(kSolidKinds[kind], options.seed + k, options.size);
-      const SlicedSolid sliced = slice(
-          solid, spacing, options.contours == "smooth" ? Contouring::smooth : Contouring::lattice);
-      const std::vector<SlabFacts> slabs = facts_of(sliced.stack);
+      const SlicedSolid sliced = slice(solid, spacing, options.contours);
+      const std::vector<SlabFacts> slabs = facts_of(sliced.stack, options.rest);
       ++stacks;
+      for (std::size_t s = 0; s < slabs.size(); ++s) {
+        regions += sliced.piece[s].size();
+        moving += slabs[s].moving;
+      }
       for (std::size_t r = 0; r < rules.size(); ++r) {
-        const StackLinks links = links_by(rules[r], slabs);
-        bool exact = true;
+        const std::vector<Pairs> links = links_by(rules[r], slabs);
+        UnionErrors errors;
         for (std::size_t s = 0; s < slabs.size(); ++s) {
-          const Errors e = errors_of(slabs[s], sliced.piece[s], links[s]);
-          tally[r].kind[kind].missing += e.missing;
-          tally[r].kind[kind].wrong += e.wrong;
-          if (e.missing + e.wrong > 0) exact = false;
+          errors += union_errors(slabs[s].low_area.size(), sliced.piece[s], links[s]);
         }
-        if (exact) ++tally[r].exact;
-        const auto m = moving(rules[r], slabs);
-        tally[r].moving += m.first, tally[r].regions += m.second;
+        tallies[r].of_kind[kind] += errors;
+        tallies[r].exact += errors.sum() == 0 ? 1U : 0U;
       }
     }
   }
-  std::printf("every %zu, %s, seeds %llu to %llu, %zu stacks\n", spacing, options.contours.c_str(),
+  std::printf("\nEvery %zu, seeds %llu to %llu: %zu stacks, %zu of %zu regions move.\n\n", spacing,
               static_cast<unsigned long long>(options.seed),
-              static_cast<unsigned long long>(options.seed + options.solids - 1), stacks);
-  for (std::size_t r = 0; r < rules.size(); ++r) {
-    Errors sum;
-    for (const Errors& e : tally[r].kind) sum.missing += e.missing, sum.wrong += e.wrong;
-    std::printf("%-32s %4zu + %4zu = %4zu  exact %3zu moving %4.1f %% |", rules[r].name.c_str(),
-                sum.missing, sum.wrong, sum.missing + sum.wrong, tally[r].exact,
-                100.0 * double(tally[r].moving) / double(tally[r].regions));
-    for (const Errors& e : tally[r].kind) std::printf(" %3zu+%-3zu", e.missing, e.wrong);
+              static_cast<unsigned long long>(options.seed + options.solids - 1), stacks, moving,
+              regions);
+  print_corpus(rules, tallies);
+}
+
+int survey_files(const Options& options) {
+  const std::vector<LinkRule> rules = link_rules();
+  std::vector<std::size_t> wrong(rules.size(), 0);
+  std::printf("| stack | true |");
+  for (const LinkRule& rule : rules) std::printf(" %s |", rule.name.c_str());
+  std::printf("\n|---|---|");
+  for (std::size_t r = 0; r < rules.size(); ++r) std::printf("---|");
+  std::printf("\n");
+  for (const std::filesystem::path& path : options.files) {
+    const StackTruth truth = read_stack_truth(path);
+    if (!truth.components) continue;
+    const Result<ReadStack> read = read_cnt(path.string());
+    if (!read) return usage_failure(to_string(read.error()), kUsage);
+    const std::vector<SlabFacts> slabs = facts_of(read->stack, options.rest);
+    const auto want = static_cast<std::size_t>(*truth.components);
+    std::printf("| %s | %zu |", path.stem().string().c_str(), want);
+    for (std::size_t r = 0; r < rules.size(); ++r) {
+      const std::size_t got = component_count(slabs, links_by(rules[r], slabs));
+      std::printf(" %zu |", got);
+      wrong[r] += got > want ? got - want : want - got;
+    }
     std::printf("\n");
   }
+  std::printf("| wrong | |");
+  for (const std::size_t n : wrong) std::printf(" %zu |", n);
+  std::printf("\n");
+  return 0;
+}
+
+// False where the word after an option is no value of it.
+bool take_value(const std::string& option, const std::string& word, Options& options) {
+  if (option == "--solids") return parse_number(word, options.solids);
+  if (option == "--seed") return parse_number(word, options.seed);
+  if (option == "--size") return parse_number(word, options.size);
+  if (option == "--spacing") return parse_number(word, options.spacing) && options.spacing > 0;
+  if (option == "--rest") return parse_number(word, options.rest);
+  options.contours = word == "lattice" ? Contouring::lattice : Contouring::smooth;
+  return word == "lattice" || word == "smooth";
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  constexpr const char* kUsage =
-      "usage: tetloft_criteria [--solids N] [--seed S] [--size N] [--spacing N] [--contours "
-      "smooth|lattice] [FILE.cnt …]\n";
+  const std::vector<std::string> known{"--solids",  "--seed",     "--size",
+                                       "--spacing", "--contours", "--rest"};
   Options options;
   for (int i = 1; i < argc; ++i) {
-    const std::string option = argv[i];
-    if (option.compare(0, 2, "--") != 0) {
-      options.files.push_back(option);
+    const std::string word = argv[i];
+    if (word.rfind("--", 0) != 0) {
+      options.files.emplace_back(word);
       continue;
     }
-    if (option == "--contours" || option == "--only") {
-      if (i + 1 == argc) return usage_failure(option + " has no value that it can take", kUsage);
-      (option == "--only" ? options.only : options.contours) = argv[++i];
-      continue;
+    if (std::find(known.begin(), known.end(), word) == known.end()) {
+      return usage_failure("unknown option " + word, kUsage);
     }
-    std::uint64_t* const target = option == "--solids"    ? &options.solids
-                                  : option == "--seed"    ? &options.seed
-                                  : option == "--size"    ? &options.size
-                                  : option == "--spacing" ? &options.spacing
-                                                          : nullptr;
-    if (target == nullptr) return usage_failure("unknown option " + option, kUsage);
-    if (i + 1 == argc || !parse_number(argv[i + 1], *target)) {
-      return usage_failure(option + " has no value that it can take", kUsage);
+    if (i + 1 == argc || !take_value(word, argv[++i], options)) {
+      return usage_failure(word + " has no value that it can take", kUsage);
     }
-    ++i;
   }
-  const std::vector<LinkRule> rules = all_rules();
-  if (!options.files.empty()) return survey(options, rules);
-  for (const std::size_t spacing : {std::size_t{2}, std::size_t{6}, std::size_t{12}}) {
-    if (options.spacing == 0 || options.spacing == spacing) corpus(options, rules, spacing);
+  if (!options.files.empty()) return survey_files(options);
+  if (options.spacing > 0) {
+    survey_corpus(options, options.spacing);
+  } else {
+    for (const std::size_t spacing : kSpacings) survey_corpus(options, spacing);
   }
   return 0;
 }

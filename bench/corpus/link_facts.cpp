@@ -1,12 +1,14 @@
 #include "corpus/link_facts.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <optional>
-#include <utility>
 
+#include "corpus/outline_distance.hpp"
+#include "correspondence/reverse_links.hpp"
 #include "motion/region_motions.hpp"
+#include "slab/delaunay.hpp"
+#include "slab/slab.hpp"
 #include "spatial/box_tree.hpp"
 
 namespace tetloft::bench {
@@ -15,8 +17,8 @@ namespace {
 
 using namespace internal;
 
-// A region's outline as a section of its own.
-struct Outlined {
+// A region as a section of its own.
+struct Alone {
   Section section;
   Nesting nesting;
   Box2 box;
@@ -26,120 +28,157 @@ struct Outlined {
 };
 
 // Nothing where rounding leaves no such region.
-std::optional<Outlined> moved(const RegionOutline& region, const Point2& by) {
-  SectionStack alone;
+std::optional<Alone> moved(const RegionOutline& region, const Point2& by) {
   Section section;
   for (const Contour* contour : region.contours) {
     Contour copy = *contour;
     for (Point2& p : copy.vertices) p = {p.x + by.x, p.y + by.y};
     section.contours.push_back(std::move(copy));
   }
-  alone.sections.push_back(std::move(section));
-  if (!validate(alone)) return std::nullopt;
-  Outlined result{std::move(alone.sections[SectionId(0)]), {}, {}};
+  SectionStack stack;
+  stack.sections.push_back(std::move(section));
+  if (!validate(stack)) return std::nullopt;
+  Alone result{std::move(stack.sections[SectionId(0)]), {}, {}};
   result.nesting = nest(result.section);
   if (result.nesting.outer.size() != 1) return std::nullopt;
   for (const Point2& p : result.section.contours[ContourId(0)].vertices) result.box.add(p);
   return result;
 }
 
-double ratio(const std::optional<Outlined>& a, const std::optional<Outlined>& b) {
+double ratio(const std::optional<Alone>& a, const std::optional<Alone>& b) {
   if (!a || !b || !a->box.meets(b->box)) return 0;
   return overlap_ratio(a->outline(), b->outline());
 }
 
-double point_segment(const Point2& p, const Point2& a, const Point2& b) {
-  const double dx = b.x - a.x, dy = b.y - a.y;
-  const double t =
-      std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / (dx * dx + dy * dy), 0.0, 1.0);
-  const double ex = p.x - a.x - t * dx, ey = p.y - a.y - t * dy;
-  return ex * ex + ey * ey;
-}
-
-using Segments = std::vector<std::pair<Point2, Point2>>;
-
-// The edges within reach of the box.
-Segments edges_near(const RegionOutline& region, Box2 box, double reach) {
-  box.x0 -= reach, box.y0 -= reach, box.x1 += reach, box.y1 += reach;
-  Segments result;
-  for (const Contour* c : region.contours) {
-    Point2 last = c->vertices.back();
-    for (const Point2& p : c->vertices) {
-      if (box_of(last, p).meets(box)) result.emplace_back(last, p);
-      last = p;
-    }
-  }
-  return result;
-}
-
-// The distance of two outlines that do not overlap, or some number above `reach`.
-double distance(const Outlined& a, const Outlined& b, double reach) {
-  const Segments s = edges_near(a.outline(), b.box, reach);
-  const Segments t = edges_near(b.outline(), a.box, reach);
-  double least = 4 * reach * reach;
-  for (const auto& e : s) {
-    for (const auto& f : t) {
-      least = std::min({least, point_segment(e.first, f.first, f.second),
-                        point_segment(e.second, f.first, f.second),
-                        point_segment(f.first, e.first, e.second),
-                        point_segment(f.second, e.first, e.second)});
-    }
-  }
-  return std::sqrt(least);
-}
-
-struct Placed {
-  std::optional<Outlined> here, whole, half;
+// A region of a slab: as it lies, its motion, the least ratio of its overlaps.
+struct Region {
+  std::optional<Alone> here;
+  Point2 motion;
+  double least = std::numeric_limits<double>::infinity();
+  bool rests = false, wanted = false;
 };
 
-std::vector<Placed> placed(const Section& section, const Nesting& nesting,
-                           const IdVector<RegionId, std::optional<Point2>>& motions, double sign) {
-  std::vector<Placed> result;
-  for (std::size_t r = 0; r < nesting.outer.size(); ++r) {
-    const RegionOutline region = outline(section, nesting, RegionId(r));
-    const Point2 u = motions[RegionId(r)].value();
-    result.push_back({moved(region, {0, 0}), moved(region, {sign * u.x, sign * u.y}),
-                      moved(region, {sign * u.x / 2, sign * u.y / 2})});
+std::vector<Region> regions_of(const Section& section, const Nesting& nesting) {
+  std::vector<Region> result;
+  for (const RegionOutline& region : outlines(section, nesting)) {
+    result.push_back({moved(region, {0, 0}), {}});
   }
   return result;
+}
+
+// Those within kReach, with what they are as they lie.
+std::vector<PairFacts> near_pairs(const std::vector<Region>& lows, const std::vector<Region>& highs,
+                                  double gap) {
+  std::vector<PairFacts> result;
+  const double reach = kReach * gap;
+  for (std::size_t i = 0; i < lows.size(); ++i) {
+    const Box2& box = lows[i].here->box;
+    const Box2 wide{box.x0 - reach, box.y0 - reach, box.x1 + reach, box.y1 + reach};
+    for (std::size_t j = 0; j < highs.size(); ++j) {
+      if (!wide.meets(highs[j].here->box)) continue;
+      PairFacts pair{i, j};
+      pair.plain = ratio(lows[i].here, highs[j].here);
+      if (pair.plain == 0) {
+        pair.distance =
+            outline_distance(lows[i].here->outline(), highs[j].here->outline(), reach) / gap;
+      }
+      if (pair.distance < kReach) result.push_back(pair);
+    }
+  }
+  return result;
+}
+
+// Which regions rest, and which are to be moved.
+void find_movers(const std::vector<PairFacts>& pairs, double rest, std::vector<Region>& lows,
+                 std::vector<Region>& highs) {
+  for (const PairFacts& p : pairs) {
+    lows[p.low].wanted = highs[p.high].wanted = true;
+    if (p.plain == 0) continue;
+    lows[p.low].rests = highs[p.high].rests = true;
+    lows[p.low].least = std::min(lows[p.low].least, p.plain);
+    highs[p.high].least = std::min(highs[p.high].least, p.plain);
+  }
+  for (const PairFacts& p : pairs) {
+    if (p.plain == 0 || std::min(lows[p.low].least, highs[p.high].least) >= rest) continue;
+    lows[p.low].rests = highs[p.high].rests = false;
+  }
+  for (std::vector<Region>* regions : {&lows, &highs}) {
+    for (Region& region : *regions) region.wanted = region.wanted && !region.rests;
+  }
+}
+
+void move(SlabId slab, const SectionStack& stack, const IdVector<SectionId, Nesting>& nestings,
+          std::vector<Region>& lows, std::vector<Region>& highs) {
+  const auto wanted = [](const std::vector<Region>& regions) {
+    std::vector<RegionId> result;
+    for (std::size_t r = 0; r < regions.size(); ++r) {
+      if (regions[r].wanted) result.emplace_back(r);
+    }
+    return result;
+  };
+  const SlabMotions motions =
+      estimate_motions(slab, stack, nestings, {wanted(lows), wanted(highs)});
+  for (std::size_t r = 0; r < lows.size(); ++r) {
+    lows[r].motion = motions.lower[RegionId(r)].value_or(Point2{});
+  }
+  for (std::size_t r = 0; r < highs.size(); ++r) {
+    highs[r].motion = motions.upper[RegionId(r)].value_or(Point2{});
+  }
+}
+
+void compare_moved(const Region& low, const Region& high, PairFacts& pair) {
+  if (low.rests && high.rests) {
+    pair.moved_low = pair.moved_high = pair.moved_both = pair.plain;
+    return;
+  }
+  const Point2& u = low.motion;
+  const Point2& v = high.motion;
+  pair.moved_low = ratio(moved(low.here->outline(), u), high.here);
+  pair.moved_high = ratio(low.here, moved(high.here->outline(), {-v.x, -v.y}));
+  pair.moved_both =
+      ratio(moved(low.here->outline(), {(u.x + v.x) / 2, (u.y + v.y) / 2}), high.here);
+}
+
+Pairs reverse_pairs(SlabId slab, const ConformingSection& below, const ConformingSection& above) {
+  TetMesh mesh = slab_delaunay(slab, below, above, DelaunayEngine::slab,
+                               std::numeric_limits<double>::infinity())
+                     .value();
+  Pairs pairs;
+  for (const Link& l : reverse_links(slab, Slab(below, above, std::move(mesh)))) {
+    pairs.emplace_back(l.lower.index(), l.upper.index());
+  }
+  return pairs;
 }
 
 }  // namespace
 
-std::vector<SlabFacts> facts_of(const SectionStack& stack) {
+std::vector<SlabFacts> facts_of(const SectionStack& stack, double rest) {
   IdVector<SectionId, Nesting> nestings;
-  for (const Section& section : stack.sections) nestings.push_back(nest(section));
+  IdVector<SectionId, ConformingSection> conforming;
+  for (const Section& section : stack.sections) {
+    nestings.push_back(nest(section));
+    conforming.push_back(conform(section, conforming.end_id(), {}).value());
+  }
   std::vector<SlabFacts> result;
   for (std::size_t k = 0; k + 1 < stack.sections.size(); ++k) {
     const SectionId below(k), above(k + 1);
+    std::vector<Region> lows = regions_of(stack.sections[below], nestings[below]);
+    std::vector<Region> highs = regions_of(stack.sections[above], nestings[above]);
     SlabFacts slab;
     slab.gap = stack.sections[above].z - stack.sections[below].z;
-    WantedRegions wanted;
-    for (std::size_t r = 0; r < nestings[below].outer.size(); ++r) wanted.lower.emplace_back(r);
-    for (std::size_t r = 0; r < nestings[above].outer.size(); ++r) wanted.upper.emplace_back(r);
-    const SlabMotions motions = estimate_motions(SlabId(k), stack, nestings, wanted);
-    const auto lows = placed(stack.sections[below], nestings[below], motions.lower, 1);
-    const auto highs = placed(stack.sections[above], nestings[above], motions.upper, -1);
-    for (const Placed& p : lows) slab.low_area.push_back(area(p.here->outline()));
-    for (const Placed& p : highs) slab.high_area.push_back(area(p.here->outline()));
-    const double reach = kReach * slab.gap;
-    for (std::size_t i = 0; i < lows.size(); ++i) {
-      for (std::size_t j = 0; j < highs.size(); ++j) {
-        Box2 wide = lows[i].here->box;
-        wide.x0 -= reach, wide.y0 -= reach, wide.x1 += reach, wide.y1 += reach;
-        if (!wide.meets(highs[j].here->box)) continue;
-        PairFacts pair{i, j};
-        pair.plain = ratio(lows[i].here, highs[j].here);
-        if (pair.plain == 0) {
-          pair.distance = distance(*lows[i].here, *highs[j].here, reach) / slab.gap;
-        }
-        if (pair.distance >= kReach) continue;
-        pair.moved_low = ratio(lows[i].whole, highs[j].here);
-        pair.moved_high = ratio(lows[i].here, highs[j].whole);
-        pair.moved_half = ratio(lows[i].half, highs[j].half);
-        slab.pairs.push_back(pair);
-      }
+    slab.pairs = near_pairs(lows, highs, slab.gap);
+    find_movers(slab.pairs, rest, lows, highs);
+    move(SlabId(k), stack, nestings, lows, highs);
+    for (PairFacts& pair : slab.pairs) compare_moved(lows[pair.low], highs[pair.high], pair);
+    for (const Region& r : lows) {
+      slab.low_area.push_back(area(r.here->outline()));
+      slab.moving += r.wanted ? 1U : 0U;
     }
+    for (const Region& r : highs) {
+      slab.high_area.push_back(area(r.here->outline()));
+      slab.moving += r.wanted ? 1U : 0U;
+    }
+    slab.reverse = reverse_pairs(SlabId(k), conforming[below], conforming[above]);
     result.push_back(std::move(slab));
   }
   return result;

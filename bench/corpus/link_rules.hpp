@@ -1,37 +1,34 @@
 // Rules of correspondence, by what they link.
 #pragma once
 
+#include <cstdint>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "corpus/link_facts.hpp"
 
 namespace tetloft::bench {
 
-/// What is compared with the threshold.
-enum class Evidence : std::uint8_t { plain, moved_max, moved_mean, moved_smaller, moved_half };
+/// What a rule compares with its threshold: overlap as regions lie, or moved overlap, of which the
+/// larger, the mean, or that under the mean of both motions. Or links by reverse tets alone.
+enum class Evidence : std::uint8_t { reverse, plain, moved_larger, moved_mean, moved_both };
 
 struct LinkRule {
   std::string name;
   Evidence evidence = Evidence::plain;
-  double tau = 0.02;
+  double tau = 0;
   /// The threshold grows by this with the distance in gaps.
   double slope = 0;
   /// A weaker link yields where both regions have one as strong as this; above 1: no guard.
   double guard = 2;
+  /// Regions without any link get one.
   bool lone = false;
-  /// A region that overlaps one region alone, which overlaps it alone, by this ratio or more, does
-  /// not move; above 1: every region moves.
-  double clear = 2;
-  int mode = 0;
 };
 
-/// By slab, the regions linked.
-/// How many regions move, and of how many, summed over slabs.
-std::pair<std::size_t, std::size_t> moving(const LinkRule& rule,
-                                           const std::vector<SlabFacts>& slabs);
-using StackLinks = std::vector<std::vector<std::pair<std::size_t, std::size_t>>>;
-[[nodiscard]] StackLinks links_by(const LinkRule& rule, const std::vector<SlabFacts>& slabs);
+[[nodiscard]] std::vector<LinkRule> link_rules();
+
+/// The links of each slab.
+[[nodiscard]] std::vector<Pairs> links_by(const LinkRule& rule,
+                                          const std::vector<SlabFacts>& slabs);
 
 }  // namespace tetloft::bench

@@ -36,7 +36,10 @@ struct CheckOptions {
   /// An inserted vertex may lie this many ulps (of the largest coordinate magnitude of its
   /// contour edge) off the edge.
   double split_ulps = 4;
-  std::size_t places = 5;    ///< how many places to report for each failure
+  std::size_t places = 5;  ///< how many places to report for each failure
+  /// By correspondence `moved`: estimate motions anew, too, and ask that the model's are the same,
+  /// bit for bit. Otherwise they are taken from the model, where the rule has any.
+  bool recompute_motions = false;
   Execution execution = {};  ///< threads share the guarantees
 };
 
@@ -56,9 +59,16 @@ struct TETLOFT_API CheckReport {
   double largest_split_ulps = 0;  ///< of inserted vertices off their contour edge
   /// Vertices in section planes off the contours, as meshers insert them; reconstruct makes none.
   std::size_t inner_vertices = 0;
+  /// Links of the correspondence that the model says no tets could realise (rule 8): they are left
+  /// out where guarantee 4 is decided.
+  std::size_t dropped_links = 0;
 };
 
 /// Checks points and tets of `model` (not its labels and provenance) against the input.
+///
+/// Guarantee 4: the correspondence is computed anew, from the input and the options. Two things are
+/// taken from the model: its motions, by `moved` (but see recompute_motions), and which links were
+/// dropped. Both are refused where the rule has no such motion or candidate.
 ///
 /// Guarantee 2: cutting the solid with a section plane gives back the section's region as a set,
 /// on each side on which the stack goes on; the input's vertices are vertices of the model, bit for
@@ -68,9 +78,9 @@ struct TETLOFT_API CheckReport {
 /// a tet that crosses a section plane (reconstruct makes none) leaves no faces there to look at.
 ///
 /// Takes any model: what is malformed (ids out of range, coordinates that are not finite, …)
-/// fails a guarantee. Refused (invalid_input) for an invalid stack, invalid labels or 2^30
-/// tets, (usage) for options out of range, (cancelled) if it was stopped. Both ends may be flat or
-/// extend beyond the stack.
+/// fails a guarantee. Refused (invalid_input) for an invalid stack, invalid labels or decisions or
+/// 2^30 tets, (usage) for options out of range, (cancelled) if it was stopped. Both ends may be
+/// flat or extend beyond the stack.
 [[nodiscard]] TETLOFT_API Result<CheckReport> check(const Model& model, const SectionStack& stack,
                                                     const CheckOptions& options = {});
 

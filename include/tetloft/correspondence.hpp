@@ -111,8 +111,14 @@ struct LinkDecision {
   bool join = true;  ///< or part
 };
 
+/// What a user decides: the contents of a file of labels.
+struct Labels {
+  std::vector<Label> labels = {};
+  std::vector<LinkDecision> decisions = {};
+};
+
 struct CorrespondenceOptions {
-  Criterion criterion = Criterion::overlap;
+  Criterion criterion = Criterion::moved;
   /// The threshold of `overlap` and `moved`, in [0, 1); none: kDefaultOverlap, kDefaultMoved.
   std::optional<double> tau = std::nullopt;
   /// Rule 2: oblique parts whose neighbouring sections do not overlap.

@@ -57,13 +57,14 @@ enum class Validity { required, unchecked };
 /// The bytes that write_cnt() writes; and so with each format_ below.
 [[nodiscard]] TETLOFT_API Result<std::string> format_cnt(const SectionStack& stack);
 
-/// Lines "section contour label", zero-based; # starts a comment.
-[[nodiscard]] TETLOFT_API Result<std::vector<Label>> read_labels(const std::string& path);
-[[nodiscard]] TETLOFT_API Result<std::vector<Label>> parse_labels(std::string_view text,
-                                                                  const std::string& name);
-[[nodiscard]] TETLOFT_API Result<void> write_labels(const std::string& path,
-                                                    const std::vector<Label>& labels);
-[[nodiscard]] TETLOFT_API Result<std::string> format_labels(const std::vector<Label>& labels);
+/// Lines "section contour label", and "join section contour other" or "part section contour other":
+/// decisions on the link between a contour of a section and another of the section above.
+/// Zero-based; # starts a comment. Refused where two lines say join and part of the same.
+[[nodiscard]] TETLOFT_API Result<Labels> read_labels(const std::string& path);
+[[nodiscard]] TETLOFT_API Result<Labels> parse_labels(std::string_view text,
+                                                      const std::string& name);
+[[nodiscard]] TETLOFT_API Result<void> write_labels(const std::string& path, const Labels& labels);
+[[nodiscard]] TETLOFT_API Result<std::string> format_labels(const Labels& labels);
 
 enum class Encoding { binary, ascii };
 

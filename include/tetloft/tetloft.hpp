@@ -11,6 +11,7 @@
 #include <tetloft/geiger.hpp>
 #include <tetloft/ids.hpp>
 #include <tetloft/io.hpp>
+#include <tetloft/links.hpp>
 #include <tetloft/model.hpp>
 #include <tetloft/point.hpp>
 #include <tetloft/predicates.hpp>

@@ -80,7 +80,8 @@ class Checks {
     work_.step_done_go_on();
     const auto components = checking::check_components(view_, stack_, resampling, options_);
     if (components.ok()) {
-      components_ = components->verdict();
+      components_ = components->findings.verdict();
+      report_.dropped_links = components->dropped_links;
     } else {
       refused_ = components.error();
     }

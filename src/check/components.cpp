@@ -1,5 +1,6 @@
 // Guarantee 4: the partition of contours by the model's components is the partition
-// recomputed from the input and the options.
+// recomputed from the input and the options, and from what the model says of motions and of links
+// that were dropped, as far as that may be.
 #include "check/components.hpp"
 
 #include <string>
@@ -69,27 +70,42 @@ void compare_within_classes(const std::vector<std::size_t>& set, std::size_t set
   }
 }
 
+void report_claims(const ExpectedPartition& partition, Findings& findings) {
+  const auto report = [&](int condition, const char* what, const std::vector<std::string>& places) {
+    for (const std::string& place : places) {
+      findings.fail(condition, what, [&] { return place; });
+    }
+  };
+  report(6, "the rule has no such motion", partition.wrong_motions);
+  report(7, "a link cannot have been dropped", partition.wrong_dropped);
+  report(8, "a motion is not the one estimated anew", partition.other_motions);
+}
+
 }  // namespace
 
-Result<Findings> check_components(const ModelView& view, const SectionStack& stack,
-                                  const Resampling& resampling, const CheckOptions& options) {
-  Findings findings(4, "components", options.places);
+Result<Components> check_components(const ModelView& view, const SectionStack& stack,
+                                    const Resampling& resampling, const CheckOptions& options) {
+  Components result{Findings(4, "components", options.places)};
+  Findings& findings = result.findings;
   const OnContours& on = resampling.on_contours;
   const std::vector<std::uint32_t> component = components_of_contours(view, on, findings);
 
-  auto partition = expected_partition(stack, resampling.refined, options.correspondence);
+  auto partition = expected_partition(stack, resampling.refined, options.correspondence,
+                                      {view.links, view.motions}, options.recompute_motions);
   if (!accepted(partition)) {
     // What conform() makes of a contour that the model bends badly is the model's fault.
     if (partition.error().code == ErrorCode::invalid_input) return partition.error();
     findings.fail(5, "the correspondence cannot be recomputed",
                   [&] { return to_string(partition.error()); });
-    return findings;
+    return result;
   }
   if (partition->unrealised.has_value()) {
     findings.fail(5, "the correspondence cannot be recomputed", [&] {
       return "label " + std::to_string(*partition->unrealised) + " cannot be realised";
     });
   }
+  report_claims(*partition, findings);
+  result.dropped_links = partition->dropped;
   const auto pair_text = [&](std::size_t a, std::size_t b) {
     return numbered_contour_text(on, a) + " and " + numbered_contour_text(on, b);
   };
@@ -113,7 +129,7 @@ Result<Findings> check_components(const ModelView& view, const SectionStack& sta
         findings.fail(4, "contours that do not correspond lie in one component",
                       [&] { return pair_text(a, b); });
       });
-  return findings;
+  return result;
 }
 
 }  // namespace tetloft::internal::checking

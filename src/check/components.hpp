@@ -6,10 +6,15 @@
 
 namespace tetloft::internal::checking {
 
-/// Guarantee 4, conditions 4.1 to 4.5 of README.md: the face-connected components of the
+struct Components {
+  Findings findings;
+  std::size_t dropped_links = 0;
+};
+
+/// Guarantee 4, conditions 4.1 to 4.8 of README.md: the face-connected components of the
 /// model part the contours as the correspondence says. Refused where labels are invalid.
-[[nodiscard]] Result<Findings> check_components(const ModelView& view, const SectionStack& stack,
-                                                const Resampling& resampling,
-                                                const CheckOptions& options);
+[[nodiscard]] Result<Components> check_components(const ModelView& view, const SectionStack& stack,
+                                                  const Resampling& resampling,
+                                                  const CheckOptions& options);
 
 }  // namespace tetloft::internal::checking

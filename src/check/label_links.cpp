@@ -1,11 +1,9 @@
-// Labels: rules 2 to 4 of correspondence.hpp, decided for the whole stack.
+// Labels: rules 5 to 7 of correspondence.hpp, decided for the whole stack.
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <utility>
-
-#include <tetloft/overlap.hpp>
 
 #include "check/box_tree.hpp"
 #include "check/partition.hpp"
@@ -46,7 +44,7 @@ class LabelledSets {
 class VertexDistances {
  public:
   VertexDistances(const SectionStack& stack, const Regions& regions)
-      : stack_(stack), regions_(regions), points_(regions.size()), trees_(regions.size()) {
+      : regions_(regions), points_(regions.size()), trees_(regions.size()) {
     for (std::size_t s = 0; s < stack.sections.size(); ++s) {
       const auto& contours = stack.sections[SectionId(s)].contours;
       for (std::size_t c = 0; c < contours.size(); ++c) {
@@ -72,20 +70,17 @@ class VertexDistances {
         return std::hypot(p.x - q.x, p.y - q.y);
       });
     }
-    const double gap = stack_.sections[SectionId(regions_.section[link.upper])].z -
-                       stack_.sections[SectionId(regions_.section[link.lower])].z;
-    return at->second = std::hypot(best, gap);
+    return at->second = std::hypot(best, regions_.gap(link));
   }
 
  private:
-  const SectionStack& stack_;
   const Regions& regions_;
   std::vector<std::vector<Point2>> points_;
   std::vector<BoxTree> trees_;
   std::map<Link, double> known_;
 };
 
-// A path through sets, compared as rule 4 says.
+// A path through sets, compared as rule 7 says.
 struct Path {
   double distance = 0;
   std::vector<Link> links;
@@ -97,12 +92,13 @@ struct Path {
   }
 };
 
-// Rule 4 for one label: the path from the set of `start` to another set of its label.
+// Rule 7 for one label: the path from the set of `start` to another set of its label.
 // Dijkstra's algorithm over sets.
 class PathFinder {
  public:
-  PathFinder(const Regions& regions, const LabelledSets& sets, VertexDistances& distances)
-      : regions_(regions), sets_(sets), distances_(distances) {
+  PathFinder(const Regions& regions, const LabelledSets& sets, const std::set<Link>& closed,
+             VertexDistances& distances)
+      : regions_(regions), sets_(sets), closed_(closed), distances_(distances) {
     for (std::size_t r = 0; r < regions.size(); ++r) members_[sets.find(r)].push_back(r);
   }
 
@@ -137,7 +133,8 @@ class PathFinder {
           (of_set.has_value() && *of_set != label)) {
         continue;
       }
-      const Link link{std::min(region, to), std::max(region, to)};
+      const Link link = link_between(region, to);
+      if (closed_.count(link) != 0) continue;
       Path longer = path;
       longer.distance += distances_.between(link);
       longer.links.push_back(link);
@@ -148,31 +145,32 @@ class PathFinder {
 
   const Regions& regions_;
   const LabelledSets& sets_;
+  const std::set<Link>& closed_;
   VertexDistances& distances_;
   std::map<std::size_t, std::vector<std::size_t>> members_;
 };
 
-// Rule 3.
-void accept_by_evidence(const SectionStack& stack, const Regions& regions,
-                        const std::vector<Link>& candidates, LabelledSets& sets) {
-  std::vector<std::pair<double, Link>> ordered;
-  for (const Link& link : candidates) {
-    const std::size_t slab = regions.section[link.lower];
-    const RegionOutline lower =
-        outline(stack.sections[SectionId(slab)], regions.nesting[slab], regions.local(link.lower));
-    const RegionOutline upper = outline(stack.sections[SectionId(slab + 1)],
-                                        regions.nesting[slab + 1], regions.local(link.upper));
-    ordered.emplace_back(-overlap_ratio(lower, upper), link);
+// Rules 5 and 6. Returns a joined pair of different labels, if there is one.
+std::optional<Link> accept_by_evidence(std::vector<Candidate> candidates, LabelledSets& sets) {
+  std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
+    if (a.joined != b.joined) return a.joined;
+    if (!a.joined && a.s != b.s) return a.s > b.s;
+    return a.link < b.link;
+  });
+  for (const auto& [link, s, joined] : candidates) {
+    if (sets.may_unite(link.lower, link.upper)) {
+      sets.unite(link.lower, link.upper);
+    } else if (joined) {
+      return link;
+    }
   }
-  std::sort(ordered.begin(), ordered.end());
-  for (const auto& [evidence, link] : ordered) {
-    if (sets.may_unite(link.lower, link.upper)) sets.unite(link.lower, link.upper);
-  }
+  return std::nullopt;
 }
 
-// Rule 4. Returns a label that cannot be realised, if there is one.
+// Rule 7. Returns a label that cannot be realised, if there is one.
 RegionLabel connect_labels(const SectionStack& stack, const Regions& regions,
-                           const std::vector<RegionLabel>& label, LabelledSets& sets) {
+                           const std::vector<RegionLabel>& label, const std::set<Link>& closed,
+                           LabelledSets& sets) {
   std::map<std::uint32_t, std::vector<std::size_t>> regions_of;
   for (std::size_t r = 0; r < label.size(); ++r) {
     if (label[r].has_value()) regions_of[*label[r]].push_back(r);
@@ -184,7 +182,7 @@ RegionLabel connect_labels(const SectionStack& stack, const Regions& regions,
                          [&](std::size_t r) { return sets.find(r) != sets.find(own.front()); });
     };
     while (apart()) {
-      const auto path = PathFinder(regions, sets, distances).find(members.front(), value);
+      const auto path = PathFinder(regions, sets, closed, distances).find(members.front(), value);
       if (!path.has_value()) return value;
       for (const Link& link : path->links) sets.unite(link.lower, link.upper);
     }
@@ -195,17 +193,15 @@ RegionLabel connect_labels(const SectionStack& stack, const Regions& regions,
 }  // namespace
 
 RegionSets unite_regions(const SectionStack& stack, const Regions& regions,
-                         const std::vector<Link>& candidates,
-                         const std::vector<RegionLabel>& label) {
+                         std::vector<Candidate> candidates, const std::vector<RegionLabel>& label,
+                         const std::set<Link>& closed) {
   LabelledSets sets(label);
   RegionSets result;
+  result.contradicted = accept_by_evidence(std::move(candidates), sets);
   const bool labelled =
       std::any_of(label.begin(), label.end(), [](const RegionLabel& l) { return l.has_value(); });
-  if (labelled) {
-    accept_by_evidence(stack, regions, candidates, sets);
-    result.unrealised = connect_labels(stack, regions, label, sets);
-  } else {
-    for (const Link& link : candidates) sets.unite(link.lower, link.upper);
+  if (labelled && !result.contradicted.has_value()) {
+    result.unrealised = connect_labels(stack, regions, label, closed, sets);
   }
   for (std::size_t r = 0; r < regions.size(); ++r) result.set.push_back(sets.find(r));
   return result;

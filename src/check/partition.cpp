@@ -1,89 +1,112 @@
-// Candidates by overlap, and the rule as a whole.
+// The rule as a whole.
 #include "check/partition.hpp"
 
 #include <algorithm>
 #include <utility>
 
-#include <tetloft/overlap.hpp>
-
-#include "check/box_tree.hpp"
+#include "core/unit_of_length.hpp"
+#include "sections/scaling.hpp"
 
 namespace tetloft::internal::checking {
 
 namespace {
 
-Box2 bounds(const Contour& contour) {
-  Box2 box{contour.vertices.front(), contour.vertices.front()};
-  for (const Point2& p : contour.vertices) box.include({p, p});
-  return box;
-}
+// Rules 1 to 4.
+class CandidateFinder {
+ public:
+  CandidateFinder(const Regions& regions, const Motions& motions,
+                  const CorrespondenceOptions& options)
+      : regions_(regions), m_(regions, motions), options_(options) {}
 
-// Boxes of a section's regions: of their outer contours.
-std::vector<Box2> region_boxes(const Section& section, const Nesting& nesting) {
-  std::vector<Box2> boxes;
-  for (const ContourId outer : nesting.outer) boxes.push_back(bounds(section.contours[outer]));
-  return boxes;
-}
+  // In the order of links.
+  Result<std::vector<Candidate>> run(const SectionStack& refined, const DecidedLinks& decided) {
+    if (auto good = by_criterion(refined); !good.ok()) return good.error();
+    if (options_.criterion != Criterion::reverse) {
+      if (options_.chain) {
+        for (const Candidate& chain : chain_links(regions_, links()))
+          found_.emplace(chain.link, chain.s);
+      }
+      if (options_.lone) {
+        for (const Link& link : lone_links(regions_, m_, links())) add(link);
+      }
+    }
+    for (const Link& link : decided.parted) found_.erase(link);
+    for (const Link& link : decided.joined) add(link);
+    std::vector<Candidate> candidates;
+    for (const auto& [link, s] : found_) {
+      candidates.push_back({link, s, decided.joined.count(link) != 0});
+    }
+    return candidates;
+  }
 
-struct Overlap {
-  Link link;
-  bool strong = false;  // r ≥ kStrongOverlap, 1/4
+ private:
+  Result<void> by_criterion(const SectionStack& refined) {
+    const double tau = threshold_of(options_);
+    std::vector<Link> links;
+    switch (options_.criterion) {
+      case Criterion::overlap: links = overlap_links(regions_, tau); break;
+      case Criterion::moved: links = moved_links(regions_, m_, tau); break;
+      case Criterion::reverse: {
+        auto reverse = reverse_links(refined, regions_);
+        if (!reverse.ok()) return reverse.error();
+        links = *std::move(reverse);
+      }
+    }
+    for (const Link& link : links) add(link);
+    return {};
+  }
+
+  // With s, which only labels ask for.
+  void add(const Link& link) {
+    found_.emplace(link, options_.labels.empty() ? 0 : score(regions_, m_, link));
+  }
+
+  [[nodiscard]] std::vector<Link> links() const {
+    std::vector<Link> links;
+    for (const auto& [link, s] : found_) links.push_back(link);
+    return links;
+  }
+
+  const Regions& regions_;
+  MovedRatios m_;
+  const CorrespondenceOptions& options_;
+  std::map<Link, double> found_;  // with s
 };
 
-// All pairs of one slab with r > tau.
-std::vector<Overlap> overlaps_in_slab(const SectionStack& stack, const Regions& regions,
-                                      std::size_t slab, double tau) {
-  const Section& below = stack.sections[SectionId(slab)];
-  const Section& above = stack.sections[SectionId(slab + 1)];
-  const BoxTree upper_boxes(region_boxes(above, regions.nesting[slab + 1]));
-  const std::vector<Box2> lower_boxes = region_boxes(below, regions.nesting[slab]);
-  std::vector<Overlap> overlaps;
-  for (std::size_t r = 0; r < lower_boxes.size(); ++r) {
-    const RegionOutline lower = outline(below, regions.nesting[slab], RegionId(r));
-    upper_boxes.meeting(lower_boxes[r], [&](std::uint32_t q) {
-      const RegionOutline upper = outline(above, regions.nesting[slab + 1], RegionId(q));
-      if (compare_overlap(lower, upper, tau) == Sign::positive) {
-        const bool strong = compare_overlap(lower, upper, kStrongOverlap) != Sign::negative;
-        overlaps.push_back({{regions.first[slab] + r, regions.first[slab + 1] + q}, strong});
+std::string passage_text(const Regions& regions, const Passage& passage) {
+  const std::size_t s = regions.section[passage.region];
+  const RegionId r(passage.region - regions.first[s]);
+  return "section " + std::to_string(s) + " contour " +
+         std::to_string(regions.nesting[s].outer[r].index()) +
+         (passage.up ? ", upwards" : ", downwards");
+}
+
+// Where they differ.
+std::vector<std::string> differences(const Regions& regions, const Motions& claimed,
+                                     const Motions& estimated) {
+  std::vector<std::string> texts;
+  const auto compare = [&](const Motions& one, const Motions& other, bool both) {
+    for (const auto& [passage, by] : one) {
+      const auto same = other.find(passage);
+      if (same == other.end() ? by != Point2{0, 0} : both && same->second != by) {
+        texts.push_back(passage_text(regions, passage));
       }
-      return true;
-    });
-  }
-  return overlaps;
+    }
+  };
+  compare(claimed, estimated, true);
+  compare(estimated, claimed, false);
+  return texts;
+}
+
+Error contradiction(const Regions& regions, const Link& joined) {
+  Place place;
+  place.section = regions.section[joined.lower];
+  const RegionId region(joined.lower - regions.first[*place.section]);
+  place.contour = regions.nesting[*place.section].outer[region].index();
+  return {ErrorCode::invalid_input, "a decision joins its region to one of another label", place};
 }
 
 }  // namespace
-
-Regions number_regions(const SectionStack& stack) {
-  Regions regions;
-  for (std::size_t s = 0; s < stack.sections.size(); ++s) {
-    regions.nesting.push_back(nest(stack.sections[SectionId(s)]));
-    regions.first.push_back(regions.section.size());
-    regions.section.insert(regions.section.end(), regions.nesting.back().outer.size(), s);
-  }
-  regions.first.push_back(regions.section.size());
-  return regions;
-}
-
-std::vector<Link> overlap_links(const SectionStack& stack, const Regions& regions, double tau) {
-  std::vector<Link> links;
-  for (std::size_t slab = 0; slab + 1 < stack.sections.size(); ++slab) {
-    const std::vector<Overlap> overlaps = overlaps_in_slab(stack, regions, slab, tau);
-    // A weak link has no strong one to discount: any strong link of its regions is another.
-    std::vector<std::uint8_t> has_strong(regions.size(), 0);
-    for (const Overlap& overlap : overlaps) {
-      if (!overlap.strong) continue;
-      has_strong[overlap.link.lower] = 1;
-      has_strong[overlap.link.upper] = 1;
-    }
-    for (const auto& [link, strong] : overlaps) {
-      if (!strong && has_strong[link.lower] != 0 && has_strong[link.upper] != 0) continue;
-      links.push_back(link);
-    }
-  }
-  std::sort(links.begin(), links.end());
-  return links;
-}
 
 Result<std::vector<std::optional<std::uint32_t>>> label_regions(const Regions& regions,
                                                                 const std::vector<Label>& labels) {
@@ -108,21 +131,41 @@ Result<std::vector<std::optional<std::uint32_t>>> label_regions(const Regions& r
   return of_region;
 }
 
-Result<ExpectedPartition> expected_partition(const SectionStack& stack, const SectionStack& refined,
-                                             const CorrespondenceOptions& options) {
+Result<ExpectedPartition> expected_partition(const SectionStack& given, const SectionStack& refined,
+                                             const CorrespondenceOptions& options,
+                                             const Claims& claims, bool estimate_anew) {
+  // In the stack's unit of length neither distances nor their quotients leave the range of doubles.
+  const int exponent = sections::unit_of(given).exponent();
+  const SectionStack stack = sections::scaled(given, exponent);
   const Regions regions = number_regions(stack);
   auto label = label_regions(regions, options.labels);
   if (!label.ok()) return label.error();
-  std::vector<Link> candidates;
-  if (options.criterion == Criterion::overlap) {
-    candidates = overlap_links(stack, regions, threshold_of(options));
-  } else {
-    auto links = reverse_links(refined, regions);
-    if (!links.ok()) return links.error();
-    candidates = *std::move(links);
-  }
-  const RegionSets sets = unite_regions(stack, regions, candidates, *label);
+  auto decided = decided_links(regions, options.decisions);
+  if (!decided.ok()) return decided.error();
+
   ExpectedPartition expected;
+  Motions motions;
+  if (options.criterion == Criterion::moved) {
+    ClaimedMotions claimed = claimed_motions(regions, claims.motions, exponent);
+    expected.wrong_motions = std::move(claimed.wrong);
+    motions = std::move(claimed.motions);
+    if (estimate_anew) {
+      Motions anew = estimated_motions(stack, regions);
+      expected.other_motions = differences(regions, motions, anew);
+      motions = std::move(anew);
+    }
+  }
+  auto candidates = CandidateFinder(regions, motions, options).run(refined, *decided);
+  if (!candidates.ok()) return candidates.error();
+  DroppedLinks dropped = dropped_links(regions, claims.links, *candidates);
+  expected.dropped = dropped.links.size();
+  expected.wrong_dropped = std::move(dropped.wrong);
+  std::erase_if(*candidates, [&](const Candidate& c) { return dropped.links.count(c.link) != 0; });
+  std::set<Link> closed = std::move(decided->parted);
+  closed.merge(dropped.links);
+
+  const RegionSets sets = unite_regions(stack, regions, *std::move(candidates), *label, closed);
+  if (sets.contradicted.has_value()) return contradiction(regions, *sets.contradicted);
   expected.unrealised = sets.unrealised;
   for (std::size_t s = 0; s < stack.sections.size(); ++s) {
     for (std::size_t c = 0; c < stack.sections[SectionId(s)].contours.size(); ++c) {

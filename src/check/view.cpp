@@ -174,6 +174,8 @@ void match_faces(ModelView& view) {
 ModelView look_at(const Model& model, const SectionStack& stack) {
   ModelView view;
   view.points = model.points.raw();
+  view.links = model.links;
+  view.motions = model.motions;
   collect_sound_tets(model, view);
   find_levels(stack, view);
   match_faces(view);

@@ -21,7 +21,9 @@ using Level = std::int64_t;
 [[nodiscard]] constexpr bool on_plane(Level level) { return level >= 0 && level % 2 == 0; }
 
 struct ModelView {
-  std::span<const Point3> points;  ///< of the model, also those that are not finite
+  std::span<const Point3> points;         ///< of the model, also those that are not finite
+  std::span<const RegionLink> links;      ///< as the model says
+  std::span<const RegionMotion> motions;  ///< as the model says
 
   /// The sound tets: four distinct vertices in range, all coordinates finite.
   std::vector<TetVertices> tets;

@@ -22,6 +22,10 @@ const Option* find_option(const Usage& usage, std::string_view word) {
 }
 
 std::string unknown_option(const Usage& usage, const std::string& name) {
+  if (name == "--drift") {
+    return "there is no option --drift any more: oblique parts are continued unless --no-chain is "
+           "given";
+  }
   std::vector<std::string_view> names;
   for (const Option& option : usage.options) names.push_back(option.name);
   return "unknown option " + io::in_quotes(name) + did_you_mean(name, names);

@@ -2,6 +2,7 @@
 #include "cli/commands.hpp"
 #include "cli/engine_option.hpp"
 #include "cli/file_formats.hpp"
+#include "cli/label_input.hpp"
 #include "cli/progress.hpp"
 #include "cli/stack_input.hpp"
 
@@ -133,9 +134,10 @@ Result<int> run_check(const Arguments& arguments, Console& console) {
   if (!model) return model.error();
   const auto input = read_stack_input(arguments.operand(1), *prepared, console);
   if (!input) return input.error();
-  auto labels = read_label_option(arguments, input->stack);
+  Result<Labels> labels = read_label_option(arguments, input->stack);
   if (!labels) return labels.error();
-  options.correspondence.labels = *std::move(labels);
+  options.correspondence.labels = std::move(labels->labels);
+  options.correspondence.decisions = std::move(labels->decisions);
 
   const Result<CheckReport> report = [&] {
     Progress progress(!console.quiet());

@@ -6,6 +6,8 @@
 #include "cli/engine_option.hpp"
 #include "cli/file_formats.hpp"
 #include "cli/geiger_method.hpp"
+#include "cli/label_input.hpp"
+#include "cli/link_report.hpp"
 #include "cli/outputs.hpp"
 #include "cli/progress.hpp"
 #include "cli/stack_input.hpp"
@@ -156,6 +158,7 @@ std::string to_json(const Reconstruction& result, const StackInput& input, const
   json.member("write", seconds.write);
   json.member("total", seconds.total);
   json.end_object();
+  write_link_summary(json, result.model.links);
   write_preparation(json, input);
   write_warnings(json, console.warnings());
   json.end_object();
@@ -174,6 +177,7 @@ std::string to_text(const Reconstruction& result, const StackInput& input, const
           std::to_string(result.model.points.size()) + " vertices, " +
           counted(result.model.component_count, "component") + ", volume " +
           readable(report.volume) + '\n';
+  text += describe_links(result.model.links);
   text += "smallest lift " + readable(report.smallest_lift) + '\n';
   std::string rules;
   for (int r = 0; r < kRules; ++r) {
@@ -206,9 +210,10 @@ Result<int> run_reconstruct(const Arguments& arguments, Console& console) {
   Stopwatch reading;
   const auto input = read_stack_input(request->input, request->preparation, console);
   if (!input) return input.error();
-  auto labels = read_label_option(arguments, input->stack);
+  Result<Labels> labels = read_label_option(arguments, input->stack);
   if (!labels) return labels.error();
-  request->options.correspondence.labels = *std::move(labels);
+  request->options.correspondence.labels = std::move(labels->labels);
+  request->options.correspondence.decisions = std::move(labels->decisions);
   seconds.read = reading.seconds();
   if (request->options.thickness && input->stack.sections.size() > 1) {
     console.warn({"--thickness has no effect on more than one section", {}});

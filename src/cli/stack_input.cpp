@@ -15,8 +15,8 @@ using namespace internal;
 std::vector<Option> stack_options() {
   std::vector<Option> options{
       {"--correspondence", "RULE",
-       "which contours form one component: overlap (default), moved (as the surroundings move from "
-       "section to section), or reverse (reverse tetrahedra)"},
+       "which contours form one component: moved (default: they overlap as their surroundings move "
+       "from section to section), overlap (as they lie), or reverse (reverse tetrahedra)"},
       {"--overlap", "TAU",
        "overlap and moved unite two regions above this ratio of areas, from 0 to below 1 (default "
        "0.02, 0.1)"},
@@ -211,25 +211,6 @@ Result<StackInput> read_stack_input(const std::string& path, const Preparation& 
     return error;
   }
   return input;
-}
-
-Result<std::vector<Label>> read_label_option(const Arguments& arguments,
-                                             const SectionStack& stack) {
-  const auto path = arguments.text("--labels");
-  if (!path) return std::vector<Label>();
-  Result<std::vector<Label>> labels = read_labels(*path);
-  if (!labels) return labels;
-  for (const Label& label : *labels) {
-    const bool known = label.section.index() < stack.sections.size() &&
-                       label.contour.index() < stack.sections[label.section].contours.size();
-    if (known) continue;
-    Error error{ErrorCode::invalid_input, "the label names a contour that the stack lacks", {}};
-    error.where.file = *path;
-    error.where.section = label.section.index();
-    error.where.contour = label.contour.index();
-    return error;
-  }
-  return labels;
 }
 
 namespace {

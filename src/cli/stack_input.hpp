@@ -47,7 +47,7 @@ struct StackInput {
   std::optional<std::size_t> inserted;  ///< vertices, by refining
 };
 
-/// Checks the options' values without touching a file. `labels` stay empty.
+/// Checks the options' values without touching a file. Labels and decisions stay empty.
 [[nodiscard]] Result<CorrespondenceOptions> correspondence_options(const Arguments& arguments,
                                                                    Console& console);
 /// --format, --repair, --repair-distance, --snap and --refine as given.
@@ -66,10 +66,6 @@ struct StackInput {
 /// Reads a model; warnings go to the console.
 [[nodiscard]] Result<Model> read_model_input(const std::string& path, const std::string& format,
                                              Console& console);
-
-/// Reads --labels; each must name a contour of `stack`.
-[[nodiscard]] Result<std::vector<Label>> read_label_option(const Arguments& arguments,
-                                                           const SectionStack& stack);
 
 /// Members "repair", "snap" and "refine", where that was done.
 void write_preparation(JsonWriter& json, const StackInput& input);

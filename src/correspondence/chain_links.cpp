@@ -119,7 +119,7 @@ class SlabSingles {
         const RegionOutline& met =
             upwards ? above_.outline[pair->link.upper] : below_.outline[pair->link.lower];
         const double ratio = overlap_ratio(outline, met);
-        if (exceeds(outline, met, ratio, kChainOverlap)) pair->fate = LinkFate::made;
+        if (compare_overlap(outline, met, kChainOverlap, ratio) == Sign::positive) pair->fate = LinkFate::made;
         pair->moved = std::max(pair->moved, ratio);
       }
     }

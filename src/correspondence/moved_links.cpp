@@ -25,7 +25,9 @@ Unclear unclear_regions(const SectionRegions& below, const SectionRegions& above
   Unclear unclear{Flags(below.size(), 1), Flags(above.size(), 1)};
   for (const auto& [lower, upper, ratio] : pairs) {
     unclear.lower[lower] = unclear.upper[upper] = 0;
-    if (!(ratio >= kRestOverlap)) weak_lower[lower] = weak_upper[upper] = 1;
+    const Sign rest =
+        compare_overlap(below.outline[lower], above.outline[upper], kRestOverlap, ratio);
+    if (rest == Sign::negative) weak_lower[lower] = weak_upper[upper] = 1;
   }
   for (const auto& [lower, upper, ratio] : pairs) {
     if (weak_lower[lower] != 0 || weak_upper[upper] != 0) {

@@ -9,13 +9,6 @@ namespace {
 // Rounding to 32 bits moves a ratio by less than this, relative to it.
 constexpr double kRatioSlack = 0x1p-31;
 
-Sign compared(const RegionOutline& a, const RegionOutline& b, double ratio, double tau) {
-  if (std::abs(ratio - tau) > kRatioSlack * ratio) {
-    return ratio > tau ? Sign::positive : Sign::negative;
-  }
-  return compare_overlap(a, b, tau);
-}
-
 }  // namespace
 
 std::vector<OverlappingPair> overlapping_pairs(const SectionRegions& below,
@@ -30,8 +23,11 @@ std::vector<OverlappingPair> overlapping_pairs(const SectionRegions& below,
   return pairs;
 }
 
-bool exceeds(const RegionOutline& a, const RegionOutline& b, double ratio, double tau) {
-  return compared(a, b, ratio, tau) == Sign::positive;
+Sign compare_overlap(const RegionOutline& a, const RegionOutline& b, double tau, double ratio) {
+  if (std::abs(ratio - tau) > kRatioSlack * ratio) {
+    return ratio > tau ? Sign::positive : Sign::negative;
+  }
+  return tetloft::compare_overlap(a, b, tau);
 }
 
 SlabCandidates overlap_links(SlabId slab, const SectionRegions& below, const SectionRegions& above,
@@ -44,12 +40,14 @@ SlabCandidates overlap_links(SlabId slab, const SectionRegions& below, const Sec
   for (const auto& [i, j, ratio] : overlapping_pairs(below, above)) {
     const RegionOutline& low = below.outline[i];
     const RegionOutline& high = above.outline[j];
-    strong.push_back(compared(low, high, ratio, kStrongOverlap) != Sign::negative);
+    strong.push_back(compare_overlap(low, high, kStrongOverlap, ratio) != Sign::negative);
     if (strong.back()) strong_below[i] = strong_above[j] = 1;
     LinkCandidate candidate{{slab, i, j}};
     candidate.ratio = candidate.moved = ratio;
     candidate.margin = ratio - tau;
-    if (!exceeds(low, high, ratio, tau)) candidate.fate = LinkFate::too_weak;
+    if (compare_overlap(low, high, tau, ratio) != Sign::positive) {
+      candidate.fate = LinkFate::too_weak;
+    }
     candidates.push_back(candidate);
   }
   for (std::size_t k = 0; k < candidates.size(); ++k) {

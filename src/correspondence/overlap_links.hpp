@@ -15,9 +15,12 @@ struct OverlappingPair {
 [[nodiscard]] std::vector<OverlappingPair> overlapping_pairs(const SectionRegions& below,
                                                              const SectionRegions& above);
 
-/// Is the overlap ratio of the two above tau, exactly? `ratio` is that ratio as overlap_ratio()
-/// rounds it, which nearly always tells.
-[[nodiscard]] bool exceeds(const RegionOutline& a, const RegionOutline& b, double ratio,
+/// compare_overlap() of two with this overlap_ratio(), which nearly always tells.
+[[nodiscard]] Sign compare_overlap(const RegionOutline& a, const RegionOutline& b, double tau,
+                                   double ratio);
+
+/// Is it at least tau?
+[[nodiscard]] bool reaches(const RegionOutline& a, const RegionOutline& b, double ratio,
                            double tau);
 
 /// All pairs that overlap: those that the rule takes, and the others.

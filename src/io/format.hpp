@@ -45,7 +45,7 @@ struct Format {
   Result<ReadStack> (*read_stack)(const Source&, const ReadOptions&) = nullptr;
   Result<ReadModel> (*read_model)(const Source&, const ReadOptions&) = nullptr;
   Result<ReadPoints> (*read_points)(const Source&, const ReadOptions&) = nullptr;
-  Result<std::vector<Label>> (*read_labels)(const Source&, const ReadOptions&) = nullptr;
+  Result<Labels> (*read_labels)(const Source&, const ReadOptions&) = nullptr;
 
   Written (*write_stack)(Sink&, const SectionStack&, const Target&) = nullptr;
   /// The model is well formed.
@@ -53,7 +53,7 @@ struct Format {
   /// The boundary of the model, which is well formed.
   Written (*write_surface)(Sink&, const SurfaceMesh&, const Model&, const Target&) = nullptr;
   Written (*write_points)(Sink&, const std::vector<Point3>&, const Target&) = nullptr;
-  Written (*write_labels)(Sink&, const std::vector<Label>&, const Target&) = nullptr;
+  Written (*write_labels)(Sink&, const Labels&, const Target&) = nullptr;
   Written (*write_lines)(Sink&, const LineSet&, const Target&) = nullptr;
 };
 

@@ -94,10 +94,10 @@ Result<ReadPoints> parse_points(std::string_view bytes, const std::string& name,
   return parse_bytes(Contents::points, &io::Format::read_points, bytes, name, options);
 }
 
-Result<std::vector<Label>> read_labels(const std::string& path) {
+Result<Labels> read_labels(const std::string& path) {
   return read_path(Contents::labels, &io::Format::read_labels, path, reading("labels"));
 }
-Result<std::vector<Label>> parse_labels(std::string_view text, const std::string& name) {
+Result<Labels> parse_labels(std::string_view text, const std::string& name) {
   return parse_bytes(Contents::labels, &io::Format::read_labels, text, name, reading("labels"));
 }
 

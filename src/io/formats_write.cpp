@@ -84,7 +84,7 @@ Body points_body(const std::vector<Point3>& points) {
   };
 }
 
-Body labels_body(const std::vector<Label>& labels) {
+Body labels_body(const Labels& labels) {
   return [&labels](const Format& format, Sink& sink, const Target& target) {
     return format.write_labels(sink, labels, target);
   };
@@ -188,11 +188,11 @@ Result<Formatted> format_points(const std::vector<Point3>& points, const WriteOp
   return format_as(Contents::points, options, points_body(points));
 }
 
-Result<void> write_labels(const std::string& path, const std::vector<Label>& labels) {
+Result<void> write_labels(const std::string& path, const Labels& labels) {
   return without_warnings(io::committed(
       stage_as(Contents::labels, path, writing("labels"), nullptr, labels_body(labels))));
 }
-Result<std::string> format_labels(const std::vector<Label>& labels) {
+Result<std::string> format_labels(const Labels& labels) {
   return bytes_of(format_as(Contents::labels, writing("labels"), labels_body(labels)));
 }
 

@@ -1,4 +1,4 @@
-// Lines of three fields, white space between them; # begins a comment.
+// Lines of a few fields, white space between them; # begins a comment.
 #pragma once
 
 #include <array>
@@ -11,7 +11,10 @@
 
 namespace tetloft::internal::io {
 
-using RowFields = std::array<std::string_view, 3>;
+struct RowFields {
+  std::array<std::string_view, 4> field;  ///< the first of them
+  std::size_t count = 0;                  ///< of all
+};
 
 [[nodiscard]] inline Error row_error(const std::string& name, std::size_t line,
                                      const std::string& message) {
@@ -21,27 +24,28 @@ using RowFields = std::array<std::string_view, 3>;
   return error;
 }
 
-/// row(line, fields), for each line that has fields; `form` is what a line should look like.
+/// That a line has another number of fields than its form.
+[[nodiscard]] inline Error row_form_error(const std::string& name, std::size_t line,
+                                          std::string_view form, std::size_t fields) {
+  return row_error(name, line,
+                   "expected \"" + std::string(form) + "\", got " + std::to_string(fields) +
+                       (fields == 1 ? " field" : " fields"));
+}
+
+/// row(line, fields), for each line that has fields.
 template <class Row>
-Result<void> for_each_row(std::string_view text, const std::string& name, const char* form,
-                          Row&& row) {
+Result<void> for_each_row(std::string_view text, Row&& row) {
   TextCursor cursor(text);
   for (cursor.skip_white(); !cursor.at_end(); cursor.skip_white()) {
     const std::size_t line = cursor.line();
     RowFields fields;
-    std::size_t count = 0;
-    for (; !cursor.at_end() && cursor.peek() != '\n' && cursor.peek() != '#'; ++count) {
+    for (; !cursor.at_end() && cursor.peek() != '\n' && cursor.peek() != '#'; ++fields.count) {
       const std::string_view field = cursor.token("#");
-      if (count < fields.size()) fields[count] = field;
+      if (fields.count < fields.field.size()) fields.field[fields.count] = field;
       cursor.skip_blanks();
     }
     cursor.skip_line();
-    if (count == 0) continue;
-    if (count != fields.size()) {
-      return row_error(name, line,
-                       std::string("expected \"") + form + "\", got " + std::to_string(count) +
-                           (count == 1 ? " field" : " fields"));
-    }
+    if (fields.count == 0) continue;
     if (Result<void> taken = row(line, fields); !taken) return taken;
   }
   return {};

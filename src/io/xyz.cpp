@@ -13,18 +13,19 @@ namespace {
 Result<ReadPoints> read_xyz(const Source& source, const ReadOptions& /*options*/) {
   ReadPoints read;
   const auto take = [&](std::size_t line, const RowFields& fields) -> Result<void> {
+    if (fields.count != 3) return row_form_error(source.name, line, "x y z", fields.count);
     std::array<double, 3> xyz{};
     for (std::size_t i = 0; i < 3; ++i) {
-      const ParsedNumber number = parse_number(fields[i]);
+      const ParsedNumber number = parse_number(fields.field[i]);
       if (!number.ok()) {
-        return row_error(source.name, line, complaint(fields[i], number.status));
+        return row_error(source.name, line, complaint(fields.field[i], number.status));
       }
       xyz[i] = number.value;
     }
     read.points.push_back({xyz[0], xyz[1], xyz[2]});
     return {};
   };
-  Result<void> rows = for_each_row(source.bytes, source.name, "x y z", take);
+  Result<void> rows = for_each_row(source.bytes, take);
   if (!rows) return rows.error();
   return read;
 }

@@ -79,6 +79,19 @@ void describe(const PreparedStack& prepared, const Model& model, ReconstructRepo
   }
 }
 
+void warn_of_dropped(const StackCandidates& candidates,
+                     const IdVector<SectionId, Nesting>& nestings, std::vector<Warning>& warnings) {
+  for (const RegionLink& link : region_links(candidates, nestings)) {
+    if (link.fate != LinkFate::unrealisable) continue;
+    Place place;
+    place.section = lower_section(link.slab).index();
+    place.contour = link.lower.index();
+    warnings.push_back({"it was not joined to contour " + std::to_string(link.upper.index()) +
+                            " of the section above, as it should: no Delaunay edge lies between",
+                        place});
+  }
+}
+
 // Decide, build, glue. Nothing where the model, made in the unit of the prepared stack, is none in
 // the one given. `result` holds what is known before.
 Result<std::optional<Reconstruction>> make(PreparedStack& prepared,
@@ -101,6 +114,7 @@ Result<std::optional<Reconstruction>> make(PreparedStack& prepared,
 
   SlabBuilds builds(prepared, decision, plan, options, work);
   if (auto error = builds.run()) return *error;
+  warn_of_dropped(plan.correspondence.candidates, prepared.nestings, result.warnings);
   std::vector<Part> parts = builds.take_parts();
   add_up(parts, report);
   count(report.rules, Rule::gabriel_refinement, builds.refinements());

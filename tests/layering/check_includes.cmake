@@ -26,7 +26,7 @@ set(may_completion core predicates mesh delaunay2 sections model slab)
 set(may_subdivision core spatial predicates mesh sections contact model slab completion)
 set(may_reconstruct core arithmetic spatial predicates mesh delaunay2 delaunay3 sections contact model slab correspondence completion subdivision)
 set(may_geiger core predicates mesh delaunay2 delaunay3 sections model slab)
-set(may_check core arithmetic predicates mesh sections contact model)
+set(may_check core arithmetic predicates mesh sections motion contact model)
 set(may_io core sections model)
 set(may_render core mesh sections model io)
 set(modules core arithmetic spatial predicates mesh delaunay2 delaunay3 sections motion contact model slab correspondence completion subdivision

@@ -117,9 +117,9 @@ TEST(Shrink, WrittenStacksReadBackExactly) {
     }
   }
   if (!generated.correspondence.labels.empty()) {
-    const Result<std::vector<Label>> labels = read_labels(folder + "/stack.labels");
+    const Result<Labels> labels = read_labels(folder + "/stack.labels");
     ASSERT_TRUE(labels.ok()) << to_string(labels.error());
-    EXPECT_EQ(labels->size(), generated.correspondence.labels.size());
+    EXPECT_EQ(labels->labels.size(), generated.correspondence.labels.size());
   }
   std::filesystem::remove_all(folder);
 }

@@ -71,7 +71,7 @@ TEST(MemoryEnds, WhileReading) {
   const std::string open = text + "{";
   sweep("parse_cnt, refused", [&] { return ended(parse_cnt(open, name)); });
   const std::string labels = folder.file("a.labels");
-  put(labels, "0 0 1 # first\n1 0 1\n1 1 2\n");
+  put(labels, "0 0 1 # first\n1 0 1\njoin 0 0 1\npart 0 0 2\n1 1 2\n");
   sweep("read_labels", [&] { return ended(read_labels(labels)); });
   const std::string points = folder.file("a.txt");
   put(points, "0 0 0\n1 0 0 # second\n1 1 1e3\n");

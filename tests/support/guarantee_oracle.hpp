@@ -16,12 +16,12 @@ namespace tetloft::oracle {
 struct GuaranteeVerdicts {
   /// holds[g − 1]: guarantee g. Without value where it makes no sense to ask: nothing but 1
   /// and 3 of a model with malformed tets or coordinates that are not finite, and not 4 for
-  /// options other than `overlap` without labels.
+  /// `reverse`.
   std::array<std::optional<bool>, 4> holds;
   std::string reasons;  ///< what was found wrong, a line each
 };
 
-/// Requires a valid stack.
+/// Requires a valid stack, and labels and decisions that check() does not refuse.
 [[nodiscard]] GuaranteeVerdicts guarantees(const Model& model, const SectionStack& stack,
                                            const CheckOptions& options = {});
 

@@ -112,8 +112,6 @@ class Oracle {
 
   // Guarantee 4, in guarantee_oracle_components.cpp.
   void components();
-  // Sets of contours, all sections in one sequence, by the overlap rule.
-  [[nodiscard]] std::vector<std::size_t> expected_sets() const;
 
   const Model& model_;
   const SectionStack& stack_;

@@ -33,7 +33,7 @@ SectionStack sample(const std::string& name) {
 }
 
 std::vector<Label> labels_from(std::string_view text) {
-  return value_or_throw(parse_labels(text, "test"));
+  return value_or_throw(parse_labels(text, "test")).labels;
 }
 
 Contour box(double x0, double y0, double x1, double y1) {
@@ -62,8 +62,14 @@ IdVector<ClassId, std::uint8_t> SlabCase::active(bool lone_too) const {
 std::unique_ptr<SlabCase> slab_case(const SectionStack& stack, std::size_t k) {
   const Section& below = stack.sections[SectionId(k)];
   const Section& above = stack.sections[SectionId(k + 1)];
-  return slab_case(
-      stack, k, overlap_links(SlabId(k), below, nest(below), above, nest(above), kDefaultOverlap));
+  const Nesting nesting_below = nest(below);
+  const Nesting nesting_above = nest(above);
+  std::vector<Link> links;
+  for (const LinkCandidate& candidate :
+       overlap_links(SlabId(k), {below, nesting_below}, {above, nesting_above}, kDefaultOverlap)) {
+    if (candidate.made()) links.push_back(candidate.link);
+  }
+  return slab_case(stack, k, std::move(links));
 }
 
 std::unique_ptr<SlabCase> slab_case(const SectionStack& stack, std::size_t k,

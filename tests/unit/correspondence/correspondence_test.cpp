@@ -10,6 +10,7 @@
 
 #include "core/prng.hpp"
 #include "correspondence/overlap_links.hpp"
+#include "links_of.hpp"
 #include "support/slabs/cases.hpp"
 
 namespace tetloft::testing {
@@ -32,16 +33,14 @@ std::vector<std::size_t> renumbered(const ContourPartition& partition,
 }
 
 Result<Correspondence> decide(const SectionStack& stack, const std::vector<Label>& labels) {
-  IdVector<SectionId, Nesting> nestings;
-  for (const Section& section : stack.sections) nestings.push_back(nest(section));
-  IdVector<SlabId, std::vector<Link>> candidates;
+  const IdVector<SectionId, Nesting> nestings = nestings_of(stack);
+  const StackSections sections = sections_of(stack, nestings);
+  StackCandidates candidates;
   for (std::size_t k = 0; k + 1 < stack.sections.size(); ++k) {
-    const SectionId below(k);
-    const SectionId above(k + 1);
-    candidates.push_back(overlap_links(SlabId(k), stack.sections[below], nestings[below],
-                                       stack.sections[above], nestings[above], kDefaultOverlap));
+    candidates.push_back(overlap_links(SlabId(k), sections[SectionId(k)],
+                                       sections[SectionId(k + 1)], kDefaultOverlap));
   }
-  return decide_correspondence(stack, nestings, candidates, labels);
+  return decide_correspondence(stack, nestings, sections, candidates, {labels, {}});
 }
 
 TEST(Correspondence, PartitionDoesNotDependOnTheOrderOfContours) {

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "links_of.hpp"
 #include "support/slabs/cases.hpp"
 
 namespace tetloft::testing {
@@ -14,16 +15,16 @@ namespace tetloft::testing {
 using namespace internal;
 namespace {
 
-using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
-
 // The overlap links of a stack's only slab, as pairs of regions.
 Pairs overlap_pairs(const SectionStack& stack, double tau) {
-  const Section& below = stack.sections[SectionId(0)];
-  const Section& above = stack.sections[SectionId(1)];
+  const IdVector<SectionId, Nesting> nestings = nestings_of(stack);
+  const StackSections sections = sections_of(stack, nestings);
   Pairs pairs;
-  for (const Link& link : overlap_links(SlabId(0), below, nest(below), above, nest(above), tau)) {
-    EXPECT_EQ(link.slab, SlabId(0));
-    pairs.emplace_back(link.lower.index(), link.upper.index());
+  for (const LinkCandidate& candidate :
+       overlap_links(SlabId(0), sections[SectionId(0)], sections[SectionId(1)], tau)) {
+    EXPECT_EQ(candidate.link.slab, SlabId(0));
+    if (!candidate.made()) continue;
+    pairs.emplace_back(candidate.link.lower.index(), candidate.link.upper.index());
   }
   return pairs;
 }

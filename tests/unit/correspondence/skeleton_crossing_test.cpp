@@ -14,6 +14,7 @@
 #include "core/union_find.hpp"
 #include "correspondence/correspondence.hpp"
 #include "correspondence/reverse_links.hpp"
+#include "links_of.hpp"
 #include "support/slabs/cases.hpp"
 #include "support/voronoi_crossings.hpp"
 
@@ -241,14 +242,17 @@ void expect_partition_by_positions(const SectionStack& stack, const ContourParti
 }
 
 Result<Correspondence> reverse_correspondence(const SectionStack& stack) {
-  IdVector<SectionId, Nesting> nestings;
-  for (const Section& section : stack.sections) nestings.push_back(nest(section));
-  IdVector<SlabId, std::vector<Link>> candidates(stack.sections.size() - 1);
+  const IdVector<SectionId, Nesting> nestings = nestings_of(stack);
+  const StackSections sections = sections_of(stack, nestings);
+  StackCandidates candidates(stack.sections.size() - 1);
   for (std::size_t k = 0; k + 1 < stack.sections.size(); ++k) {
     const auto built = slab_case(stack, k);
-    if (built) candidates[SlabId(k)] = reverse_links(SlabId(k), *built->slab);
+    if (!built) continue;
+    for (const Link& link : reverse_links(SlabId(k), *built->slab)) {
+      candidates[SlabId(k)].push_back({link, Evidence::reverse});
+    }
   }
-  return decide_correspondence(stack, nestings, candidates, {});
+  return decide_correspondence(stack, nestings, sections, candidates, {});
 }
 
 TEST(WellPositionedContours, ArePartitionedAsByReverseTets) {

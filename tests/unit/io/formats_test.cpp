@@ -309,20 +309,29 @@ TEST(Formatting, MakesTheBytesThatAreWritten) {
 
 TEST(Formatting, OfLabelsReadsBack) {
   TempFolder folder;
-  const std::vector<Label> labels{{SectionId(0), ContourId(1), 7},
-                                  {SectionId(4294967294U), ContourId(0), 4294967294U}};
+  const Labels labels{
+      {{SectionId(0), ContourId(1), 7}, {SectionId(4294967294U), ContourId(0), 4294967294U}},
+      {{SlabId(3), ContourId(5), ContourId(7), true},
+       {SlabId(4294967294U), ContourId(0), ContourId(1), false}}};
   const auto bytes = format_labels(labels);
   ASSERT_TRUE(bytes.ok());
-  EXPECT_EQ(*bytes, "0 1 7\n4294967294 0 4294967294\n");
+  EXPECT_EQ(*bytes, "0 1 7\n4294967294 0 4294967294\njoin 3 5 7\npart 4294967294 0 1\n");
   ASSERT_TRUE(write_labels(folder.file("l"), labels).ok());
   EXPECT_EQ(test::get(folder.file("l")), *bytes);
   const auto read = read_labels(folder.file("l"));
   ASSERT_TRUE(read.ok());
-  ASSERT_EQ(read->size(), labels.size());
-  for (std::size_t i = 0; i < labels.size(); ++i) {
-    EXPECT_EQ((*read)[i].section, labels[i].section);
-    EXPECT_EQ((*read)[i].contour, labels[i].contour);
-    EXPECT_EQ((*read)[i].label, labels[i].label);
+  ASSERT_EQ(read->labels.size(), labels.labels.size());
+  for (std::size_t i = 0; i < labels.labels.size(); ++i) {
+    EXPECT_EQ(read->labels[i].section, labels.labels[i].section);
+    EXPECT_EQ(read->labels[i].contour, labels.labels[i].contour);
+    EXPECT_EQ(read->labels[i].label, labels.labels[i].label);
+  }
+  ASSERT_EQ(read->decisions.size(), labels.decisions.size());
+  for (std::size_t i = 0; i < labels.decisions.size(); ++i) {
+    EXPECT_EQ(read->decisions[i].slab, labels.decisions[i].slab);
+    EXPECT_EQ(read->decisions[i].lower, labels.decisions[i].lower);
+    EXPECT_EQ(read->decisions[i].upper, labels.decisions[i].upper);
+    EXPECT_EQ(read->decisions[i].join, labels.decisions[i].join);
   }
 }
 

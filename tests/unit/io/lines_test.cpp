@@ -16,18 +16,39 @@ using test::TempFolder;
 TEST(Labels, TakeCommentsAndBlankLines) {
   const auto labels = parse_labels("# head\n\n0 1 7\r\n  2\t3 4294967294# tail\n#\n5 0 0", "l");
   ASSERT_TRUE(labels.ok()) << to_string(labels.error());
-  ASSERT_EQ(labels->size(), 3U);
-  EXPECT_EQ((*labels)[0].contour, ContourId(1));
-  EXPECT_EQ((*labels)[0].label, 7U);
-  EXPECT_EQ((*labels)[1].section, SectionId(2));
-  EXPECT_EQ((*labels)[1].label, 4294967294U);
+  ASSERT_EQ(labels->labels.size(), 3U);
+  EXPECT_EQ(labels->labels[0].contour, ContourId(1));
+  EXPECT_EQ(labels->labels[0].label, 7U);
+  EXPECT_EQ(labels->labels[1].section, SectionId(2));
+  EXPECT_EQ(labels->labels[1].label, 4294967294U);
+  EXPECT_TRUE(labels->decisions.empty());
   EXPECT_TRUE(parse_labels("", "l").ok());
+}
+
+TEST(Labels, TakeDecisionsAmongThem) {
+  const auto labels = parse_labels(
+      "join 3 5 7  # overlap: ratio 0.1\n0 1 7\npart\t0 4294967294 2# no\njoin 3 5 7\n", "l");
+  ASSERT_TRUE(labels.ok()) << to_string(labels.error());
+  EXPECT_EQ(labels->labels.size(), 1U);
+  ASSERT_EQ(labels->decisions.size(), 3U);
+  const LinkDecision& joined = labels->decisions[0];
+  EXPECT_EQ(joined.slab, SlabId(3));
+  EXPECT_EQ(joined.lower, ContourId(5));
+  EXPECT_EQ(joined.upper, ContourId(7));
+  EXPECT_TRUE(joined.join);
+  const LinkDecision& parted = labels->decisions[1];
+  EXPECT_EQ(parted.slab, SlabId(0));
+  EXPECT_EQ(parted.lower, ContourId(4294967294U));
+  EXPECT_EQ(parted.upper, ContourId(2));
+  EXPECT_FALSE(parted.join);
 }
 
 TEST(Labels, NameTheLineOfAnError) {
   for (const char* text :
        {"0 0 1\n0 1\n", "0 0 1\n0 1 2 3\n", "0 0 1\n0 -1 2\n", "0 0 1\n0 1.5 2\n", "0 0 1\nx 1 2\n",
-        "0 0 1\n0 0 4294967295\n", "0 0 1\n99999999999999999999 0 0\n"}) {
+        "0 0 1\n0 0 4294967295\n", "0 0 1\n99999999999999999999 0 0\n", "0 0 1\njoin 0 1\n",
+        "join 0 0 1\npart 0 0 1 2\n", "part 0 0 1\nunite 0 0 1\n", "0 0 1\njoin 0 0 -1\n",
+        "0 0 1\njoin 4294967295 0 0\n", "join 0 0 1\npart 0 0 1\n", "0 0 1\njoin\n"}) {
     const auto labels = parse_labels(text, "l.txt");
     ASSERT_FALSE(labels.ok()) << text;
     EXPECT_EQ(labels.error().code, ErrorCode::invalid_input) << text;
@@ -36,12 +57,22 @@ TEST(Labels, NameTheLineOfAnError) {
   }
 }
 
+TEST(Labels, SayWhatWasExpected) {
+  const auto message = [](const char* text) { return parse_labels(text, "l").error().message; };
+  EXPECT_EQ(message("jion 0 0 1\n"),
+            "'jion' is neither join, part nor a section (did you mean join?)");
+  EXPECT_EQ(message("part 0 0\n"), "expected \"part section contour contour_above\", got 3 fields");
+  EXPECT_EQ(message("0 0\n"), "expected \"section contour label\", got 2 fields");
+  EXPECT_EQ(message("part 1 0 0\n1 0 1\npart 0 0 0\njoin 1 0 0\n"),
+            "join and part of the same contours: see line 1");
+}
+
 TEST(Labels, ComeFromAFile) {
   TempFolder folder;
   test::put(folder.file("l"), "1 2 3\n");
   const auto labels = read_labels(folder.file("l"));
   ASSERT_TRUE(labels.ok());
-  EXPECT_EQ(labels->size(), 1U);
+  EXPECT_EQ(labels->labels.size(), 1U);
   EXPECT_EQ(read_labels(folder.file("none")).error().code, ErrorCode::io);
 }
 

@@ -249,11 +249,10 @@ TEST(Memory, OfGridsIsBounded) {
 }
 
 TEST(Memory, OfLabelsAndPointsIsBounded) {
-  const std::vector<Family> families{{"rows", repeated("0 0 0\n", kSize)},
-                                     {"comments", repeated("#\n", kSize)},
-                                     {"long line", repeated("0 ", kSize)},
-                                     {"long token", std::string(kSize, '0')},
-                                     {"zeros", std::string(kSize / 24 * 24, '\0')}};
+  const std::vector<Family> families{
+      {"rows", repeated("0 0 0\n", kSize)},    {"decisions", repeated("join 0 0 0\n", kSize)},
+      {"comments", repeated("#\n", kSize)},    {"long line", repeated("0 ", kSize)},
+      {"long token", std::string(kSize, '0')}, {"zeros", std::string(kSize / 24 * 24, '\0')}};
   expect_bounded(families, [](const std::string& bytes) {
     static_cast<void>(parse_labels(bytes, "a.txt"));
     static_cast<void>(parse_points(bytes, "a.txt"));

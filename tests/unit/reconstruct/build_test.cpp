@@ -183,5 +183,60 @@ TEST(SlabBuilds, EndsArePartsOfTheFirstAndLastSlab) {
   for (const Point3& p : parts.back().solid.constructed) EXPECT_EQ(p.z, 2.5);
 }
 
+// A wall with vertices so dense that no edge of D passes through it.
+Contour dense_wall() {
+  Contour wall;
+  for (int k = -80; k <= 80; ++k) wall.vertices.push_back({3, 0.25 * k});
+  for (int k = 80; k >= -80; --k) wall.vertices.push_back({2, 0.25 * k});
+  return wall;
+}
+
+// Nothing in the rule links what lies on either side of the wall; a plan that does, by a link of
+// any evidence, is as one whose rule did.
+struct WallsBetween {
+  SectionStack stack =
+      stack_of_boxes({{box(0, 0, 1, 1), dense_wall()}, {dense_wall(), box(4, 0, 5, 1)}});
+  Link link{SlabId(0), RegionId(0), RegionId(1)};
+
+  WallsBetween() {
+    const Nesting below = nest(stack.sections[SectionId(0)]);
+    const Nesting above = nest(stack.sections[SectionId(1)]);
+    link.lower = below.region[ContourId(0)];
+    link.upper = above.region[ContourId(1)];
+  }
+  void add_to(Plan& plan, Evidence evidence) const {
+    LinkCandidate candidate{link, evidence};
+    candidate.distance = 3;
+    add_candidate(plan.correspondence.candidates[SlabId(0)], candidate);
+    std::vector<Link>& links = plan.correspondence.links[SlabId(0)];
+    links.push_back(link);
+    std::sort(links.begin(), links.end());
+  }
+};
+
+TEST(SlabBuilds, DropALinkThatNoEdgeCanMake) {
+  const WallsBetween walls;
+  for (const Evidence evidence : {Evidence::motion, Evidence::chain, Evidence::lone}) {
+    Phases phases(walls.stack, {});
+    const std::vector<Link> before = phases.plan.correspondence.links[SlabId(0)];
+    walls.add_to(phases.plan, evidence);
+    EXPECT_FALSE(phases.builds->run());
+    EXPECT_EQ(phases.plan.correspondence.links[SlabId(0)], before);
+    EXPECT_EQ(phases.builds->refinements(), 1U);  // contours were divided first
+  }
+}
+
+TEST(SlabBuilds, RefuseALinkThatNoEdgeCanMakeWhereItWasAskedFor) {
+  const WallsBetween walls;
+  for (const Evidence evidence : {Evidence::label, Evidence::decision}) {
+    Phases phases(walls.stack, {});
+    walls.add_to(phases.plan, evidence);
+    const auto error = phases.builds->run();
+    ASSERT_TRUE(error);
+    EXPECT_EQ(error->code, ErrorCode::unrepresentable);
+    EXPECT_EQ(error->where.slab, 0U);
+  }
+}
+
 }  // namespace
 }  // namespace tetloft::testing

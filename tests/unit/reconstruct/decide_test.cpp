@@ -62,18 +62,36 @@ TEST(Decision, ByOverlapIsWhatTheBoxesShare) {
   EXPECT_EQ(components.size(), 3U);
 }
 
-TEST(Decision, DriftAddsLinksWhereItIsAskedFor) {
+TEST(Decision, ChainsAndLoneRegionsAddLinksUnlessTheyAreOff) {
   Deciding d(leaning(), Criterion::overlap);
-  Decision plain(d.prepared, d.options);
-  const Result<Correspondence> apart = plain.make(d.all(), d.work);
-  ASSERT_TRUE(apart.ok());
-  EXPECT_TRUE(apart->links[SlabId(1)].empty());
-  d.options.correspondence.drift = 0.1;
-  Decision drifting(d.prepared, d.options);
-  const Result<Correspondence> joined = drifting.make(d.all(), d.work);
-  ASSERT_TRUE(joined.ok());
-  EXPECT_EQ(joined->links[SlabId(0)].size(), 1U);
-  EXPECT_EQ(joined->links[SlabId(1)].size(), 1U);
+  const auto links = [&](bool chain, bool lone) {
+    d.options.correspondence.chain = chain;
+    d.options.correspondence.lone = lone;
+    Decision decision(d.prepared, d.options);
+    const Result<Correspondence> made = decision.make(d.all(), d.work);
+    EXPECT_TRUE(made.ok());
+    std::vector<std::size_t> counts;
+    for (const SlabId k : made->links.ids()) counts.push_back(made->links[k].size());
+    return counts;
+  };
+  EXPECT_EQ(links(false, false), (std::vector<std::size_t>{1, 0, 0}));
+  EXPECT_EQ(links(true, false), (std::vector<std::size_t>{1, 1, 1}));
+  // A gap is 1; the third square chooses the second or the fourth, both of which lie 1/2 away.
+  EXPECT_EQ(links(false, true), (std::vector<std::size_t>{1, 0, 0}));
+}
+
+TEST(Decision, MadeWithoutALinkTellsThatItWasDropped) {
+  const Deciding d(leaning(), Criterion::overlap);
+  Decision decision(d.prepared, d.options);
+  const Result<Correspondence> all = decision.make(d.all(), d.work);
+  ASSERT_TRUE(all.ok());
+  const Link link{SlabId(1), RegionId(0), RegionId(0)};
+  ASSERT_EQ(all->links[SlabId(1)], (std::vector<Link>{link}));
+  const Result<Correspondence> less = decision.make_without(link);
+  ASSERT_TRUE(less.ok());
+  EXPECT_TRUE(less->links[SlabId(1)].empty());
+  EXPECT_EQ(less->links[SlabId(0)], all->links[SlabId(0)]);
+  EXPECT_EQ(less->candidates[SlabId(1)].at(0).fate, LinkFate::unrealisable);
 }
 
 TEST(Decision, ByReverseTetsMadeAnewAtARefinedSectionIsThatOfAllSlabs) {

@@ -1,0 +1,15 @@
+// What the user decides about a stack: labels, and links joined or parted.
+#pragma once
+
+#include <tetloft/tetloft.hpp>
+
+#include "cli/arguments.hpp"
+
+namespace tetloft::cli {
+
+/// Reads --labels; nothing where it was not given. Each line must name contours of `stack`: the
+/// error names the file, section and contour.
+[[nodiscard]] Result<Labels> read_label_option(const Arguments& arguments,
+                                               const SectionStack& stack);
+
+}  // namespace tetloft::cli

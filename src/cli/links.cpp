@@ -1,0 +1,192 @@
+// tetloft links: what belongs together, and how surely, without making a solid.
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include <tetloft/tetloft.hpp>
+
+#include "cli/commands.hpp"
+#include "cli/engine_option.hpp"
+#include "cli/file_formats.hpp"
+#include "cli/label_input.hpp"
+#include "cli/link_report.hpp"
+#include "cli/outputs.hpp"
+#include "cli/progress.hpp"
+#include "cli/signals.hpp"
+#include "cli/stack_input.hpp"
+#include "core/text.hpp"
+#include "io/stage.hpp"
+
+namespace tetloft::cli {
+
+using namespace internal;
+
+namespace {
+
+Usage links_usage() {
+  Usage usage{"links",
+              "Which regions of neighbouring sections belong together, why, and how surely.",
+              {input_word("IN", Contents::stack)},
+              {{"--output", output_word("OUT", Contents::labels),
+                "where the lines go; default: standard output", "-o"},
+               {"--first", "N", "only the N least sure links; default: all"}},
+              "Prints a line for each link that is made, and each that nearly was, the least sure "
+              "first: join or part, the lower section, its contour, the contour of the section "
+              "above; behind # the evidence and its measures. --labels takes these lines back, as "
+              "they are or changed. No solid is made: a link that turns out to be unrealisable is "
+              "told by reconstruct. --json: links by slab, least_sure (their order of doubt), made "
+              "and not_made (counts), components, motions."};
+  for (const Option& option : stack_options()) usage.options.push_back(option);
+  for (const Option& option : {kThreadsOption, kJsonOption, kQuietOption, kHelpOption}) {
+    usage.options.push_back(option);
+  }
+  return usage;
+}
+
+struct Request {
+  std::string input;
+  std::optional<std::string> output;
+  std::optional<std::size_t> first;
+  LinkOptions options;
+  Preparation preparation;
+};
+
+Result<Request> request_of(const Arguments& arguments, Console& console) {
+  Request request;
+  request.input = arguments.operand(0);
+  request.output = arguments.text("--output");
+  if (request.output) {
+    std::vector<std::string> taken{request.input};
+    if (const auto labels = arguments.text("--labels")) taken.push_back(*labels);
+    Result<void> checked =
+        check_output("--output (-o)", *request.output, output_extensions(Contents::labels), taken);
+    if (!checked) return checked.error();
+  }
+  const auto first = arguments.integer("--first", 1, std::numeric_limits<std::uint32_t>::max());
+  if (!first) return first.error();
+  if (first->has_value()) request.first = static_cast<std::size_t>(**first);
+  const auto correspondence = correspondence_options(arguments, console);
+  if (!correspondence) return correspondence.error();
+  request.options.correspondence = *correspondence;
+  const auto prepared = preparation(arguments);
+  if (!prepared) return prepared.error();
+  request.preparation = *prepared;
+  const auto threads = threads_option(arguments);
+  if (!threads) return threads.error();
+  request.options.execution.threads = *threads;
+  return request;
+}
+
+// Positions in `links` of the least sure first.
+void write_order(JsonWriter& json, const std::vector<RegionLink>& links,
+                 const std::optional<std::size_t>& first) {
+  std::map<std::tuple<SlabId, ContourId, ContourId>, std::size_t> position;
+  for (std::size_t k = 0; k < links.size(); ++k) {
+    position[{links[k].slab, links[k].lower, links[k].upper}] = k;
+  }
+  std::size_t left = first.value_or(links.size());
+  json.key("least_sure");
+  json.begin_array();
+  for (const RegionLink& link : least_sure_first(links)) {
+    if (left == 0) break;
+    --left;
+    json.value(position[{link.slab, link.lower, link.upper}]);
+  }
+  json.end_array();
+}
+
+void write_motions(JsonWriter& json, const std::vector<RegionMotion>& motions) {
+  json.key("motions");
+  json.begin_array();
+  for (const RegionMotion& motion : motions) {
+    json.begin_object();
+    json.member("slab", motion.slab.index());
+    json.member("section", motion.slab.index() + (motion.upper ? 1U : 0U));
+    json.member("contour", motion.contour.index());
+    json.key("by");
+    json.begin_array();
+    json.value(motion.by.x);
+    json.value(motion.by.y);
+    json.end_array();
+    json.end_object();
+  }
+  json.end_array();
+}
+
+std::string to_json(const LinkListing& listing, const StackInput& input, const Console& console) {
+  const StackLinks& found = listing.links;
+  JsonWriter json;
+  json.begin_object();
+  json.member("slices", listing.sections);
+  json.member("contours", input.stack.contour_count());
+  json.member("components", found.components);
+  write_link_counts(json, found.links);
+  json.key("links");
+  write_links(json, found.links);
+  write_order(json, found.links, listing.first);
+  write_motions(json, found.motions);
+  write_preparation(json, input);
+  write_warnings(json, console.warnings());
+  json.end_object();
+  return json.text();
+}
+
+Result<StagedFiles> stage_lines_of(const Request& request, const LinkListing& listing) {
+  StagedFiles files;
+  if (!request.output) return files;
+  auto staged = io::stage_file(*request.output, link_lines(listing, true), temporary_watcher());
+  if (!staged) return staged.error();
+  files.push_back(std::move(staged->file));
+  return files;
+}
+
+Result<int> run_links(const Arguments& arguments, Console& console) {
+  Result<Request> request = request_of(arguments, console);
+  if (!request) return request.error();
+  const auto input = read_stack_input(request->input, request->preparation, console);
+  if (!input) return input.error();
+  Result<Labels> labels = read_label_option(arguments, input->stack);
+  if (!labels) return labels.error();
+  request->options.correspondence.labels = labels->labels;
+  request->options.correspondence.decisions = std::move(labels->decisions);
+  Result<StackLinks> found = [&] {
+    Progress progress(!console.quiet());
+    request->options.execution.progress = progress.callback();
+    return find_links(input->stack, request->options);
+  }();
+  if (!found) {
+    Error error = found.error();
+    if (error.where.file.empty()) error.where.file = request->input;
+    return error;
+  }
+  for (Warning warning : found->warnings) {
+    if (warning.where.file.empty()) warning.where.file = request->input;
+    console.warn(warning);
+  }
+  const LinkListing listing{input->stack.sections.size(), std::move(labels->labels),
+                            *std::move(found), request->first};
+  auto files = stage_lines_of(*request, listing);
+  if (!files) return files.error();
+  std::string told;
+  if (console.json()) {
+    told = to_json(listing, *input, console);
+  } else if (!request->output) {
+    told = link_lines(listing, !console.quiet());
+  } else if (!console.quiet()) {
+    told = describe_preparation(*input) + counted(listing.links.components, "component") + '\n' +
+           describe_links(listing.links.links) + "written: " + printable(*request->output) + '\n';
+  }
+  const Result<void> done = deliver_with(*files, told, console);
+  if (!done) return done.error();
+  return 0;
+}
+
+}  // namespace
+
+Command links_command() { return {links_usage(), run_links}; }
+
+}  // namespace tetloft::cli
