@@ -21,7 +21,8 @@ enum class ColourBy : std::uint8_t {
   slab,
   kind,      ///< TetKind
   dihedral,  ///< its smallest dihedral angle
-  /// Evidence of the least sure link (of least |margin|) of the part of a slab that it belongs to.
+  /// Evidence of the link that holds it: of those in its slab with a contour in its part, which is
+  /// what hangs together there by faces, the first of least_sure_first() that was made.
   evidence,
 };
 inline constexpr int kColourings = 5;

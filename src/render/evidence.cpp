@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <map>
 #include <utility>
 
 #include "core/union_find.hpp"
+#include "model/sureness.hpp"
 
 namespace tetloft::internal::render {
 
@@ -23,7 +23,7 @@ std::vector<const RegionLink*> least_sure_first(const Model& model) {
     if (link.fate == LinkFate::made) made.push_back(&link);
   }
   std::stable_sort(made.begin(), made.end(), [](const RegionLink* a, const RegionLink* b) {
-    return std::abs(a->margin) < std::abs(b->margin);
+    return sureness(*a) < sureness(*b);
   });
   return made;
 }

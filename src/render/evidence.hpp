@@ -15,7 +15,7 @@ namespace tetloft::internal::render {
 [[nodiscard]] bool tells_evidence(const Model& model);
 
 /// By tet of the subject: of its part, which are the tets of a slab that hang together by faces,
-/// end prisms aside, the least sure link that was made: of least |margin|, then the first. A link
+/// end prisms aside, the least sure link that was made (sureness(); of equals the first). A link
 /// is of a part where one of its contours is. kNoEvidence where there is none, and of end prisms.
 /// `mesh` is that of the subject's tets. Requires tells_evidence().
 [[nodiscard]] std::vector<std::uint8_t> evidence_by_tet(const Model& model, const TetMesh& mesh,

@@ -75,6 +75,17 @@ TEST(Evidence, IsThatOfTheLeastSureLinkOfAPartThatWasMade) {
             (std::vector<int>{kOverlap, kMotion, kLone, kNoEvidence, kLabel, kOverlap}));
 }
 
+// As in least_sure_first(): a lone region may also be unsure which other it belongs to.
+TEST(Evidence, OfALoneRegionIsAsSureAsItsLead) {
+  Model model = columns(1, 1);
+  model.links = {link(0, 0, 0, Evidence::overlap, 0.2), link(0, 0, 0, Evidence::lone, 0.4),
+                 link(0, 0, 0, Evidence::chain, 0.3)};
+  EXPECT_EQ(evidence_of(model, 1), std::vector<int>{kOverlap});
+  model.links[1].lead = -0.1;
+  model.links[2].lead = 0.05;
+  EXPECT_EQ(evidence_of(model, 1), std::vector<int>{kLone});
+}
+
 // A link belongs where one of its contours is: in its own slab, below or above.
 TEST(Evidence, IsFoundByEitherContourInTheSlabOfTheLink) {
   Model model = columns(2, 3);
