@@ -217,6 +217,15 @@ TEST(MovedOverlap, ExceedsTheThresholdAndTheDistance) {
   EXPECT_EQ(classes(apart(), options, {{}, motions}), (Classes{0, 0}));
 }
 
+TEST(MovedOverlap, IsNoneOfWhatIsNoRegionAnyMoreWhereItIsMoved) {
+  const std::vector<RegionMotion> both{motion(0, false, 0, 6), motion(0, true, 0, 6)};
+  SectionStack stack = stack_of({{square(-1, 4)}, {square(5, 4)}}, 4);
+  EXPECT_EQ(classes(stack, moved(), {{}, both}), (Classes{0, 0}));
+  // A hole so small that rounding closes it elsewhere.
+  stack.sections[SectionId(0)].contours.push_back(box(0x1p-60, 0x1p-60, 0x1p-59, 0x1p-59));
+  EXPECT_EQ(classes(stack, moved(), {{}, both}), (Classes{0, 0, 1}));
+}
+
 TEST(MovedOverlap, CountsMotionsAsItTellsThem) {
   EXPECT_EQ(wrong_motions(apart(), {motion(0, false, 0, 6), motion(0, true, 0, 6)}),
             std::vector<std::string>());
