@@ -32,12 +32,14 @@ struct LinkOptions {
 /// The links of a stack, without making a solid: rules 1 to 7. Refused: invalid_input for an
 /// invalid stack, or labels and decisions that name no contour or contradict each other;
 /// unrepresentable for labels that cannot be realised, naming contours; work_limit as by
-/// reconstruct(), with `reverse` alone; usage for options out of range; cancelled if it was stopped.
+/// reconstruct(), with `reverse` alone; usage for options out of range; cancelled if it was
+/// stopped.
 [[nodiscard]] TETLOFT_API Result<StackLinks> find_links(const SectionStack& stack,
                                                         const LinkOptions& options = {});
 
 /// Links in order of doubt: those first whose |margin|, or of lone regions' links |lead| where that
-/// is less, is least; equal ones stay in order.
+/// is less, is least; equal ones stay in order. A link that the user parted counts as one he
+/// joined.
 [[nodiscard]] TETLOFT_API std::vector<RegionLink> least_sure_first(std::vector<RegionLink> links);
 
 }  // namespace tetloft

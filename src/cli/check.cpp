@@ -17,6 +17,10 @@ Usage check_usage() {
               stack_options(),
               "Give the options of correspondence, and --snap, as they were given to "
               "reconstruct. Exits with 1 if a guarantee fails."};
+  usage.options.push_back(
+      {"--motions", "",
+       "with --correspondence moved: estimate anew how regions move, too; else that is taken from "
+       "the model"});
   usage.options.push_back(model_format_option());
   for (const Option& option : {kThreadsOption, kJsonOption, kQuietOption, kHelpOption}) {
     usage.options.push_back(option);
@@ -65,6 +69,7 @@ std::string to_json(const CheckReport& report, const StackInput& input, const Co
   json.member("smallest_dihedral_degrees", report.smallest_dihedral_degrees);
   json.member("largest_split_ulps", report.largest_split_ulps);
   json.member("inner_vertices", report.inner_vertices);
+  json.member("dropped_links", report.dropped_links);
   write_preparation(json, input);
   write_warnings(json, console.warnings());
   json.end_object();
@@ -99,6 +104,12 @@ std::string to_text(const CheckReport& report, const StackInput& input) {
   text += "overshoot " + readable(report.overshoot) + " gaps, smallest dihedral angle " +
           readable(report.smallest_dihedral_degrees) + " degrees, inserted vertices at most " +
           readable(report.largest_split_ulps) + " ulps off their edges\n";
+  if (report.dropped_links > 0) {
+    text += counted(report.dropped_links, "link") +
+            " left out, as the model says: no tets could "
+            "realise " +
+            (report.dropped_links == 1 ? "it\n" : "them\n");
+  }
   if (report.inner_vertices > 0) {
     text += "not as reconstruct makes it: " + std::to_string(report.inner_vertices) +
             (report.inner_vertices == 1 ? " vertex" : " vertices") + " inside sections\n";
@@ -121,6 +132,10 @@ Result<int> run_check(const Arguments& arguments, Console& console) {
   auto correspondence = correspondence_options(arguments, console);
   if (!correspondence) return correspondence.error();
   options.correspondence = *std::move(correspondence);
+  options.recompute_motions = arguments.has("--motions");
+  if (options.recompute_motions && options.correspondence.criterion != Criterion::moved) {
+    console.warn({"--motions has no effect but with --correspondence moved", {}});
+  }
   const auto prepared = preparation(arguments);
   if (!prepared) return prepared.error();
 

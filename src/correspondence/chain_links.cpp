@@ -99,6 +99,7 @@ class SlabSingles {
         if (!d) return;
         LinkCandidate pair{{slab_, i, j}, Evidence::chain, LinkFate::too_weak};
         pair.distance = *d;
+        if (*d == 0) pair.ratio = overlap_ratio(below_.outline[i], above_.outline[j]);
         pairs.push_back(pair);
       });
     }
@@ -119,7 +120,8 @@ class SlabSingles {
         const RegionOutline& met =
             upwards ? above_.outline[pair->link.upper] : below_.outline[pair->link.lower];
         const double ratio = overlap_ratio(outline, met);
-        if (compare_overlap(outline, met, kChainOverlap, ratio) == Sign::positive) pair->fate = LinkFate::made;
+        if (compare_overlap(outline, met, kChainOverlap, ratio) == Sign::positive)
+          pair->fate = LinkFate::made;
         pair->moved = std::max(pair->moved, ratio);
       }
     }

@@ -143,17 +143,23 @@ TEST_F(CheckCommand, FailsAnInvertedTet) {
   EXPECT_EQ(run({"check", model_, in_, "--quiet"}).out, "");
 }
 
-TEST_F(CheckCommand, TakesDriftAsReconstructDoes) {
+TEST_F(CheckCommand, TakesChainsAndLoneRegionsAsReconstructDoes) {
   test::put(in_, test::kLeaning);
   const auto made = [&](const std::vector<std::string>& extra) {
-    std::vector<std::string> words{"reconstruct", in_, "-o", model_, "--verify"};
+    std::vector<std::string> words{"reconstruct",      in_,      "-o", model_, "--verify",
+                                   "--correspondence", "overlap"};
     words.insert(words.end(), extra.begin(), extra.end());
     return run_json(words).at("components").number;
   };
-  EXPECT_EQ(made({}), 2);
-  EXPECT_EQ(made({"--drift", "0.3"}), 1);
-  EXPECT_TRUE(run_json({"check", model_, in_, "--drift", "0.3"}).at("pass").boolean);
-  const JsonValue without = run_json({"check", model_, in_}, 1);
+  EXPECT_EQ(made({"--no-chain", "--no-lone"}), 2);
+  EXPECT_EQ(made({"--no-lone"}), 1);
+  EXPECT_EQ(made({"--no-chain"}), 1);
+  EXPECT_EQ(made({}), 1);
+  const std::vector<std::string> words{"check", model_, in_, "--correspondence", "overlap"};
+  EXPECT_TRUE(run_json(words).at("pass").boolean);
+  std::vector<std::string> without_links = words;
+  for (const char* flag : {"--no-chain", "--no-lone"}) without_links.emplace_back(flag);
+  const JsonValue without = run_json(without_links, 1);
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_EQ(without.at("guarantees").array[i].at("pass").boolean, i != 3);
   }

@@ -49,8 +49,10 @@ TEST_F(GeigerMethod, RefusesWhatHasNoMeaning) {
                  "usage", "--ends", {out_});
   expect_failure({"reconstruct", in_, "-o", out_, "--method", "geiger", "--overlap", "0.1"}, 2,
                  "usage", "--overlap", {out_});
-  expect_failure({"reconstruct", in_, "-o", out_, "--method", "geiger", "--drift", "0.1"}, 2,
-                 "usage", "--drift", {out_});
+  for (const char* flag : {"--no-chain", "--no-lone"}) {
+    expect_failure({"reconstruct", in_, "-o", out_, "--method", "geiger", flag}, 2, "usage", flag,
+                   {out_});
+  }
   expect_failure({"reconstruct", in_, "-o", out_, "--method", "nuages"}, 2, "usage", "nuages",
                  {out_});
   expect_failure({"reconstruct", in_, "--method", "geiger"}, 2, "usage", "--output");

@@ -36,6 +36,7 @@ class Outputs : public ::testing::Test {
             {{"reconstruct", in_, "-o", solid, "--surface", surface, "--method", "geiger"},
              {solid, surface}},
             {{"delaunay", points_, "-o", solid}, {solid}},
+            {{"links", in_, "-o", folder_.file("o.labels")}, {folder_.file("o.labels")}},
             {{"skeleton", in_, "-o", lines}, {lines}},
             {{"render", model_, "-o", page}, {page}}};
   }

@@ -21,6 +21,7 @@ TEST(Help, IsPrintedByEveryCommand) {
   for (const std::vector<std::string>& words : {std::vector<std::string>{"--help"},
                                                 {"reconstruct", "--help"},
                                                 {"check", "--help"},
+                                                {"links", "--help"},
                                                 {"delaunay", "--help"},
                                                 {"info", "--help"},
                                                 {"reconstruct", "x.cnt", "--help"}}) {
@@ -34,13 +35,13 @@ TEST(Help, IsPrintedByEveryCommand) {
 TEST(Help, NamesEveryOption) {
   const std::string help = run({"reconstruct", "--help"}).out;
   for (const char* option :
-       {"-o", "--surface", "--correspondence", "--overlap", "--drift", "--labels", "--ends",
-        "--thickness", "--repair", "--repair-distance", "--snap", "--threads", "--verify",
+       {"-o", "--surface", "--correspondence", "--overlap", "--no-chain", "--no-lone", "--labels",
+        "--ends", "--thickness", "--repair", "--repair-distance", "--snap", "--threads", "--verify",
         "--ascii", "--json", "--quiet", "--help"}) {
     EXPECT_NE(help.find(option), std::string::npos) << option;
   }
   const std::string general = run({"--help"}).out;
-  for (const char* command : {"reconstruct", "check", "delaunay", "info"}) {
+  for (const char* command : {"reconstruct", "check", "links", "delaunay", "info"}) {
     EXPECT_NE(general.find(command), std::string::npos) << command;
   }
 }
@@ -65,7 +66,8 @@ TEST(Usage, ShowsTheHelpWhereNothingIsAsked) {
 }
 
 TEST(Help, OfACommandByItsName) {
-  for (const char* command : {"reconstruct", "check", "delaunay", "skeleton", "render", "info"}) {
+  for (const char* command :
+       {"reconstruct", "check", "links", "delaunay", "skeleton", "render", "info"}) {
     const std::string help = run({command, "--help"}).out;
     EXPECT_EQ(run({"help", command}).out, help);
     EXPECT_EQ(run({command, "-h"}).out, help);
@@ -121,7 +123,6 @@ TEST(Usage, NamesTheOptionThatIsWrong) {
   expect({"--overlap", "--quiet"}, "--overlap");
   for (const char* tau : {"1", "-0.1", "x", "nan", "", "0.5x"}) {
     expect({"--overlap=" + std::string(tau)}, "--overlap");
-    expect({"--drift=" + std::string(tau)}, "--drift");
   }
   for (const char* bits : {"0", "51", "-3", "2.5", "x", ""}) {
     expect({"--snap=" + std::string(bits)}, "--snap");
@@ -134,9 +135,9 @@ TEST(Usage, NamesTheOptionThatIsWrong) {
   }
   expect({"--ends", "round"}, "--ends");
   expect({"--correspondence", "psychic"}, "--correspondence");
-  expect({"--drift"}, "--drift");
-  expect({"--drift", "0.3", "--correspondence", "reverse"}, "--drift");
-  expect_failure({"check", "none.vtu", "none.cnt", "--drift", "1"}, 2, "usage", "--drift");
+  expect({"--drift", "0.3"}, "no option --drift any more");
+  expect_failure({"check", "none.vtu", "none.cnt", "--drift=1"}, 2, "usage", "--no-chain");
+  expect({"--no-chain=1"}, "takes no value");
   expect({"--verify=yes"}, "--verify");
   expect({"--ascii", "--ascii"}, "--ascii");
   expect({"--surface", folder.file("s.vtk")}, "--surface");
