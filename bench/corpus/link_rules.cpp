@@ -98,7 +98,7 @@ std::vector<LinkRule> link_rules() {
 std::vector<Pairs> links_by(const LinkRule& rule, const std::vector<SlabFacts>& slabs) {
   std::vector<Pairs> links;
   for (const SlabFacts& slab : slabs) links.push_back(slab_links(rule, slab));
-  if (rule.lone) link_lone(rule, slabs, links);
+  if (rule.lone && !slabs.empty()) link_lone(rule, slabs, links);
   return links;
 }
 

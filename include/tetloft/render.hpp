@@ -21,8 +21,11 @@ enum class ColourBy : std::uint8_t {
   slab,
   kind,      ///< TetKind
   dihedral,  ///< its smallest dihedral angle
+  /// Evidence of the link that holds it: of those in its slab with a contour in its part, which is
+  /// what hangs together there by faces, the first of least_sure_first() that was made.
+  evidence,
 };
-inline constexpr int kColourings = 4;
+inline constexpr int kColourings = 5;
 [[nodiscard]] TETLOFT_API const char* name_of(ColourBy colour);
 
 /// A plane x, y or z = position. Of the model the part away from the eye stays, and is shown cut

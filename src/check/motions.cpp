@@ -82,8 +82,7 @@ std::vector<Passage> moving_passages(const Regions& regions) {
   return moving;
 }
 
-ClaimedMotions claimed_motions(const Regions& regions, std::span<const RegionMotion> claims,
-                               int exponent) {
+ClaimedMotions claimed_motions(const Regions& regions, std::span<const RegionMotion> claims) {
   const std::vector<Passage> moving = moving_passages(regions);
   ClaimedMotions result;
   for (const RegionMotion& claim : claims) {
@@ -108,9 +107,14 @@ ClaimedMotions claimed_motions(const Regions& regions, std::span<const RegionMot
       wrong(": the region is at rest, or nothing is near it");
       continue;
     }
-    if (!result.motions.emplace(passage, scaled(claim.by, exponent)).second) wrong(": told twice");
+    if (!result.motions.emplace(passage, claim.by).second) wrong(": told twice");
   }
   return result;
+}
+
+Motions in_unit(Motions motions, int exponent) {
+  for (auto& [passage, by] : motions) by = scaled(by, exponent);
+  return motions;
 }
 
 MovedRatios::MovedRatios(const Regions& regions, const Motions& motions) : regions_(regions) {

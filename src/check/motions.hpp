@@ -30,14 +30,17 @@ using Motions = std::map<Passage, Point2>;
 /// near enough to move to.
 [[nodiscard]] std::vector<Passage> moving_passages(const Regions& regions);
 
-/// What a model says of motions, times 2^exponent. `wrong` says which of them the rule has not, and
+/// What a model says of motions, in its own unit. `wrong` says which of them the rule has not, and
 /// why; they are left out.
 struct ClaimedMotions {
   Motions motions;
   std::vector<std::string> wrong;
 };
 [[nodiscard]] ClaimedMotions claimed_motions(const Regions& regions,
-                                             std::span<const RegionMotion> claims, int exponent);
+                                             std::span<const RegionMotion> claims);
+
+/// Times 2^exponent.
+[[nodiscard]] Motions in_unit(Motions motions, int exponent);
 
 /// The motions as src/motion estimates them, and as the stack's vertices say: all that are not 0.
 [[nodiscard]] Motions estimated_motions(const SectionStack& stack, const Regions& regions);

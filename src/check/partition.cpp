@@ -146,13 +146,12 @@ Result<ExpectedPartition> expected_partition(const SectionStack& given, const Se
   ExpectedPartition expected;
   Motions motions;
   if (options.criterion == Criterion::moved) {
-    ClaimedMotions claimed = claimed_motions(regions, claims.motions, exponent);
+    ClaimedMotions claimed = claimed_motions(regions, claims.motions);
     expected.wrong_motions = std::move(claimed.wrong);
-    motions = std::move(claimed.motions);
+    motions = in_unit(claimed.motions, exponent);
     if (estimate_anew) {
-      Motions anew = estimated_motions(stack, regions);
-      expected.other_motions = differences(regions, motions, anew);
-      motions = std::move(anew);
+      motions = estimated_motions(stack, regions);
+      expected.other_motions = differences(regions, claimed.motions, in_unit(motions, -exponent));
     }
   }
   auto candidates = CandidateFinder(regions, motions, options).run(refined, *decided);

@@ -50,7 +50,7 @@ Usage render_usage() {
        stack_format_option(),
        model_format_option(),
        {"--no-contours", "", "draw no contours"},
-       {"--colour", "WHAT", "component (default), slab, kind or dihedral"},
+       {"--colour", "WHAT", "component (default), slab, kind, dihedral or evidence"},
        {"--view", "A,E", "azimuth and elevation of the eye in degrees (default -60,25)"},
        {"--cut", "AXIS=VALUE", "cut open by the plane x, y or z = VALUE; .html: z only"},
        {"--explode", "GAPS", "move the slabs apart by this many mean heights"},

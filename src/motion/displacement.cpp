@@ -18,8 +18,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::int64_t kRadius = kStepsPerGap;
 constexpr double kReach = 3 * kStepsPerGap;
 constexpr double kStiffness = 1.0 / 64;
-// Every other sample counts along each axis.
-constexpr std::int64_t kStride = 2;
+// Samples count a gap apart along each axis.
+constexpr std::int64_t kStride = kStepsPerGap;
 
 struct Step {
   std::int64_t i = 0, j = 0;

@@ -38,8 +38,8 @@ void measure(const Edge& e, const LatticeWindow& w, std::vector<double>& squared
     for (int i = 0; i < n; ++i) {
       const double px = (x0 + static_cast<double>(i)) - e.a.x;
       double t = (px * dx + py * dy) / length2;
-      t = t < 0 ? 0 : t;
-      t = t > 1 ? 1 : t;
+      t = t > 0 ? t : 0;
+      t = t < 1 ? t : 1;
       const double ex = px - t * dx;
       const double ey = py - t * dy;
       const double d = ex * ex + ey * ey;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 #include "motion/displacement.hpp"
 #include "motion/distance_samples.hpp"
@@ -40,18 +41,20 @@ struct Mover {
   Box2 box;
 };
 
-// Movers near each other, and all that is looked at of their own sections.
+// Movers near each other, and what is looked at around them.
 struct Group {
   LatticeWindow window;
   std::vector<Mover> movers;
 };
 
-std::vector<Group> grouped(const std::vector<Mover>& movers) {
+// Movers are together where that takes no more samples of a section `margin` around their windows.
+std::vector<Group> grouped(const std::vector<Mover>& movers, std::int64_t margin) {
+  const auto samples = [margin](const LatticeWindow& w) { return w.widened(margin).size(); };
   std::vector<Group> groups;
   for (const Mover& mover : movers) {
     const LatticeWindow window = motion::window_of(mover.box);
     const auto near = std::find_if(groups.begin(), groups.end(), [&](const Group& group) {
-      return group.window.joined(window).size() <= group.window.size() + window.size();
+      return samples(group.window.joined(window)) <= samples(group.window) + samples(window);
     });
     if (near == groups.end()) {
       groups.push_back({window, {mover}});
@@ -155,7 +158,7 @@ SlabMotions estimate_motions(SlabId slab, const SectionStack& stack,
   };
   for (const RegionId r : wanted.lower) add(below, false, r);
   for (const RegionId r : wanted.upper) add(above, true, r);
-  for (const Group& group : grouped(movers)) sampled.move(group, motions);
+  for (const Group& group : grouped(movers, motion::margin_of(2))) sampled.move(group, motions);
   return motions;
 }
 

@@ -2,7 +2,6 @@
 #include <tetloft/links.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/guard.hpp"
 #include "core/option_rules.hpp"
@@ -10,6 +9,7 @@
 #include "core/unit_of_length.hpp"
 #include "core/watched_work.hpp"
 #include "correspondence/link_report.hpp"
+#include "model/sureness.hpp"
 #include "reconstruct/decide.hpp"
 #include "reconstruct/hints.hpp"
 #include "reconstruct/prepare.hpp"
@@ -20,13 +20,6 @@ namespace tetloft {
 using namespace internal;
 
 namespace {
-
-double doubt(const RegionLink& link) {
-  if (link.fate == LinkFate::decided_part) return 1;
-  const double margin = std::abs(link.margin);
-  return link.evidence == Evidence::lone && link.lead ? std::min(margin, std::abs(*link.lead))
-                                                      : margin;
-}
 
 Result<StackLinks> links_of(const SectionStack& stack, const ReconstructOptions& options) {
   Result<void> sensible = check_correspondence_options(options.correspondence);
@@ -66,8 +59,9 @@ Result<StackLinks> find_links(const SectionStack& stack, const LinkOptions& give
 }
 
 std::vector<RegionLink> least_sure_first(std::vector<RegionLink> links) {
-  std::stable_sort(links.begin(), links.end(),
-                   [](const RegionLink& a, const RegionLink& b) { return doubt(a) < doubt(b); });
+  std::stable_sort(links.begin(), links.end(), [](const RegionLink& a, const RegionLink& b) {
+    return sureness(a) < sureness(b);
+  });
   return links;
 }
 

@@ -115,7 +115,7 @@ void append_array(std::string& page, const char* id, const std::vector<T>& value
 
 class Page {
  public:
-  static constexpr std::size_t kSteps = 11;  // the header, and the arrays
+  static constexpr std::size_t kSteps = 12;  // the header, and the arrays
 
   /// Tells `work` of kSteps steps.
   Page(const Subject& subject, const RenderOptions& options, WatchedWork& work)
@@ -172,8 +172,12 @@ class Page {
     } else {
       members.raw("cut", "null");
     }
-    members.raw("colourings", s.kind.empty() ? R"(["component","slab","dihedral"])"
-                                             : R"(["component","slab","kind","dihedral"])");
+    std::vector<ColourBy> colourings{ColourBy::component, ColourBy::slab};
+    if (!s.kind.empty()) colourings.push_back(ColourBy::kind);
+    colourings.push_back(ColourBy::dihedral);
+    if (!s.evidence.empty()) colourings.push_back(ColourBy::evidence);
+    members.list("colourings", colourings.size(),
+                 [&](std::size_t k) { return json_string(name_of(colourings[k])); });
     members.list("slabFirst", s.slab_count + 1, [&](std::size_t k) {
       const auto first =
           std::lower_bound(s.slab.begin(), s.slab.end(), static_cast<std::uint32_t>(k));
@@ -201,6 +205,13 @@ class Page {
                  [](std::size_t k) { return json(render::kind_colour(static_cast<TetKind>(k))); });
     members.list("kindNames", kTetKinds,
                  [](std::size_t k) { return json_string(name_of(static_cast<TetKind>(k))); });
+    if (!s.evidence.empty()) {
+      members.list("evidenceColours", kEvidences + 1,
+                   [](std::size_t k) { return json(render::evidence_colour(k)); });
+      members.list("evidenceNames", kEvidences,
+                   [](std::size_t k) { return json_string(name_of(static_cast<Evidence>(k))); });
+      members.list("links", kEvidences, [&](std::size_t k) { return std::to_string(s.links[k]); });
+    }
     return members.object();
   }
 
@@ -255,6 +266,7 @@ class Page {
           std::lround(255 * std::min(1.0, static_cast<double>(degrees) / render::kBestDihedral))));
     }
     add_array(page, "dihedral", bytes);
+    add_array(page, "evidence", s.evidence);
 
     floats.clear();
     words.clear();

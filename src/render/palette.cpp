@@ -33,6 +33,17 @@ constexpr std::array<Rgb, kTetKinds> kKinds{{{216, 190, 140},
                                              {136, 176, 120},
                                              {150, 154, 164}}};
 
+// What lies as it is in calm colours, what was inferred in loud ones, what the user said in
+// violets; without a link in grey.
+constexpr std::array<Rgb, kEvidences + 1> kEvidence{{{120, 158, 178},
+                                                     {150, 134, 100},
+                                                     {94, 176, 142},
+                                                     {240, 180, 60},
+                                                     {214, 78, 62},
+                                                     {122, 96, 178},
+                                                     {196, 108, 178},
+                                                     {206, 208, 212}}};
+
 constexpr std::array<Rgb, 6> kSlabs{{{54, 62, 120},
                                      {56, 118, 158},
                                      {70, 168, 150},
@@ -72,6 +83,10 @@ Rgb component_colour(std::size_t component) {
 }
 
 Rgb kind_colour(TetKind kind) { return kKinds[static_cast<std::size_t>(kind) % kKinds.size()]; }
+
+Rgb evidence_colour(std::size_t evidence) {
+  return kEvidence[std::min(evidence, kEvidence.size() - 1)];
+}
 
 Rgb slab_colour(double t) { return along(kSlabs, t); }
 

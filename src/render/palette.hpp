@@ -16,6 +16,8 @@ struct Rgb {
 /// Neighbouring numbers get colours that are well apart.
 [[nodiscard]] Rgb component_colour(std::size_t component);
 [[nodiscard]] Rgb kind_colour(TetKind kind);
+/// Of an Evidence, as a number, or of none.
+[[nodiscard]] Rgb evidence_colour(std::size_t evidence);
 /// From the first slab, 0, to the last, 1.
 [[nodiscard]] Rgb slab_colour(double t);
 /// From flat, 0, to kBestDihedral degrees or more, 1.

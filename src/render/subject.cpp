@@ -12,6 +12,7 @@
 
 #include "core/enums.hpp"
 #include "model/well_formed.hpp"
+#include "render/evidence.hpp"
 #include "render/normals.hpp"
 #include "render/outlines.hpp"
 #include "render/vector.hpp"
@@ -26,6 +27,7 @@ const char* name_of(ColourBy colour) {
     case ColourBy::slab: return "slab";
     case ColourBy::kind: return "kind";
     case ColourBy::dihedral: return "dihedral";
+    case ColourBy::evidence: return "evidence";
   }
   return "unknown";
 }
@@ -63,8 +65,8 @@ Result<void> check_options(const RenderOptions& options) {
       options.height > kLargestPictureSide) {
     return usage("width and height of a picture are 1 to 8192 pixels");
   }
-  if (!is_enumerator(options.colour, ColourBy::dihedral)) {
-    return usage("there is no such colouring: component, slab, kind or dihedral");
+  if (!is_enumerator(options.colour, ColourBy::evidence)) {
+    return usage("there is no such colouring: component, slab, kind, dihedral or evidence");
   }
   if (!std::isfinite(options.azimuth)) return usage("azimuth is not finite");
   if (!(options.elevation >= -90 && options.elevation <= 90)) {
@@ -156,6 +158,7 @@ void sort_by_slab(const Model& model, Subject& subject) {
     subject.tets.push_back(model.tets.raw()[t]);
     if (subject.slab_count == 0 || slab(t) != slab(order[subject.slab.size() - 1])) {
       ++subject.slab_count;
+      subject.slab_number.push_back(slab(t));
     }
     subject.slab.push_back(static_cast<std::uint32_t>(subject.slab_count - 1));
     if (!model.component.empty()) subject.component.push_back(model.component.raw()[t].value());
@@ -215,6 +218,7 @@ Rgb Subject::colour(std::size_t tet, ColourBy by) const {
     case ColourBy::kind: return kind_colour(kind[tet]);
     case ColourBy::dihedral:
       return dihedral_colour(static_cast<double>(dihedral[tet]) / kBestDihedral);
+    case ColourBy::evidence: return evidence_colour(evidence[tet]);
   }
   return {};
 }
@@ -227,6 +231,9 @@ Result<Subject> subject_of(const Model& model, const SectionStack* contours,
   }
   if (options.colour == ColourBy::kind && model.kind.empty()) {
     return Error{ErrorCode::usage, "the model does not tell the kind of its tets", {}};
+  }
+  if (options.colour == ColourBy::evidence && !tells_evidence(model)) {
+    return Error{ErrorCode::usage, "the model does not tell its links", {}};
   }
   Subject subject;
   subject.points.reserve(model.points.size());
@@ -241,6 +248,12 @@ Result<Subject> subject_of(const Model& model, const SectionStack* contours,
   find_faces(*mesh, subject);
   number_components(*mesh, subject);
   measure(subject);
+  if (tells_evidence(model)) {
+    subject.evidence = evidence_by_tet(model, *mesh, subject);
+    for (const RegionLink& link : model.links) {
+      if (link.fate == LinkFate::made) ++subject.links[static_cast<std::size_t>(link.evidence)];
+    }
+  }
   subject.normals = smooth_normals(subject);
   add_contours(model, contours, options.stretch, subject);
   return subject;

@@ -21,17 +21,24 @@ struct ContourPiece {
   std::uint32_t slab_above = 0;
 };
 
+/// Of tets that no link holds.
+inline constexpr std::uint8_t kNoEvidence = kEvidences;
+
 struct Subject {
   /// Coordinates are the model's times 2^−exponent, exactly: of any scale the same picture.
   int exponent = 0;
   std::vector<Point3> points;     ///< z stretched
   std::vector<TetVertices> tets;  ///< by slab, in the model's order within each
   std::vector<std::uint32_t> component;
-  std::vector<std::uint32_t> slab;   ///< ascending
-  std::vector<TetKind> kind;         ///< empty where the model has none
-  std::vector<float> dihedral;       ///< the smallest, in degrees
-  std::vector<HalfFaceId> boundary;  ///< faces of one tet only
-  std::vector<HalfFaceId> walls;     ///< faces between tets of different slabs, once from each side
+  std::vector<std::uint32_t> slab;         ///< ascending
+  std::vector<std::uint32_t> slab_number;  ///< by slab: that of the model
+  std::vector<TetKind> kind;               ///< empty where the model has none
+  std::vector<std::uint8_t>
+      evidence;  ///< Evidence or kNoEvidence; empty where the model tells none
+  std::array<std::size_t, kEvidences> links{};  ///< how many were made, by evidence
+  std::vector<float> dihedral;                  ///< the smallest, in degrees
+  std::vector<HalfFaceId> boundary;             ///< faces of one tet only
+  std::vector<HalfFaceId> walls;  ///< faces between tets of different slabs, once from each side
   /// normals[k][i]: unit normal of boundary[k] at its corner i: over faces that meet smoothly.
   std::vector<std::array<Point3, 3>> normals;
   std::vector<ContourPiece> contours;

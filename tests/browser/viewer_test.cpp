@@ -189,7 +189,7 @@ TEST_P(Viewer, ShowsTheSolidAndEveryControlChangesThePicture) {
     EXPECT_NE(after(click(box)).hash, whole.hash) << box;
     EXPECT_EQ(after(click(box)).hash, whole.hash) << box;
   }
-  for (int k = 2; k <= 4; ++k) {
+  for (int k = 2; k <= 5; ++k) {
     const std::string button = "#colour button:nth-child(" + std::to_string(k) + ')';
     EXPECT_NE(after(click(button)).hash, whole.hash) << button;
   }
@@ -198,6 +198,42 @@ TEST_P(Viewer, ShowsTheSolidAndEveryControlChangesThePicture) {
   after(slide("explode", 0));
   EXPECT_NE(after(click("[data-view='-90 90']")).hash, whole.hash);
   EXPECT_EQ(after(click("[data-view='-60 25']")).hash, whole.hash);
+  expect_no_errors();
+}
+
+// A box through all sections, and beside it a small one in the middle, which nothing overlaps.
+SectionStack with_a_lone_box() {
+  SectionStack stack;
+  for (std::size_t s = 0; s < 3; ++s) {
+    Section section{0.7 * static_cast<double>(s), {}};
+    section.contours.push_back({{{0, 0}, {1, 0}, {1, 3}, {0, 3}}});
+    if (s == 1) section.contours.push_back({{{1.2, 1}, {1.4, 1}, {1.4, 1.2}, {1.2, 1.2}}});
+    stack.sections.push_back(section);
+  }
+  return stack;
+}
+
+TEST_P(Viewer, ColoursByTheEvidenceOfLinks) {
+  if (!start()) GTEST_SKIP() << "no " << GetParam();
+  RenderOptions options;
+  options.colour = ColourBy::evidence;
+  show(with_a_lone_box(), Ends::half, options);
+  if (IsSkipped() || HasFatalFailure()) return;
+  EXPECT_EQ(browser_->evaluate("document.querySelector('#colour [aria-checked=true]').textContent")
+                .string,
+            "evidence");
+  const auto rows = [&] {
+    return browser_
+        ->evaluate(
+            "[...document.querySelectorAll('#legend .row')].map((r) => r.textContent).join()")
+        .string;
+  };
+  EXPECT_EQ(rows(), "overlap2,lone1,no link");
+  const Pixels evidence = pixels();
+  EXPECT_NE(after(click("#colour button:nth-child(1)")).hash, evidence.hash);
+  EXPECT_EQ(rows(), "");
+  EXPECT_EQ(after(click("#colour button:nth-child(5)")).hash, evidence.hash);
+  EXPECT_NE(after(slide("cut", 300)).hash, evidence.hash);
   expect_no_errors();
 }
 

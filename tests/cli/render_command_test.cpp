@@ -54,6 +54,7 @@ TEST_F(RenderCommand, EveryOptionChangesThePicture) {
            {"--colour", "slab"},
            {"--colour", "kind"},
            {"--colour", "dihedral"},
+           {"--colour", "evidence"},
            {"--view", "10,80"},
            {"--cut", "z=0.5"},
            {"--cut", "x=0"},

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -99,12 +100,23 @@ CorrespondenceOptions random_options(Prng& prng, const SectionStack& stack) {
 // What became of one comparison.
 enum class Answer : std::uint8_t { sets, unrealisable, refused };
 
-constexpr std::size_t kMostForOracle = 60;  // vertices
+// The oracle takes its time.
+constexpr std::size_t kMostForOracle = 40;  // vertices
+constexpr std::uint64_t kSeedsForOracle = 3;
 
-// What check makes of these claims, and the oracle of a small stack.
+// A stack, and with what numbers it is tried.
+struct Tried {
+  SectionStack stack;
+  std::uint64_t seed;
+  Prng prng;
+  [[nodiscard]] bool for_oracle() const {
+    return stack.vertex_count() <= kMostForOracle && seed <= kSeedsForOracle;
+  }
+};
+
+// What check makes of these claims, and the oracle.
 void compare_with_oracle(const SectionStack& stack, const CorrespondenceOptions& options,
                          const Model& claims, const std::string& what) {
-  if (stack.vertex_count() > kMostForOracle) return;
   const auto checked =
       checking::expected_partition(stack, stack, options, {claims.links, claims.motions});
   const oracle::ExpectedSets truth = oracle::expected_sets(claims, stack, options);
@@ -119,15 +131,50 @@ void compare_with_oracle(const SectionStack& stack, const CorrespondenceOptions&
   }
 }
 
-Answer compare(const SectionStack& stack, const CorrespondenceOptions& options,
-               const std::string& what) {
+// Changes something that a model may say.
+void corrupt(Prng& prng, Model& claims) {
+  for (RegionLink& link : claims.links) {
+    if (prng.chance(0.2)) link.fate = LinkFate::unrealisable;
+  }
+  if (!claims.links.empty() && prng.chance(0.2)) {
+    RegionLink link = claims.links[prng.below(claims.links.size())];
+    if (prng.chance(0.5)) link.upper = ContourId(prng.below(4));
+    if (prng.chance(0.1)) link.slab = SlabId();
+    claims.links.push_back(link);
+  }
+  if (prng.chance(0.5)) {
+    for (RegionMotion& motion : claims.motions) {
+      motion.by = {static_cast<double>(prng.below(9)) - 4, static_cast<double>(prng.below(3)) - 1};
+    }
+    return;
+  }
+  if (claims.motions.empty()) return;
+  RegionMotion motion = claims.motions[prng.below(claims.motions.size())];
+  switch (prng.below(6)) {
+    case 0: motion.by = {motion.by.x * 2, motion.by.y / 4}; break;
+    case 1: motion.by.x = std::numeric_limits<double>::quiet_NaN(); break;
+    case 2: motion.upper = !motion.upper; break;
+    case 3: motion.contour = ContourId(prng.below(4)); break;
+    case 4: motion.slab = SlabId(prng.below(4)); break;
+    default: claims.motions.push_back(motion);
+  }
+  claims.motions[prng.below(claims.motions.size())] = motion;
+}
+
+Answer compare(Tried& tried, const CorrespondenceOptions& options, const std::string& what) {
+  const SectionStack& stack = tried.stack;
   const Result<StackLinks> made = find_links(stack, {options, {}});
   Model claims;
   if (made.ok()) {
     claims.links = made->links;
     claims.motions = made->motions;
   }
-  compare_with_oracle(stack, options, claims, what);
+  if (tried.for_oracle()) {
+    compare_with_oracle(stack, options, claims, what);
+    Model corrupted = claims;
+    corrupt(tried.prng, corrupted);
+    compare_with_oracle(stack, options, corrupted, what + ", corrupted");
+  }
   // Without a result its motions are not known either; they matter for the sets alone.
   const auto again = checking::expected_partition(stack, stack, options,
                                                   {claims.links, claims.motions}, !made.ok());
@@ -152,28 +199,77 @@ Answer compare(const SectionStack& stack, const CorrespondenceOptions& options,
   return Answer::sets;
 }
 
+// One to four shapes on a lattice that lean from section to section: what is equal is often so.
+std::vector<Contour> random_shapes(Prng& prng, int section, const Point2& lean) {
+  std::vector<Contour> contours;
+  for (std::uint64_t k = prng.below(4); k > 0; --k) {
+    const double x = static_cast<double>(prng.below(12)) + lean.x * section;
+    const double y = static_cast<double>(prng.below(6)) + lean.y * section;
+    const double w = static_cast<double>(1 + prng.below(5));
+    const double h = static_cast<double>(1 + prng.below(3));
+    if (prng.chance(0.2)) {
+      contours.push_back({{{x, y}, {x + w, y}, {x, y + h}}});
+      continue;
+    }
+    contours.push_back({{{x, y}, {x + w, y}, {x + w, y + h}, {x, y + h}}});
+    if (prng.chance(0.2)) {
+      contours.push_back(
+          {{{x + w / 4, y + h / 4}, {x + w / 2, y + h / 4}, {x + w / 4, y + h / 2}}});
+    }
+  }
+  return contours;
+}
+
+SectionStack lattice_stack(Prng& prng) {
+  for (;;) {
+    SectionStack stack;
+    const Point2 lean{static_cast<double>(prng.below(9)) - 4, static_cast<double>(prng.below(3))};
+    double z = 0;
+    for (int s = 0; s < 4; ++s) {
+      stack.sections.push_back({z, IdVector<ContourId, Contour>(random_shapes(prng, s, lean))});
+      z += static_cast<double>(1 + prng.below(3));
+    }
+    if (validate(stack).ok()) return stack;
+  }
+}
+
+TEST(Correspondence, IsTheSameOnLattices) {
+  constexpr std::uint64_t kStacks = 400;
+  for (std::uint64_t seed = 1; seed <= kStacks; ++seed) {
+    Prng prng(seed);
+    Tried tried{lattice_stack(prng), 1, prng};
+    const std::string name = "seed " + std::to_string(seed);
+    for (const Criterion criterion : {Criterion::overlap, Criterion::moved}) {
+      compare(tried, {.criterion = criterion}, name + ", plain");
+    }
+    compare(tried, random_options(tried.prng, tried.stack), name + ", options");
+  }
+}
+
 TEST(Correspondence, IsTheSameWhenItIsComputedAnew) {
   constexpr std::uint64_t kSeeds = 12;
   std::size_t answers[3] = {};
+  std::size_t with_oracle = 0;
   for (const StackKind kind : all_kinds()) {
     for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
-      const SectionStack stack = generate(kind, seed).stack;
-      if (stack.vertex_count() > 3000) continue;
+      Tried tried{generate(kind, seed).stack, seed, Prng(seed)};
+      if (tried.stack.vertex_count() > 3000) continue;
       const std::string name = std::string(name_of(kind)) + ", seed " + std::to_string(seed);
       for (const Criterion criterion : {Criterion::overlap, Criterion::moved}) {
-        compare(stack, {.criterion = criterion}, name + ", plain");
+        compare(tried, {.criterion = criterion}, name + ", plain");
       }
-      Prng prng(seed);
       for (int trial = 0; trial < 4; ++trial) {
-        const Answer answer =
-            compare(stack, random_options(prng, stack), name + ", trial " + std::to_string(trial));
+        const CorrespondenceOptions options = random_options(tried.prng, tried.stack);
+        const Answer answer = compare(tried, options, name + ", trial " + std::to_string(trial));
         ++answers[static_cast<std::size_t>(answer)];
+        with_oracle += tried.for_oracle() ? 1U : 0U;
       }
     }
   }
-  EXPECT_GT(answers[0], 500U);
-  EXPECT_GT(answers[1], 10U);
-  EXPECT_GT(answers[2], 20U);
+  EXPECT_GT(answers[0], 1000U);
+  EXPECT_GT(answers[1], 15U);
+  EXPECT_GT(answers[2], 40U);
+  EXPECT_GT(with_oracle, 100U);
 }
 
 }  // namespace

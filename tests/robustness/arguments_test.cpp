@@ -55,7 +55,7 @@ TEST(Enumerators, ThatThereAreNoneOfAreRefused) {
     expect_error(reconstruct(stack, {.delaunay = engine}), ErrorCode::usage, "engine");
     expect_error(delaunay3(points, {.engine = engine}), ErrorCode::usage, "engine");
   }
-  for (const ColourBy colour : strangers(ColourBy::dihedral)) {
+  for (const ColourBy colour : strangers(ColourBy::evidence)) {
     for (const auto render : {render_png, render_svg, render_html}) {
       expect_error(render(model, nullptr, {.colour = colour}), ErrorCode::usage, "colour");
     }

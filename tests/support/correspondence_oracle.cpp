@@ -140,7 +140,7 @@ bool Rule::at_rest(std::size_t r, bool up) {
     return result;
   };
   const std::vector<Pair> own = met(r, up);
-  const Rational least = Rational::exactly(0.7);
+  const Rational least = Rational::exactly(kRestOverlap);
   for (const Pair& pair : own) {
     for (const Pair& other : met(up ? pair.second : pair.first, !up)) {
       if (ratio(other) < least) return false;
@@ -197,7 +197,7 @@ void Rule::by_moved_overlap() {
 
 void Rule::by_overlap() {
   const Rational tau = Rational::exactly(threshold_of(options_));
-  const Rational strong = Rational(1) / Rational(4);
+  const Rational strong = Rational::exactly(kStrongOverlap);
   for (const Pair& pair : pairs_) {
     if (!(ratio(pair) > tau)) continue;
     const auto has_strong = [&](auto same) {
@@ -229,7 +229,7 @@ std::optional<std::size_t> Rule::origin(std::size_t r, std::size_t section) {
   if (known.size() == 1) return known[0];
   std::optional<std::size_t> nearest;
   if (!known.empty()) return nearest;
-  double least = 1;
+  double least = kChainReach;
   for (std::size_t q = 0; q < regions_.size(); ++q) {
     if (regions_[q].section != section) continue;
     const double d = distance(std::minmax(r, q));
@@ -256,7 +256,7 @@ double Rule::ratio_moved_on(std::size_t r, std::size_t from, std::size_t onto, b
   const auto there = moved_by(regions_[r], {(now.x - then.x) * scale, (now.y - then.y) * scale});
   if (!there) return 0;
   const Rational met = exact_ratio(*there, regions_[onto]);
-  if (met > Rational::exactly(0.1)) enough = true;
+  if (met > Rational::exactly(kChainOverlap)) enough = true;
   return rounded(met);
 }
 
@@ -267,7 +267,7 @@ void Rule::by_chains() {
     const std::size_t s = regions_[a].section;
     if (!partners(a, s + 1).empty() || !partners(b, s).empty()) continue;
     const double d = distance(pair);
-    if (d > 1) continue;
+    if (d > kChainReach) continue;
     bool enough = false;
     const double from_below = ratio_moved_on(a, s - 1, b, enough);  // none is the last number
     const double from_above = ratio_moved_on(b, s + 2, a, enough);
@@ -289,7 +289,7 @@ void Rule::by_loneness() {
       const Rational half = Rational::exactly(gap(pair.first, pair.second)) / Rational(2);
       const bool small = regions_[r].area < Rational(2) * half * half;
       const double d = distance(pair);
-      if (!(d < (small ? 1 : 0.5))) continue;
+      if (!(d < (small ? kSmallLoneReach : kLoneReach))) continue;
       const double s = m(pair) - d;
       const auto slab = [&](const Pair& p) { return regions_[p.first].section; };
       if (!best || s > best->second || (s == best->second && slab(pair) < slab(best->first))) {

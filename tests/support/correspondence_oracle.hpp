@@ -1,5 +1,6 @@
 // Which contours form one component, by the rule of tetloft/correspondence.hpp, word by word: all
-// pairs, rationals, nothing fast. Shares no code with the library but its value types.
+// pairs, rationals, nothing fast. Shares no code with the library but its value types
+// and the rule's numbers.
 #pragma once
 
 #include <cstddef>

@@ -31,6 +31,7 @@ class Mesh {
     mesh.component = await unpack('component', Uint32Array);
     mesh.kind = await unpack('kind', Uint8Array);
     mesh.dihedral = await unpack('dihedral', Uint8Array);
+    mesh.evidence = await unpack('evidence', Uint8Array);
     mesh.contours = await unpack('contours', Float32Array);
     mesh.contourSlabs = await unpack('contour_slabs', Uint32Array);
     mesh.tetCount = mesh.tets.length / 4;
@@ -83,6 +84,7 @@ class Mesh {
     if (by === 'slab') return this.slabColours[this.slab[tet]];
     if (by === 'kind') return this.kindColours[this.kind[tet]];
     if (by === 'dihedral') return this.dihedralColours[this.dihedral[tet]];
+    if (by === 'evidence') return this.evidenceColours[this.evidence[tet]];
     return this.componentColours[this.component[tet] % this.componentColours.length];
   }
 

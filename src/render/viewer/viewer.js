@@ -250,6 +250,12 @@ class Viewer {
       item.append(swatch, text);
       return item;
     };
+    const list = (colour, text, count = '') => {
+      const item = row('div', colour, text);
+      item.className = 'row';
+      item.append(Object.assign(document.createElement('span'), {textContent: count}));
+      legend.append(item);
+    };
     const ramp = (colours, from, to) => {
       const bar = document.createElement('div');
       bar.className = 'ramp';
@@ -270,11 +276,15 @@ class Viewer {
       legend.append(...ramp(mesh.dihedralColours, '0°, flat', '70.5°, regular'));
     } else if (this.state.colour === 'kind') {
       const present = new Set(mesh.kind);
-      for (const k of [...present].sort((a, b) => a - b)) {
-        const item = row('div', mesh.kindColours[k], mesh.kindNames[k]);
-        item.className = 'row';
-        legend.append(item);
-      }
+      for (const k of [...present].sort((a, b) => a - b)) list(mesh.kindColours[k], mesh.kindNames[k]);
+    } else if (this.state.colour === 'evidence') {
+      mesh.evidenceNames.forEach((name, k) => {
+        if (mesh.links[k] > 0) list(mesh.evidenceColours[k], name, mesh.links[k].toLocaleString('en'));
+      });
+      const none = mesh.evidenceNames.length;
+      if (mesh.evidence.includes(none)) list(mesh.evidenceColours[none], 'no link');
+      const note = 'Links, by what they rest on. A part of a slab has the colour of its least sure one.';
+      legend.append(Object.assign(document.createElement('p'), {textContent: note}));
     } else {
       const few = Math.min(mesh.componentCount, 12);
       for (let c = 0; c < few; ++c) {

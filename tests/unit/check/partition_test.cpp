@@ -1,10 +1,7 @@
-// The rule of correspondence.hpp as check recomputes it.
-#include "check/partition.hpp"
-
+// Overlap and labels, in the rule of correspondence.hpp as check recomputes it; the rest of it:
+// rule_test.cpp.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <set>
 #include <utility>
@@ -13,6 +10,7 @@
 #include <tetloft/delaunay.hpp>
 
 #include "support/stacks/generate.hpp"
+#include "unit/check/rule_stacks.hpp"
 
 namespace tetloft {
 
@@ -21,40 +19,12 @@ namespace {
 
 using checking::Link;
 
-Contour box(double x0, double y0, double x1, double y1) {
-  return {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}};
-}
-
-SectionStack stack_of(const std::vector<std::vector<Contour>>& layers) {
-  SectionStack stack;
-  for (std::size_t s = 0; s < layers.size(); ++s) {
-    stack.sections.push_back({static_cast<double>(s), IdVector<ContourId, Contour>(layers[s])});
-  }
-  return stack;
-}
-
-// Classes renumbered by first occurrence.
-std::vector<int> classes(const SectionStack& stack, const CorrespondenceOptions& options = {}) {
-  const auto expected = checking::expected_partition(stack, stack, options);
-  EXPECT_TRUE(expected.ok());
-  EXPECT_FALSE(expected->unrealised.has_value());
-  std::vector<int> result;
-  std::vector<std::size_t> seen;
-  for (const std::size_t set : expected->set) {
-    const auto at = std::find(seen.begin(), seen.end(), set);
-    result.push_back(static_cast<int>(at - seen.begin()));
-    if (at == seen.end()) seen.push_back(set);
-  }
-  return result;
-}
-
-CorrespondenceOptions labelled(std::vector<std::array<std::uint32_t, 3>> labels) {
-  CorrespondenceOptions options;
-  for (const auto& [s, c, l] : labels) options.labels.push_back({SectionId(s), ContourId(c), l});
-  return options;
-}
-
-using Classes = std::vector<int>;
+using testing::box;
+using testing::Classes;
+using testing::classes;
+using testing::labelled;
+using testing::plain;
+using testing::stack_of;
 
 TEST(Partition, UnitesOverlappingRegionsOfNeighbouringSections) {
   EXPECT_EQ(classes(stack_of({{box(0, 0, 4, 4)}, {box(1, 1, 5, 5)}})), (Classes{0, 0}));
@@ -74,7 +44,7 @@ TEST(Partition, DoesNotCountAHoleAsOverlap) {
 }
 
 TEST(Partition, DoesNotUniteAtEquality) {
-  CorrespondenceOptions options;
+  CorrespondenceOptions options = plain();
   options.tau = 0.25;
   EXPECT_EQ(classes(stack_of({{box(0, 0, 4, 4)}, {box(3, 0, 7, 4)}}), options), (Classes{0, 1}));
   options.tau = std::nextafter(0.25, 0.0);
@@ -97,45 +67,6 @@ TEST(Partition, CountsARatioOfAHalfAsStrong) {
   // The right pair overlaps by exactly half of either.
   EXPECT_EQ(classes(stack_of({below, {box(0, 0, 5.5, 1.5), box(7, 0, 11, 4)}})),
             (Classes{0, 1, 0, 1}));
-}
-
-CorrespondenceOptions drifting(double drift) {
-  CorrespondenceOptions options;
-  options.drift = drift;
-  return options;
-}
-
-TEST(Partition, FollowsDriftWhereNothingOverlaps) {
-  const SectionStack stack = stack_of({{box(0, 0, 4, 4)}, {box(2, 0, 6, 4)}, {box(7, 0, 11, 4)}});
-  EXPECT_EQ(classes(stack), (Classes{0, 0, 1}));
-  // Moved by 2, to 8, it covers a quarter.
-  EXPECT_EQ(classes(stack, drifting(0.25)), (Classes{0, 0, 1}));
-  EXPECT_EQ(classes(stack, drifting(std::nextafter(0.25, 0.0))), (Classes{0, 0, 0}));
-  SectionStack uneven = stack;
-  uneven.sections[SectionId(2)].z = 3.5;
-  EXPECT_EQ(classes(uneven, drifting(0.9)), (Classes{0, 0, 0}));
-  EXPECT_EQ(
-      classes(stack_of({{box(7, 0, 11, 4)}, {box(2, 0, 6, 4)}, {box(0, 0, 4, 4)}}), drifting(0.2)),
-      (Classes{0, 0, 0}));
-}
-
-TEST(Partition, FollowsNoDriftOfTwoCandidatesNorToWhatIsLinked) {
-  const std::vector<Contour> high{box(7, 0, 11, 4)};
-  EXPECT_EQ(
-      classes(stack_of({{box(0, 0, 4, 4), box(5, 0, 9, 4)}, {box(2, 0, 6, 4)}, high}), drifting(0)),
-      (Classes{0, 0, 0, 1}));
-  EXPECT_EQ(classes(stack_of({{box(0, 0, 4, 4)}, {box(2, 0, 6, 4), box(8, 0, 12, 4)}, high}),
-                    drifting(0)),
-            (Classes{0, 0, 1, 1}));
-}
-
-TEST(Partition, FollowsDriftToRegionsAndOverHoles) {
-  const std::vector<Contour> low{box(0, 0, 8, 8), box(1, 1, 7, 7)};
-  const std::vector<Contour> high{box(5, 0, 13, 8), box(6, 1, 12, 7)};
-  EXPECT_EQ(classes(stack_of({low, high, {box(13.5, 3, 15, 5)}}), drifting(0)),
-            (Classes{0, 0, 0, 0, 1}));
-  EXPECT_EQ(classes(stack_of({low, high, {box(13.5, 3, 17.5, 5)}}), drifting(0)),
-            (Classes{0, 0, 0, 0, 0}));
 }
 
 TEST(Partition, RefusesLinksBetweenDifferentLabels) {

@@ -66,7 +66,7 @@ struct Weighted {
 
 std::vector<Weighted> weights(double low, double high) {
   std::vector<Weighted> result;
-  for (double x = 2 * std::ceil((low - 12) / 2); x <= high + 12; x += 2) {
+  for (double x = 4 * std::ceil((low - 12) / 4); x <= high + 12; x += 4) {
     const double t = std::max({low - x, x - high, 0.0}) / 12;
     const double s = 1 - t * t;
     result.push_back({x, s * s});

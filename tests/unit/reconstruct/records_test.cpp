@@ -8,7 +8,9 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,12 +19,14 @@
 
 #include "core/prng.hpp"
 #include "core/watched_work.hpp"
+#include "correspondence/link_report.hpp"
 #include "model/scaling.hpp"
 #include "property/same_model.hpp"
 #include "reconstruct/build.hpp"
 #include "reconstruct/ends.hpp"
 #include "reconstruct/stack_errors.hpp"
 #include "sections/section_record.hpp"
+#include "support/same_rows.hpp"
 #include "support/signed_record.hpp"
 #include "support/slabs/cases.hpp"
 
@@ -70,6 +74,7 @@ std::optional<Error> plan_into(const Folder& folder, const SectionStack& stack,
   Result<Correspondence> decided = decision.make(all_ids<SlabId>(prepared->slab_count()), work);
   if (!decided) return decided.error();
   plan.correspondence = *decided;
+  plan.motions = decision.motions();
   SlabBuilds builds(*prepared, decision, plan, options, work);
   if (auto error = builds.run()) return error;
   folder.write("plan", to_record(plan));
@@ -114,15 +119,36 @@ Model glued(const Folder& folder) {
     parts.push_back({top, last, SectionId(), build_end(sections[last], plan.ends->above)});
   }
   Model model = glue(sections, plan.correspondence.component, std::move(parts));
+  IdVector<SectionId, Nesting> nestings;
+  for (const ConformingSection& section : sections) nestings.push_back(section.nesting);
+  model.links = region_links(plan.correspondence.candidates, nestings);
+  model.motions = plan.motions;
   EXPECT_TRUE(scale_exactly(model, -plan.exponent));
   return model;
 }
 
-// Whether there was a model.
-bool expect_same_through_files(const SectionStack& stack, const ReconstructOptions& options,
-                               Prng& prng) {
+// What went through the files.
+struct Seen {
+  std::size_t models = 0, links = 0, leads = 0, motions = 0;
+  std::set<Evidence> evidences;
+  std::set<LinkFate> fates;
+
+  void add(const Model& model) {
+    ++models;
+    links += model.links.size();
+    motions += model.motions.size();
+    for (const RegionLink& link : model.links) {
+      leads += link.lead ? 1U : 0U;
+      evidences.insert(link.evidence);
+      fates.insert(link.fate);
+    }
+  }
+};
+
+void expect_same_through_files(const SectionStack& stack, const ReconstructOptions& options,
+                               Prng& prng, Seen& seen) {
   const Result<Reconstruction> direct = reconstruct(stack, options);
-  if (!direct) return false;
+  if (!direct) return;
   const Folder folder;
   const auto error = plan_into(folder, stack, options);
   EXPECT_FALSE(error) << to_string(*error);
@@ -132,29 +158,40 @@ bool expect_same_through_files(const SectionStack& stack, const ReconstructOptio
   }
   for (const SlabId slab : order) build_into(folder, slab);
   EXPECT_TRUE(same_bits(glued(folder), direct->model));
-  return true;
+  seen.add(direct->model);
 }
 
 TEST(Records, AStackBuiltThroughFilesInAnyOrderIsThatOfTheDirectRun) {
   Prng prng(910);
-  std::size_t models = 0;
+  Seen seen;
   for (const StackKind kind : all_kinds()) {
     const SectionStack stack = generate(kind, 911).stack;
     if (stack.vertex_count() > 1500) continue;
     SCOPED_TRACE(name_of(kind));
-    for (const Criterion criterion : {Criterion::overlap, Criterion::reverse}) {
+    for (const Criterion criterion : {Criterion::overlap, Criterion::reverse, Criterion::moved}) {
       ReconstructOptions options;
       options.correspondence.criterion = criterion;
-      options.ends = models % 2 == 0 ? Ends::half : Ends::flat;
-      if (expect_same_through_files(stack, options, prng)) ++models;
+      options.ends = seen.models % 2 == 0 ? Ends::half : Ends::flat;
+      expect_same_through_files(stack, options, prng, seen);
     }
   }
-  EXPECT_GT(models, 50U);
+  EXPECT_GT(seen.models, 75U);
+  EXPECT_GT(seen.links, 500U);
+  EXPECT_GT(seen.leads, 100U);
+  EXPECT_GT(seen.motions, 100U);
+  for (const Evidence evidence :
+       {Evidence::overlap, Evidence::reverse, Evidence::motion, Evidence::chain, Evidence::lone}) {
+    EXPECT_TRUE(seen.evidences.contains(evidence)) << name_of(evidence);
+  }
+  EXPECT_TRUE(seen.fates.contains(LinkFate::too_weak));
+  EXPECT_TRUE(seen.fates.contains(LinkFate::outruled));
 }
 
 TEST(Records, SoIsASingleSection) {
   Prng prng(912);
-  EXPECT_TRUE(expect_same_through_files(stack_of_boxes({{box(0, 0, 4, 2)}}), {}, prng));
+  Seen seen;
+  expect_same_through_files(stack_of_boxes({{box(0, 0, 4, 2)}}), {}, prng, seen);
+  EXPECT_EQ(seen.models, 1U);
 }
 
 TEST(Records, SolidsAndPlansReadBackAsTheyWere) {
@@ -170,6 +207,86 @@ TEST(Records, SolidsAndPlansReadBackAsTheyWere) {
     const Result<SlabSolid> read = solid_from_record(bytes, "name");
     ASSERT_TRUE(read) << to_string(read.error());
     EXPECT_EQ(to_record(*read), bytes);
+  }
+}
+
+// Two sections of two regions each, with every evidence and fate, and a motion of each plane.
+Plan plan_of_two_sections() {
+  Plan plan;
+  plan.exponent = -7;
+  plan.gabriel.resize(2);
+  Correspondence& c = plan.correspondence;
+  c.links.resize(1);
+  c.component.resize(2);
+  c.partition.resize(2);
+  for (const SectionId s : c.component.ids()) {
+    c.component[s].resize(2, ComponentId(0));
+    c.partition[s].resize(3, ComponentId(0));
+  }
+  c.candidates.resize(1);
+  for (int k = 0; k < kEvidences; ++k) {
+    LinkCandidate candidate;
+    candidate.link = {SlabId(0), RegionId(k % 2), RegionId(k / 4)};
+    candidate.evidence = static_cast<Evidence>(k);
+    candidate.fate = static_cast<LinkFate>(k % kLinkFates);
+    candidate.ratio = 0.1 * k;
+    candidate.moved = 5e-324;
+    candidate.distance = 1.0 / 3;
+    candidate.margin = -0.0;
+    if (k != 3) candidate.lead = k == 0 ? 0 : -1e300;
+    c.candidates[SlabId(0)].push_back(candidate);
+  }
+  plan.motions = {{SlabId(0), false, ContourId(2), {0.1, -0.0}},
+                  {SlabId(0), true, ContourId(0), {-1e-310, 3}}};
+  return plan;
+}
+
+TEST(Records, CandidatesAndMotionsOfAPlanReadBackBitForBit) {
+  const Plan plan = plan_of_two_sections();
+  const std::string bytes = to_record(plan);
+  const Result<Plan> read = plan_from_record(bytes, "name");
+  ASSERT_TRUE(read) << to_string(read.error());
+  EXPECT_EQ(to_record(*read), bytes);
+  EXPECT_TRUE(test::same_rows(read->motions, plan.motions));
+  Nesting nesting;
+  nesting.outer = IdVector<RegionId, ContourId>({ContourId(0), ContourId(2)});
+  const IdVector<SectionId, Nesting> nestings({nesting, nesting});
+  EXPECT_TRUE(test::same_rows(region_links(read->correspondence.candidates, nestings),
+                              region_links(plan.correspondence.candidates, nestings)));
+}
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+TEST(Records, PlansWithCandidatesOrMotionsThatThereAreNotAreRefused) {
+  ASSERT_TRUE(plan_from_record(to_record(plan_of_two_sections()), "name"));
+  using Spoil = void (*)(Plan&, LinkCandidate&);
+  for (const auto& [why, spoil] : std::vector<std::pair<const char*, Spoil>>{
+           {"no evidence",
+            [](Plan&, LinkCandidate&c) { c.evidence = static_cast<Evidence>(kEvidences); }},
+           {"no evidence or fate",
+            [](Plan&, LinkCandidate&c) { c.fate = static_cast<LinkFate>(kLinkFates); }},
+           {"not finite", [](Plan&, LinkCandidate&c) { c.ratio = kInfinity; }},
+           {"not finite", [](Plan&, LinkCandidate&c) { c.moved = -kInfinity; }},
+           {"not finite", [](Plan&, LinkCandidate&c) { c.distance = kInfinity - kInfinity; }},
+           {"not finite", [](Plan&, LinkCandidate&c) { c.margin = kInfinity; }},
+           {"not finite", [](Plan&, LinkCandidate&c) { c.lead = kInfinity; }},
+           {"region", [](Plan&, LinkCandidate&c) { c.link.lower = RegionId(2); }},
+           {"region", [](Plan&, LinkCandidate&c) { c.link.upper = RegionId(); }},
+           {"some of its sections",
+            [](Plan&p, LinkCandidate&) { p.correspondence.candidates.resize(2); }},
+           {"motion", [](Plan&p, LinkCandidate&) { p.motions[0].by.x = kInfinity; }},
+           {"motion", [](Plan&p, LinkCandidate&) { p.motions[1].by.y = -kInfinity; }},
+           {"contour", [](Plan&p, LinkCandidate&) { p.motions[0].contour = ContourId(3); }},
+           {"contour", [](Plan&p, LinkCandidate&) { p.motions[1].contour = ContourId(); }},
+           {"contour", [](Plan&p, LinkCandidate&) { p.motions[0].slab = SlabId(1); }},
+           {"contour", [](Plan&p, LinkCandidate&) { p.motions[1].slab = SlabId(); }}}) {
+    Plan plan = plan_of_two_sections();
+    spoil(plan, plan.correspondence.candidates[SlabId(0)][5]);
+    const Result<Plan> read = plan_from_record(to_record(plan), "name");
+    ASSERT_FALSE(read) << why;
+    EXPECT_EQ(read.error().code, ErrorCode::invalid_input);
+    EXPECT_EQ(read.error().where.file, "name");
+    EXPECT_NE(read.error().message.find(why), std::string::npos) << read.error().message;
   }
 }
 
