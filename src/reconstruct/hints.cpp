@@ -60,26 +60,27 @@ std::vector<Edge> edges_of(const Contour& contour) {
   return edges;
 }
 
-// The edges of a section, to ask what lies on one of them.
+// The edges of a section, to ask what shares one of them.
 class SectionEdges {
  public:
   explicit SectionEdges(const Section& section)
       : edges_(all_edges(section)), tree_(boxes_of(edges_)) {}
 
   [[nodiscard]] bool empty() const { return edges_.empty(); }
-  // As a whole, on one edge.
-  [[nodiscard]] bool cover(const Edge& edge) const {
-    bool covered = false;
+  // Does half of it lie on one of them, as where a contour goes straight up?
+  [[nodiscard]] bool continue_half_of(const Edge& edge) const {
+    bool continued = false;
     const Box2 box = box_of(edge.a, edge.b);
     tree_.query(box, [&](std::size_t k) {
       const Edge& other = edges_[k];
       const Box2 around = box_of(other.a, other.b);
-      covered =
-          covered || (around.x0 <= box.x0 && box.x1 <= around.x1 && around.y0 <= box.y0 &&
-                      box.y1 <= around.y1 && orient2d(other.a, other.b, edge.a) == Sign::zero &&
-                      orient2d(other.a, other.b, edge.b) == Sign::zero);
+      const double along_x = std::min(box.x1, around.x1) - std::max(box.x0, around.x0);
+      const double along_y = std::min(box.y1, around.y1) - std::max(box.y0, around.y0);
+      continued = continued || (2 * along_x >= box.x1 - box.x0 && 2 * along_y >= box.y1 - box.y0 &&
+                                orient2d(other.a, other.b, edge.a) == Sign::zero &&
+                                orient2d(other.a, other.b, edge.b) == Sign::zero);
     });
-    return covered;
+    return continued;
   }
 
  private:
@@ -118,28 +119,55 @@ struct Coarseness {
   std::vector<double> quarter;  // area over perimeter, of each contour with such edges
 };
 
-Coarseness coarseness(const SectionStack& stack) {
+using RegionFlags = IdVector<SectionId, IdVector<RegionId, std::uint8_t>>;
+
+RegionFlags no_regions(const PreparedStack& prepared) {
+  RegionFlags flags;
+  for (const Nesting& nesting : prepared.nestings) {
+    flags.push_back(IdVector<RegionId, std::uint8_t>(nesting.outer.size()));
+  }
+  return flags;
+}
+
+void mark(RegionFlags& flags, const Link& link) {
+  flags[lower_section(link.slab)][link.lower] = 1;
+  flags[upper_section(link.slab)][link.upper] = 1;
+}
+
+// Of the sections beside one, those that are not empty.
+std::vector<const SectionEdges*> beside(SectionId s,
+                                        const IdVector<SectionId, SectionEdges>& edges) {
+  std::vector<const SectionEdges*> neighbours;
+  if (s.index() > 0) neighbours.push_back(&edges[SectionId(s.index() - 1)]);
+  if (s.index() + 1 < edges.size()) neighbours.push_back(&edges[SectionId(s.index() + 1)]);
+  std::erase_if(neighbours, [](const SectionEdges* other) { return other->empty(); });
+  return neighbours;
+}
+
+Coarseness coarseness(const PreparedStack& prepared, const RegionFlags& linked) {
   IdVector<SectionId, SectionEdges> edges;
-  for (const Section& section : stack.sections) edges.push_back(SectionEdges(section));
+  for (const Section& section : prepared.stack.sections) edges.push_back(SectionEdges(section));
   Coarseness result;
-  for (const SectionId s : stack.sections.ids()) {
-    std::vector<const SectionEdges*> neighbours;
-    if (s.index() > 0) neighbours.push_back(&edges[SectionId(s.index() - 1)]);
-    if (s.index() + 1 < edges.size()) neighbours.push_back(&edges[SectionId(s.index() + 1)]);
-    std::erase_if(neighbours, [](const SectionEdges* other) { return other->empty(); });
-    for (const Contour& contour : stack.sections[s].contours) {
+  for (const SectionId s : edges.ids()) {
+    const std::vector<const SectionEdges*> neighbours = beside(s, edges);
+    const Section& section = prepared.stack.sections[s];
+    for (const ContourId c : section.contours.ids()) {
+      const std::vector<Edge> of_contour = edges_of(section.contours[c]);
       double perimeter = 0;
-      for (const Edge& edge : edges_of(contour)) perimeter += distance(edge.a, edge.b);
+      for (const Edge& edge : of_contour) perimeter += distance(edge.a, edge.b);
+      result.length += perimeter;
+      if (linked[s][prepared.nestings[s].region[c]] == 0) continue;
       double divided = 0;
-      for (const Edge& edge : edges_of(contour)) {
+      for (const Edge& edge : of_contour) {
         const double length = distance(edge.a, edge.b);
-        const bool goes_on = std::all_of(neighbours.begin(), neighbours.end(),
-                                         [&](const auto* other) { return other->cover(edge); });
+        const bool goes_on =
+            std::all_of(neighbours.begin(), neighbours.end(),
+                        [&](const auto* other) { return other->continue_half_of(edge); });
         if (length >= kLongEdge * perimeter && !goes_on) divided += length;
       }
-      result.length += perimeter;
+      if (divided == 0) continue;
       result.divided += divided;
-      if (divided > 0) result.quarter.push_back(std::abs(twice_area(contour)) / 2 / perimeter);
+      result.quarter.push_back(std::abs(twice_area(section.contours[c])) / 2 / perimeter);
     }
   }
   return result;
@@ -147,9 +175,14 @@ Coarseness coarseness(const SectionStack& stack) {
 
 }  // namespace
 
-std::optional<Warning> hint_of_coarse_contours(const PreparedStack& prepared) {
+std::optional<Warning> hint_of_coarse_contours(const PreparedStack& prepared,
+                                               const Correspondence& decided) {
   if (!has_few_vertices(prepared.stack)) return std::nullopt;
-  const Coarseness coarse = coarseness(prepared.stack);
+  RegionFlags linked = no_regions(prepared);
+  for (const auto& of_slab : decided.links) {
+    for (const Link& link : of_slab) mark(linked, link);
+  }
+  const Coarseness coarse = coarseness(prepared, linked);
   if (!(coarse.divided > kCoarsePart * coarse.length)) return std::nullopt;
   const double piece = scaled(kPiece * median(coarse.quarter), -prepared.exponent);
   return Warning{
@@ -167,18 +200,14 @@ struct Partners {
 };
 
 Partners count_partners(const PreparedStack& prepared, const StackCandidates& candidates) {
-  IdVector<SectionId, IdVector<RegionId, std::uint8_t>> has;
-  for (const Nesting& nesting : prepared.nestings) {
-    has.push_back(IdVector<RegionId, std::uint8_t>(nesting.outer.size()));
-  }
+  RegionFlags has = no_regions(prepared);
   for (const SlabCandidates& of_slab : candidates) {
     for (const LinkCandidate& candidate : of_slab) {
       if (candidate.evidence == Evidence::lone || candidate.fate == LinkFate::too_weak ||
           candidate.fate == LinkFate::outruled) {
         continue;
       }
-      has[lower_section(candidate.link.slab)][candidate.link.lower] = 1;
-      has[upper_section(candidate.link.slab)][candidate.link.upper] = 1;
+      mark(has, candidate.link);
     }
   }
   Partners result;

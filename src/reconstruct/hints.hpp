@@ -5,14 +5,15 @@
 
 #include <tetloft/model.hpp>
 
-#include "correspondence/candidate.hpp"
+#include "correspondence/correspondence.hpp"
 #include "reconstruct/prepare.hpp"
 
 namespace tetloft::internal {
 
-/// Contours of so few vertices that between them hardly anything of either can be followed:
-/// refine().
-[[nodiscard]] std::optional<Warning> hint_of_coarse_contours(const PreparedStack& prepared);
+/// Contours of so few vertices, linked ones, that between them hardly anything of either can be
+/// followed: refine().
+[[nodiscard]] std::optional<Warning> hint_of_coarse_contours(const PreparedStack& prepared,
+                                                             const Correspondence& decided);
 
 /// Most regions meet none of a neighbouring section, as they lie or as they are moved: the gaps
 /// are too large for them, or z has another unit.

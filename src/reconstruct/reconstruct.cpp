@@ -117,7 +117,7 @@ Result<std::optional<Reconstruction>> make(PreparedStack& prepared,
   if (auto error = builds.run()) return *error;
   warn_of_dropped(plan.correspondence.candidates, prepared.nestings, result.warnings);
   for (const auto& hint : {hint_of_missing_partners(prepared, plan.correspondence.candidates),
-                           hint_of_coarse_contours(prepared)}) {
+                           hint_of_coarse_contours(prepared, plan.correspondence)}) {
     if (hint) result.warnings.push_back(*hint);
   }
   std::vector<Part> parts = builds.take_parts();
