@@ -21,7 +21,7 @@ struct StackLinks {
   std::vector<RegionMotion> motions;
   ContourPartition partition;
   std::size_t components = 0;
-  std::vector<Warning> warnings;
+  std::vector<Warning> warnings;  ///< the hint that most regions have no partner
 };
 
 struct LinkOptions {

@@ -47,6 +47,8 @@ struct Reconstruction {
   ReconstructReport report;
   /// The components as a partition of contours.
   ContourPartition partition;
+  /// Links that were dropped, and hints where a remedy is known: contours too coarse (refine()),
+  /// most regions without a partner (gaps, units), far too many tets (snap()); each once.
   std::vector<Warning> warnings;
 };
 

@@ -114,7 +114,7 @@ std::string header(const LinkListing& listing, std::size_t lines) {
       "# contour C of section S and contour D of section S+1 (outer ones of two regions) are, or "
       "are\n"
       "# not, linked directly. To decide otherwise write join for part or part for join, and give\n"
-      "# this file to reconstruct, check or links as --labels FILE; lines may be left out.\n"
+      "# this file, or the changed lines alone, to reconstruct, check or links as --labels FILE.\n"
       "# Behind the #: the evidence and, if not linked, why; overlap ratio of the regions, as they "
       "lie\n"
       "# and moved; their distance in gaps; by what margin it was decided; lead over the best "

@@ -11,6 +11,7 @@
 #include "correspondence/link_report.hpp"
 #include "model/sureness.hpp"
 #include "reconstruct/decide.hpp"
+#include "reconstruct/hints.hpp"
 #include "reconstruct/prepare.hpp"
 #include "reconstruct/stack_errors.hpp"
 
@@ -33,6 +34,9 @@ Result<StackLinks> links_of(const SectionStack& stack, const ReconstructOptions&
   if (!decided) return decided.error();
   StackLinks result;
   result.links = region_links(decided->candidates, prepared->nestings);
+  if (auto hint = hint_of_missing_partners(*prepared, decided->candidates)) {
+    result.warnings.push_back(*std::move(hint));
+  }
   result.motions = decision.motions();
   for (RegionMotion& motion : result.motions) motion.by = scaled(motion.by, -prepared->exponent);
   result.partition = std::move(decided->partition);

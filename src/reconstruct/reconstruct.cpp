@@ -20,6 +20,7 @@
 #include "reconstruct/decide.hpp"
 #include "reconstruct/ends.hpp"
 #include "reconstruct/glue.hpp"
+#include "reconstruct/hints.hpp"
 #include "reconstruct/prepare.hpp"
 #include "reconstruct/stack_errors.hpp"
 
@@ -115,6 +116,10 @@ Result<std::optional<Reconstruction>> make(PreparedStack& prepared,
   SlabBuilds builds(prepared, decision, plan, options, work);
   if (auto error = builds.run()) return *error;
   warn_of_dropped(plan.correspondence.candidates, prepared.nestings, result.warnings);
+  for (const auto& hint : {hint_of_missing_partners(prepared, plan.correspondence.candidates),
+                           hint_of_coarse_contours(prepared, plan.correspondence)}) {
+    if (hint) result.warnings.push_back(*hint);
+  }
   std::vector<Part> parts = builds.take_parts();
   add_up(parts, report);
   count(report.rules, Rule::gabriel_refinement, builds.refinements());
@@ -123,6 +128,7 @@ Result<std::optional<Reconstruction>> make(PreparedStack& prepared,
   result.model.links = region_links(plan.correspondence.candidates, prepared.nestings);
   result.model.motions = std::move(plan.motions);
   gluing.end(Step::assembly);
+  if (const auto hint = hint_of_many_tets(prepared, result.model)) result.warnings.push_back(*hint);
   describe(prepared, result.model, report);
   if (!scale_exactly(result.model, -prepared.exponent)) return std::optional<Reconstruction>();
   report.volume = volume(result.model);
