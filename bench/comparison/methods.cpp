@@ -86,7 +86,8 @@ std::vector<Method> all_methods() {
   return {tetloft_by("tetloft moved", {.criterion = Criterion::moved}),
           tetloft_by("tetloft overlap", {.criterion = Criterion::overlap}),
           tetloft_by("tetloft plain overlap", plain),
-          tetloft_by("tetloft reverse", {.criterion = Criterion::reverse}), geiger(),
+          tetloft_by("tetloft reverse", {.criterion = Criterion::reverse}),
+          geiger(),
           distance_field_method()};
 }
 

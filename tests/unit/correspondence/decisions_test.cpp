@@ -12,7 +12,8 @@ using namespace internal;
 namespace {
 
 SectionStack two_pairs() {
-  return stack_of_boxes({{box(0, 0, 4, 4), box(20, 0, 24, 4)}, {box(0, 0, 4, 4), box(20, 0, 24, 4)}});
+  return stack_of_boxes(
+      {{box(0, 0, 4, 4), box(20, 0, 24, 4)}, {box(0, 0, 4, 4), box(20, 0, 24, 4)}});
 }
 
 CorrespondenceOptions decided(std::vector<LinkDecision> decisions) {

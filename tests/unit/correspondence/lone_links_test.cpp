@@ -24,8 +24,7 @@ Pairs lone(const SectionStack& stack, std::size_t slab, LinkFate fate = LinkFate
 
 // A large square below, one of side `side` above at distance d; gap 8.
 SectionStack beside(double d, double side) {
-  SectionStack stack =
-      stack_of_boxes({{box(0, 0, 64, 64)}, {box(64 + d, 0, 64 + d + side, side)}});
+  SectionStack stack = stack_of_boxes({{box(0, 0, 64, 64)}, {box(64 + d, 0, 64 + d + side, side)}});
   stack.sections[SectionId(1)].z = 8;
   return stack;
 }
