@@ -68,7 +68,9 @@ struct TETLOFT_API CheckReport {
 ///
 /// Guarantee 4: the correspondence is computed anew, from the input and the options. Two things are
 /// taken from the model: its motions, by `moved` (but see recompute_motions), and which links were
-/// dropped. Both are refused where the rule has no such motion or candidate.
+/// dropped. It fails where the rule has no such motion or candidate. A model that has neither links
+/// nor motions, as when a mesher refined it and left them out, is checked with motions estimated
+/// anew, and fails if links had been dropped.
 ///
 /// Guarantee 2: cutting the solid with a section plane gives back the section's region as a set,
 /// on each side on which the stack goes on; the input's vertices are vertices of the model, bit for

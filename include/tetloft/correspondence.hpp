@@ -15,7 +15,7 @@
 //       is no region any more (as a section not valid, or nested otherwise) its ratios are 0.
 //       A is at rest iff it overlaps a region of the other section, and in all pairs of regions
 //       that overlap of which A or a region that A overlaps is one, r ≥ 0.7;
-//   s   is m − d, in doubles.
+//   s   is m − d, in doubles; of a candidate of rule 2 m is the larger ratio moved on.
 //
 // 1. Candidates, by criterion.
 //    `overlap`: the pairs with r > tau, except weak links between two well-connected regions:

@@ -126,8 +126,10 @@ MovedRatios::MovedRatios(const Regions& regions, const Motions& motions) : regio
 }
 
 double MovedRatios::operator()(const Link& link) const {
-  if (there_.empty()) return regions_.ratio(link);
-  return (one_way({link.lower, true}, link.upper) + one_way({link.upper, false}, link.lower)) / 2;
+  const Passage up{link.lower, true};
+  const Passage down{link.upper, false};
+  if (there_.count(up) == 0 && there_.count(down) == 0) return regions_.ratio(link);
+  return (one_way(up, link.upper) + one_way(down, link.lower)) / 2;
 }
 
 double MovedRatios::one_way(const Passage& moving, std::size_t still) const {

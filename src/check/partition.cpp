@@ -149,8 +149,8 @@ Result<ExpectedPartition> expected_partition(const SectionStack& given, const Se
     ClaimedMotions claimed = claimed_motions(regions, claims.motions);
     expected.wrong_motions = std::move(claimed.wrong);
     motions = in_unit(claimed.motions, exponent);
-    if (estimate_anew) {
-      motions = estimated_motions(stack, regions);
+    if (estimate_anew || !claims.any()) motions = estimated_motions(stack, regions);
+    if (estimate_anew && claims.any()) {
       expected.other_motions = differences(regions, claimed.motions, in_unit(motions, -exponent));
     }
   }

@@ -86,6 +86,8 @@ struct RegionSets {
 struct Claims {
   std::span<const RegionLink> links;
   std::span<const RegionMotion> motions;
+  /// A model that a mesher made of another may have lost all of it.
+  [[nodiscard]] bool any() const { return !links.empty() || !motions.empty(); }
 };
 
 struct ExpectedPartition {
@@ -97,8 +99,9 @@ struct ExpectedPartition {
   std::vector<std::string> other_motions;  ///< those that are not what is estimated anew
 };
 
-/// The whole rule. `refined`: as of reverse_links(). estimate_anew: motions are those that
-/// src/motion finds now, whatever the claims. Requires a valid stack.
+/// The whole rule. `refined`: as of reverse_links(). Motions are those of the claims, or those that
+/// src/motion finds now: if there are no claims at all, or to compare (estimate_anew). Requires a
+/// valid stack.
 [[nodiscard]] Result<ExpectedPartition> expected_partition(const SectionStack& stack,
                                                            const SectionStack& refined,
                                                            const CorrespondenceOptions& options,

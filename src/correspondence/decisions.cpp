@@ -9,16 +9,16 @@ namespace tetloft::internal {
 
 namespace {
 
-Error decision_error(SectionId section, ContourId contour, std::string message) {
+Error decision_error(std::size_t section, ContourId contour, std::string message) {
   Place place;
-  place.section = section.index();
+  place.section = section;
   place.contour = contour.index();
   return {ErrorCode::invalid_input, std::move(message), place};
 }
 
 Result<Link> link_of(const IdVector<SectionId, Nesting>& nestings, const LinkDecision& decision) {
   if (decision.slab.index() + 1 >= nestings.size()) {
-    return decision_error(SectionId(decision.slab.index()), decision.lower,
+    return decision_error(decision.slab.index(), decision.lower,
                           "the decision names a section that does not exist, or has none above");
   }
   const SectionId below = lower_section(decision.slab);
@@ -26,7 +26,8 @@ Result<Link> link_of(const IdVector<SectionId, Nesting>& nestings, const LinkDec
   for (const auto& [section, contour] :
        {std::pair(below, decision.lower), std::pair(above, decision.upper)}) {
     if (contour.index() >= nestings[section].region.size()) {
-      return decision_error(section, contour, "the decision names a contour that does not exist");
+      return decision_error(section.index(), contour,
+                            "the decision names a contour that does not exist");
     }
   }
   return Link{decision.slab, nestings[below].region[decision.lower],
@@ -58,7 +59,7 @@ Result<std::set<Link>> apply_decisions(const IdVector<SectionId, Nesting>& nesti
     if (!link) return link.error();
     const auto [at, fresh] = joined.try_emplace(*link, decision.join);
     if (!fresh && at->second != decision.join) {
-      return decision_error(lower_section(decision.slab), decision.lower,
+      return decision_error(decision.slab.index(), decision.lower,
                             "it is both joined to and parted from contour " +
                                 std::to_string(decision.upper.index()) +
                                 " of the section above, or their regions are");

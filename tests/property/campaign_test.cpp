@@ -1,6 +1,7 @@
 // A few hundred stacks in every run of the tests; tetloft_campaign runs any number.
 #include <gtest/gtest.h>
 
+#include <tetloft/links.hpp>
 #include <tetloft/reconstruct.hpp>
 
 #include "property/run_campaign.hpp"
@@ -15,6 +16,20 @@ using tetloft::testing::rare_rules;
 using tetloft::testing::run_campaign;
 using tetloft::testing::table;
 using tetloft::testing::to_string;
+
+// Makes the link that is nearest to being made, and parts the one that is nearest to not being.
+void overrule(const SectionStack& stack, CorrespondenceOptions& rule) {
+  const auto links = find_links(stack, {rule, {}});
+  if (!links) return;
+  bool joined = false;
+  bool parted = false;
+  for (const RegionLink& link : least_sure_first(links->links)) {
+    bool& done = link.fate == LinkFate::made ? parted : joined;
+    if (done) continue;
+    done = true;
+    rule.decisions.push_back({link.slab, link.lower, link.upper, link.fate != LinkFate::made});
+  }
+}
 
 // One campaign for the tests of this suite.
 class Campaign : public ::testing::Test {
@@ -55,8 +70,9 @@ TEST(CampaignWork, AStackOfAHundredMediansIsAFinding) {
   EXPECT_TRUE(tetloft::testing::is_costly(501, 5));
 }
 
-// The kinds with regions that overlap nothing.
-TEST(DriftCampaign, EveryModelKeepsTheGuarantees) {
+// The kinds with regions that overlap nothing, with other rules than the defaults, and with links
+// overruled.
+TEST(LinkCampaign, EveryModelKeepsTheGuarantees) {
   using tetloft::testing::Outcome;
   using tetloft::testing::StackKind;
   const std::uint64_t seeds = TETLOFT_CAMPAIGN_COUNT;
@@ -68,16 +84,22 @@ TEST(DriftCampaign, EveryModelKeepsTheGuarantees) {
         StackKind::branching_many_to_many, StackKind::random_labels, StackKind::few_ulps}) {
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
       auto generated = tetloft::testing::generate(kind, seed);
-      generated.correspondence.drift = seed % 2 == 0 ? 0.0 : 0.3;
-      const auto attempt = tetloft::testing::attempt(generated, Criterion::overlap,
-                                                     tetloft::testing::excuse_of(kind));
+      CorrespondenceOptions& rule = generated.correspondence;
+      rule.criterion = seed % 2 == 0 ? Criterion::overlap : Criterion::moved;
+      rule.chain = seed % 3 != 0;
+      rule.lone = seed % 4 < 2;
+      if (seed % 5 == 0) rule.tau = 0.0;
+      if (rule.labels.empty()) overrule(generated.stack, rule);
+      const auto excuse = rule.decisions.empty() ? tetloft::testing::excuse_of(kind)
+                                                 : tetloft::testing::Excuse::labels;
+      const auto attempt = tetloft::testing::attempt(generated, rule.criterion, excuse);
       models += attempt.outcome == Outcome::model ? 1U : 0U;
       refused += attempt.outcome == Outcome::refused ? 1U : 0U;
       EXPECT_LE(attempt.outcome, Outcome::refused)
           << name_of(kind) << " seed " << seed << ": " << attempt.detail;
     }
   }
-  std::printf("drift: %zu models, %zu refused\n", models, refused);
+  std::printf("links: %zu models, %zu refused\n", models, refused);
   EXPECT_GT(models, 9 * seeds);
 }
 

@@ -169,7 +169,9 @@ Answer compare(Tried& tried, const CorrespondenceOptions& options, const std::st
     claims.links = made->links;
     claims.motions = made->motions;
   }
-  if (tried.for_oracle()) {
+  // The oracle does not estimate motions.
+  const bool told = made.ok() || options.criterion != Criterion::moved;
+  if (tried.for_oracle() && told) {
     compare_with_oracle(stack, options, claims, what);
     Model corrupted = claims;
     corrupt(tried.prng, corrupted);

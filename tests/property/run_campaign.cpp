@@ -19,10 +19,15 @@ namespace tetloft::testing {
 using namespace internal;
 namespace {
 
-constexpr std::array kCriteria{Criterion::overlap, Criterion::reverse};
+constexpr std::array kCriteria{Criterion::moved, Criterion::overlap, Criterion::reverse};
 
 const char* name_of(Criterion criterion) {
-  return criterion == Criterion::overlap ? "overlap" : "reverse";
+  switch (criterion) {
+    case Criterion::overlap: return "overlap";
+    case Criterion::reverse: return "reverse";
+    case Criterion::moved: return "moved";
+  }
+  return "none";
 }
 
 Outcome outcome_of_guarantee(int number) {
@@ -193,6 +198,7 @@ Attempt attempt(const GeneratedStack& generated, Criterion criterion, Excuse exc
 
   CheckOptions check_options;
   check_options.correspondence = options.correspondence;
+  check_options.recompute_motions = true;
   const Result<CheckReport> checked = check(one->model, generated.stack, check_options);
   if (!checked) return {Outcome::wrong_check, tetloft::to_string(checked.error()), {}};
   for (const GuaranteeVerdict& verdict : checked->guarantees) {

@@ -1,6 +1,6 @@
 // A campaign: random stacks reconstructed and checked, by kind, with every rule counted.
 //
-// A stack is tried with both criteria of correspondence, each with one thread and with
+// A stack is tried with all criteria of correspondence, each with one thread and with
 // two. It counts as wrong if any attempt gives a model that fails a guarantee, models that
 // differ by the number of threads, or an error other than an excused refusal; then it is
 // shrunk to a minimal stack with the same kind of defect and written down.

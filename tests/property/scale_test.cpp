@@ -42,6 +42,9 @@ Model times(Model model, int exponent) {
   for (Point3& p : model.points) {
     p = {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)};
   }
+  for (RegionMotion& motion : model.motions) {
+    motion.by = {std::ldexp(motion.by.x, exponent), std::ldexp(motion.by.y, exponent)};
+  }
   return model;
 }
 
@@ -151,11 +154,11 @@ TEST(Scale, ReverseCorrespondenceIsTheSame) {
             80U);
 }
 
-TEST(Scale, DriftAndHalfEndsAreTheSame) {
+TEST(Scale, OverlapCorrespondenceAndHalfEndsAreTheSame) {
   EXPECT_GT(compare(1, false,
                     [](const GeneratedStack& g, int) {
                       ReconstructOptions options = defaults(g);
-                      options.correspondence.drift = 0.1;
+                      options.correspondence.criterion = Criterion::overlap;
                       options.ends = Ends::half;
                       return options;
                     }),

@@ -39,8 +39,12 @@ TEST(MemoryEnds, WhileReconstructingWithOptions) {
   options.correspondence.labels = fork_labels();
   sweep_reconstruct("labels", case_stack("fork"), options);
   options = {.execution = {.threads = 1}};
-  options.correspondence.drift = 0.2;
-  sweep_reconstruct("drift", leaning_stack(), options);
+  options.correspondence.criterion = Criterion::overlap;
+  sweep_reconstruct("overlap, chains", leaning_stack(), options);
+  options = {.execution = {.threads = 1}};
+  options.correspondence.criterion = Criterion::moved;
+  options.correspondence.decisions = {{SlabId(0), ContourId(0), ContourId(0)}};
+  sweep_reconstruct("moved, decisions", leaning_stack(), options);
   sweep_reconstruct("single section", single_section(), {.execution = {.threads = 1}});
 }
 
@@ -99,8 +103,12 @@ TEST(MemoryEnds, WhileChecking) {
   options.correspondence.labels = fork_labels();
   sweep_check("labels", model_of(fork), fork);
   options.correspondence = {};
-  options.correspondence.drift = 0.2;
-  sweep_check("drift", model_of(leaning_stack()), leaning_stack());
+  options.correspondence.criterion = Criterion::overlap;
+  sweep_check("overlap, chains", model_of(leaning_stack()), leaning_stack());
+  options.correspondence.criterion = Criterion::moved;
+  options.correspondence.decisions = {{SlabId(0), ContourId(0), ContourId(0)}};
+  options.recompute_motions = true;
+  sweep_check("moved, decisions", model_of(leaning_stack()), leaning_stack());
 }
 
 TEST(MemoryEnds, WhileDrawing) {

@@ -40,7 +40,7 @@ TEST(Enumerators, ThatThereAreNoneOfAreRefused) {
   const SectionStack stack = case_stack("fork");
   const Model model = model_of(stack);
   const std::vector<Point3> points = model.points.raw();
-  for (const Criterion criterion : strangers(Criterion::reverse)) {
+  for (const Criterion criterion : strangers(Criterion::moved)) {
     ReconstructOptions options;
     options.correspondence.criterion = criterion;
     expect_error(reconstruct(stack, options), ErrorCode::usage, "criterion");
@@ -86,15 +86,13 @@ TEST(CorrespondenceOptions, AreJudgedAlikeByAllWhoTakeThem) {
                                   const std::string& what) {
     expect_error(reconstruct(stack, {.correspondence = correspondence}), code, what);
     expect_error(check(model, stack, {.correspondence = correspondence}), code, what);
+    expect_error(find_links(stack, {.correspondence = correspondence}), code, what);
   };
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   for (const double ratio : {1.0, 1.0000001, 2.0, 1e300, kInfinity, -kInfinity, -1.0, -1e-300,
                              std::numeric_limits<double>::quiet_NaN()}) {
     expect_refused({.tau = ratio}, ErrorCode::usage, "tau " + std::to_string(ratio));
-    expect_refused({.drift = ratio}, ErrorCode::usage, "drift " + std::to_string(ratio));
   }
-  expect_refused({.criterion = Criterion::reverse, .drift = 0.5}, ErrorCode::usage,
-                 "drift with reverse");
   for (const double ratio : {0.0, -0.0, 0.5, 0x1.fffffffffffffp-1}) {
     EXPECT_TRUE(reconstruct(stack, {.correspondence = {.tau = ratio}})) << ratio;
     EXPECT_TRUE(check(model, stack, {.correspondence = {.tau = ratio}})) << ratio;
@@ -104,6 +102,21 @@ TEST(CorrespondenceOptions, AreJudgedAlikeByAllWhoTakeThem) {
         Label{SectionId(), ContourId(0), 1}, Label{SectionId(0), ContourId(), 1}}) {
     expect_refused({.labels = {label}}, ErrorCode::invalid_input, "label");
   }
+  const SlabId slab(0);
+  const ContourId none;
+  for (const LinkDecision& decision :
+       {LinkDecision{SlabId(1), ContourId(0), ContourId(0)}, LinkDecision{SlabId(), none, none},
+        LinkDecision{slab, ContourId(1), ContourId(0)}, LinkDecision{slab, ContourId(0), none}}) {
+    expect_refused({.decisions = {decision}}, ErrorCode::invalid_input, "decision");
+  }
+  const LinkDecision join{slab, ContourId(0), ContourId(0)};
+  LinkDecision part = join;
+  part.join = false;
+  expect_refused({.decisions = {join, part}}, ErrorCode::invalid_input, "contradiction");
+  const std::vector<Label> different{{SectionId(0), ContourId(0), 1},
+                                     {SectionId(1), ContourId(0), 2}};
+  expect_refused({.labels = different, .decisions = {join}}, ErrorCode::invalid_input,
+                 "different labels joined");
 }
 
 // Everything that takes a model and can say what is wrong with it.

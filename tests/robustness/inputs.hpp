@@ -47,7 +47,7 @@ inline SectionStack tower(std::size_t sections, std::size_t corners = 8) {
   return stack;
 }
 
-/// Squares that move by more than their width: one tube by `drift` only.
+/// Squares that move by their width and more: nothing overlaps.
 inline SectionStack leaning_stack() {
   SectionStack stack;
   double x = 0;
