@@ -163,8 +163,7 @@ Aggregate aggregate(const std::vector<SizedRun>& runs) {
     result.lost += run.lost;
     if (run.links) {
       if (!result.links) result.links.emplace();
-      result.links->missing += run.links->missing;
-      result.links->wrong += run.links->wrong;
+      *result.links += *run.links;
     }
     add(result.component_errors, run.component_error);
     add(result.cavity_errors, run.cavity_error);

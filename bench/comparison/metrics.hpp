@@ -12,7 +12,7 @@
 #include "comparison/methods.hpp"
 #include "comparison/surface_distance.hpp"
 #include "comparison/truth.hpp"
-#include "comparison/union_errors.hpp"
+#include "corpus/union_errors.hpp"
 
 namespace tetloft::bench {
 

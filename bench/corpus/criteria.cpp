@@ -1,32 +1,22 @@
-// How well rules of correspondence find the pieces of random solids: missing and false unions, by
-// rule and kind, and stacks without either; and of given stacks, the components.
+// How well the rules of correspondence find the pieces of random solids: missing and false unions,
+// by rule; and of stacks of known truth, the components.
 //
-//   tetloft_criteria [--solids N] [--seed S] [--size N] [--spacing N] [--contours C] [--rest R]
-//   tetloft_criteria FILE.cnt …
-//
-//     --solids N     of each kind (6)
-//     --seed S       of the first (1)
-//     --size N       samples along each axis (96)
-//     --spacing N    every N-th layer only (else every 2nd, 6th and 12th)
-//     --contours C   smooth (default) or lattice
-//     --rest R       the least overlap of regions at rest (0.7); above 1 all move
-//
-// In each slab the regions are parted by the solid itself (the pieces between the two planes) and
-// by the rule. Of files, those count whose truth a .json beside them tells.
+//   tetloft_criteria [--solids N] [--size N] [--seed S] [--spacing N] [--contours smooth|lattice]
+//                    [FILE.cnt …]
 #include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include <tetloft/io.hpp>
+#include <tetloft/links.hpp>
 
-#include "corpus/link_errors.hpp"
-#include "corpus/link_facts.hpp"
-#include "corpus/link_rules.hpp"
 #include "corpus/solids.hpp"
+#include "corpus/union_errors.hpp"
 #include "stack_truth.hpp"
 #include "words.hpp"
 
@@ -37,26 +27,50 @@ using namespace tetloft::bench;
 
 constexpr const char* kUsage =
     "usage: tetloft_criteria [--solids N] [--seed S] [--size N] [--spacing N]\n"
-    "                        [--contours smooth|lattice] [--rest R]\n"
-    "       tetloft_criteria FILE.cnt …\n";
-
-constexpr std::size_t kSpacings[] = {2, 6, 12};
+    "                        [--contours smooth|lattice] [FILE.cnt ...]\n";
 constexpr std::size_t kKinds = std::size(kSolidKinds);
+constexpr std::array<std::size_t, 3> kSpacings{2, 6, 12};
+
+struct Rule {
+  std::string name;
+  CorrespondenceOptions options;
+};
+
+std::vector<Rule> all_rules() {
+  const auto rule = [](Criterion criterion, bool chain, bool lone) {
+    CorrespondenceOptions options;
+    options.criterion = criterion;
+    options.chain = chain;
+    options.lone = lone;
+    return options;
+  };
+  return {{"reverse", rule(Criterion::reverse, false, false)},
+          {"overlap", rule(Criterion::overlap, false, false)},
+          {"overlap, lone", rule(Criterion::overlap, false, true)},
+          {"overlap, chain, lone", rule(Criterion::overlap, true, true)},
+          {"moved", rule(Criterion::moved, false, false)},
+          {"moved, lone", rule(Criterion::moved, false, true)},
+          {"moved, chain, lone", rule(Criterion::moved, true, true)}};
+}
 
 struct Options {
   std::uint64_t solids = 6, seed = 1, size = 96, spacing = 0;
   Contouring contours = Contouring::smooth;
-  double rest = 0.7;
   std::vector<std::filesystem::path> files;
 };
 
-// Of a rule: errors by kind of solid, and stacks without any.
 struct Tally {
   std::array<UnionErrors, kKinds> of_kind{};
   std::size_t exact = 0;
 };
 
-void print_corpus(const std::vector<LinkRule>& rules, const std::vector<Tally>& tallies) {
+StackLinks links_by(const Rule& rule, const SectionStack& stack) {
+  Result<StackLinks> links = find_links(stack, {rule.options, {.threads = 1}});
+  if (!links) throw std::runtime_error(to_string(links.error()));
+  return std::move(*links);
+}
+
+void print_corpus(const std::vector<Rule>& rules, const std::vector<Tally>& tallies) {
   std::printf("| rule | missing + false | sum | exact |");
   for (const SolidKind kind : kSolidKinds) std::printf(" %s |", std::string(name_of(kind)).c_str());
   std::printf("\n|---|---|---|---|---|---|---|---|---|---|\n");
@@ -71,42 +85,34 @@ void print_corpus(const std::vector<LinkRule>& rules, const std::vector<Tally>& 
 }
 
 void survey_corpus(const Options& options, std::size_t spacing) {
-  const std::vector<LinkRule> rules = link_rules();
+  const std::vector<Rule> rules = all_rules();
   std::vector<Tally> tallies(rules.size());
-  std::size_t stacks = 0, regions = 0, moving = 0;
+  std::size_t stacks = 0;
   for (std::size_t kind = 0; kind < kKinds; ++kind) {
     for (std::uint64_t k = 0; k < options.solids; ++k) {
       const SampledSolid solid = sample_solid(kSolidKinds[kind], options.seed + k, options.size);
       const SlicedSolid sliced = slice(solid, spacing, options.contours);
-      const std::vector<SlabFacts> slabs = facts_of(sliced.stack, options.rest);
+      if (sliced.stack.sections.empty()) continue;
       ++stacks;
-      for (std::size_t s = 0; s < slabs.size(); ++s) {
-        regions += sliced.piece[s].size();
-        moving += slabs[s].moving;
-      }
       for (std::size_t r = 0; r < rules.size(); ++r) {
-        const std::vector<Pairs> links = links_by(rules[r], slabs);
-        UnionErrors errors;
-        for (std::size_t s = 0; s < slabs.size(); ++s) {
-          errors += union_errors(slabs[s].low_area.size(), sliced.piece[s], links[s]);
-        }
+        const StackLinks links = links_by(rules[r], sliced.stack);
+        const UnionErrors errors = union_errors(sliced.stack, links.links, sliced.piece);
         tallies[r].of_kind[kind] += errors;
         tallies[r].exact += errors.sum() == 0 ? 1U : 0U;
       }
     }
   }
-  std::printf("\nEvery %zu, seeds %llu to %llu: %zu stacks, %zu of %zu regions move.\n\n", spacing,
+  std::printf("\nEvery %zu, seeds %llu to %llu: %zu stacks.\n\n", spacing,
               static_cast<unsigned long long>(options.seed),
-              static_cast<unsigned long long>(options.seed + options.solids - 1), stacks, moving,
-              regions);
+              static_cast<unsigned long long>(options.seed + options.solids - 1), stacks);
   print_corpus(rules, tallies);
 }
 
 int survey_files(const Options& options) {
-  const std::vector<LinkRule> rules = link_rules();
+  const std::vector<Rule> rules = all_rules();
   std::vector<std::size_t> wrong(rules.size(), 0);
   std::printf("| stack | true |");
-  for (const LinkRule& rule : rules) std::printf(" %s |", rule.name.c_str());
+  for (const Rule& rule : rules) std::printf(" %s |", rule.name.c_str());
   std::printf("\n|---|---|");
   for (std::size_t r = 0; r < rules.size(); ++r) std::printf("---|");
   std::printf("\n");
@@ -115,11 +121,10 @@ int survey_files(const Options& options) {
     if (!truth.components) continue;
     const Result<ReadStack> read = read_cnt(path.string());
     if (!read) return usage_failure(to_string(read.error()), kUsage);
-    const std::vector<SlabFacts> slabs = facts_of(read->stack, options.rest);
     const auto want = static_cast<std::size_t>(*truth.components);
     std::printf("| %s | %zu |", path.stem().string().c_str(), want);
     for (std::size_t r = 0; r < rules.size(); ++r) {
-      const std::size_t got = component_count(slabs, links_by(rules[r], slabs));
+      const std::size_t got = links_by(rules[r], read->stack).components;
       std::printf(" %zu |", got);
       wrong[r] += got > want ? got - want : want - got;
     }
@@ -137,7 +142,6 @@ bool take_value(const std::string& option, const std::string& word, Options& opt
   if (option == "--seed") return parse_number(word, options.seed);
   if (option == "--size") return parse_number(word, options.size);
   if (option == "--spacing") return parse_number(word, options.spacing) && options.spacing > 0;
-  if (option == "--rest") return parse_number(word, options.rest);
   options.contours = word == "lattice" ? Contouring::lattice : Contouring::smooth;
   return word == "lattice" || word == "smooth";
 }
@@ -145,8 +149,7 @@ bool take_value(const std::string& option, const std::string& word, Options& opt
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::vector<std::string> known{"--solids",  "--seed",     "--size",
-                                       "--spacing", "--contours", "--rest"};
+  const std::vector<std::string> known{"--solids", "--seed", "--size", "--spacing", "--contours"};
   Options options;
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];

@@ -261,10 +261,10 @@ constexpr std::array kBreaches{
            [](Prng& prng, RefinedModel& r) {
              if (r.on_contour.empty()) return false;
              Point3& p = r.model.points[any(prng, r.on_contour)];
-             const double ulps = 1000 * std::ldexp(std::max(std::abs(p.x), std::abs(p.y)), -52);
-             // One of the two is not along the edge.
+             const double ulps = 1e6 * std::ldexp(std::max(std::abs(p.x), std::abs(p.y)), -52);
+             // A direction that no edge of a generated stack has.
              p.x += ulps;
-             p.y += 3 * ulps;
+             p.y += 2.718281828 * ulps;
              return true;
            }},
     Breach{"a spare vertex in a section",

@@ -14,6 +14,12 @@ namespace tetloft::bench {
 struct UnionErrors {
   std::size_t missing = 0;
   std::size_t wrong = 0;
+  [[nodiscard]] std::size_t sum() const { return missing + wrong; }
+  UnionErrors& operator+=(const UnionErrors& other) {
+    missing += other.missing;
+    wrong += other.wrong;
+    return *this;
+  }
 };
 
 /// Over all slabs, of the links that were made. piece[k][r]: the piece of region r of slab k, those

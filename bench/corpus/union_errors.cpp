@@ -1,4 +1,4 @@
-#include "comparison/union_errors.hpp"
+#include "corpus/union_errors.hpp"
 
 #include <algorithm>
 
