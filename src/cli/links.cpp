@@ -47,7 +47,7 @@ Usage links_usage() {
   return usage;
 }
 
-struct Request {
+struct LinksRequest {
   std::string input;
   std::optional<std::string> output;
   std::optional<std::size_t> first;
@@ -55,8 +55,8 @@ struct Request {
   Preparation preparation;
 };
 
-Result<Request> request_of(const Arguments& arguments, Console& console) {
-  Request request;
+Result<LinksRequest> links_request_of(const Arguments& arguments, Console& console) {
+  LinksRequest request;
   request.input = arguments.operand(0);
   request.output = arguments.text("--output");
   if (request.output) {
@@ -135,7 +135,7 @@ std::string to_json(const LinkListing& listing, const StackInput& input, const C
   return json.text();
 }
 
-Result<StagedFiles> stage_lines_of(const Request& request, const LinkListing& listing) {
+Result<StagedFiles> stage_lines_of(const LinksRequest& request, const LinkListing& listing) {
   StagedFiles files;
   if (!request.output) return files;
   auto staged = io::stage_file(*request.output, link_lines(listing, true), temporary_watcher());
@@ -145,7 +145,7 @@ Result<StagedFiles> stage_lines_of(const Request& request, const LinkListing& li
 }
 
 Result<int> run_links(const Arguments& arguments, Console& console) {
-  Result<Request> request = request_of(arguments, console);
+  Result<LinksRequest> request = links_request_of(arguments, console);
   if (!request) return request.error();
   const auto input = read_stack_input(request->input, request->preparation, console);
   if (!input) return input.error();

@@ -16,7 +16,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // the region. In gaps, squared, for each of displacement: 1/64. All three settled by measurement,
 // and flat: README.
 constexpr std::int64_t kRadius = kStepsPerGap;
-constexpr double kReach = 3 * kStepsPerGap;
+constexpr double kSearchReach = 3 * kStepsPerGap;
 constexpr double kStiffness = 1.0 / 64;
 // Samples count a gap apart along each axis.
 constexpr std::int64_t kStride = kStepsPerGap;
@@ -50,18 +50,18 @@ constexpr auto kSteps = [] {
   return steps;
 }();
 
-// Weights along one axis: 1 within [low, high], falling to 0 at kReach outside.
+// Weights along one axis: 1 within [low, high], falling to 0 at kSearchReach outside.
 struct Weights {
   std::int64_t first = 0;  // the index of the first sample; the next ones are kStride apart
   std::vector<double> value;
   double sum = 0;
 
   Weights(double low, double high) {
-    const double before = std::ceil((low - kReach) / static_cast<double>(kStride));
+    const double before = std::ceil((low - kSearchReach) / static_cast<double>(kStride));
     first = static_cast<std::int64_t>(before) * kStride;
-    for (std::int64_t i = first; static_cast<double>(i) <= high + kReach; i += kStride) {
+    for (std::int64_t i = first; static_cast<double>(i) <= high + kSearchReach; i += kStride) {
       const auto x = static_cast<double>(i);
-      const double t = std::max({low - x, x - high, 0.0}) / kReach;
+      const double t = std::max({low - x, x - high, 0.0}) / kSearchReach;
       const double s = 1 - t * t;
       value.push_back(s * s);
       sum += value.back();
@@ -175,10 +175,10 @@ double vertex(double before, double at, double after) {
 }  // namespace
 
 LatticeWindow window_of(const Box2& region) {
-  return {static_cast<std::int64_t>(std::floor(region.x0 - kReach)),
-          static_cast<std::int64_t>(std::floor(region.y0 - kReach)),
-          static_cast<std::int64_t>(std::floor(region.x1 + kReach)) + 1,
-          static_cast<std::int64_t>(std::floor(region.y1 + kReach)) + 1};
+  return {static_cast<std::int64_t>(std::floor(region.x0 - kSearchReach)),
+          static_cast<std::int64_t>(std::floor(region.y0 - kSearchReach)),
+          static_cast<std::int64_t>(std::floor(region.x1 + kSearchReach)) + 1,
+          static_cast<std::int64_t>(std::floor(region.y1 + kSearchReach)) + 1};
 }
 
 std::int64_t margin_of(double gaps) {

@@ -12,7 +12,7 @@ using Edge = LatticeEdges::Edge;
 
 // A little farther than distances are followed: a sample beyond this along x or y is farther than
 // kFarthest in rounded arithmetic, too (coordinates below 2^40 have ulps of 2^-13 at most).
-constexpr double kReach = kFarthest + 0x1p-10;
+constexpr double kSampleReach = kFarthest + 0x1p-10;
 
 // The least index of [low, high] that is at least `at`.
 std::int64_t first_index(double at, std::int64_t low, std::int64_t high) {
@@ -23,10 +23,10 @@ std::int64_t first_index(double at, std::int64_t low, std::int64_t high) {
 
 // Lowers the squared distances of the samples around the edge.
 void measure(const Edge& e, const LatticeWindow& w, std::vector<double>& squared) {
-  const std::int64_t i0 = first_index(e.a.x - kReach, w.i0, w.i1);
-  const std::int64_t j0 = first_index(std::min(e.a.y, e.b.y) - kReach, w.j0, w.j1);
-  const std::int64_t j1 = first_index(std::max(e.a.y, e.b.y) + kReach, w.j0, w.j1);
-  const auto n = static_cast<int>(first_index(e.b.x + kReach, w.i0, w.i1) - i0);
+  const std::int64_t i0 = first_index(e.a.x - kSampleReach, w.i0, w.i1);
+  const std::int64_t j0 = first_index(std::min(e.a.y, e.b.y) - kSampleReach, w.j0, w.j1);
+  const std::int64_t j1 = first_index(std::max(e.a.y, e.b.y) + kSampleReach, w.j0, w.j1);
+  const auto n = static_cast<int>(first_index(e.b.x + kSampleReach, w.i0, w.i1) - i0);
   if (n <= 0) return;
   const double dx = e.b.x - e.a.x;
   const double dy = e.b.y - e.a.y;
@@ -82,8 +82,10 @@ LatticeEdges::LatticeEdges(const Section& section, double step) {
 
 Box2 LatticeEdges::reached_from(const LatticeWindow& w) {
   Box2 box;
-  box.add(Point2{static_cast<double>(w.i0) - kReach, static_cast<double>(w.j0) - kReach});
-  box.add(Point2{static_cast<double>(w.i1) + kReach, static_cast<double>(w.j1) + kReach});
+  box.add(
+      Point2{static_cast<double>(w.i0) - kSampleReach, static_cast<double>(w.j0) - kSampleReach});
+  box.add(
+      Point2{static_cast<double>(w.i1) + kSampleReach, static_cast<double>(w.j1) + kSampleReach});
   return box;
 }
 

@@ -20,7 +20,7 @@ constexpr std::size_t kVector = sizeof(std::uint64_t);
 constexpr std::size_t kLink = 2 * sizeof(std::uint32_t);
 constexpr std::size_t kCandidate = kLink + 3 + 5 * sizeof(double);
 constexpr std::size_t kMotion = 2 * sizeof(std::uint32_t) + 1 + 2 * sizeof(double);
-constexpr std::size_t kPiece = 5 * sizeof(std::uint32_t) + 1;
+constexpr std::size_t kPieceBytes = 5 * sizeof(std::uint32_t) + 1;
 
 void put_gabriel(const Plan& plan, RecordWriter& out) {
   out.put_count(plan.gabriel.size());
@@ -209,7 +209,7 @@ void get_constructed(RecordReader& in, SlabSolid& solid) {
 
 void get_pieces(RecordReader& in, SlabSolid& solid) {
   const std::size_t nodes = solid.vertices.size() + solid.constructed.size();
-  solid.pieces.resize(in.get_count(kPiece));
+  solid.pieces.resize(in.get_count(kPieceBytes));
   for (Piece& piece : solid.pieces) {
     for (NodeId& n : piece.node) {
       n = in.get<NodeId>();

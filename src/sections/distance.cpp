@@ -47,7 +47,7 @@ Interval dot(const Point2& u, const Point2& v) {
   return bounds_of(x + y, std::abs(x) + std::abs(y));
 }
 
-Interval cross(const Point2& u, const Point2& v) {
+Interval cross_product(const Point2& u, const Point2& v) {
   const double x = u.x * v.y;
   const double y = u.y * v.x;
   return bounds_of(x - y, std::abs(x) + std::abs(y));
@@ -65,7 +65,7 @@ Interval squared_distance(const PointAndEdge& pair, double factor) {
   if (from_b.lo >= 0) return dot(w, w);
   // No point of the edge is nearer than its line, and none farther than the nearer end.
   const Interval length2 = dot(v, v);
-  const Interval area = absolute(cross(v, u));
+  const Interval area = absolute(cross_product(v, u));
   Interval result{downwards(downwards(area.lo * area.lo) / length2.hi),
                   std::min(dot(u, u).hi, dot(w, w).hi)};
   if (from_a.lo >= 0 && from_b.hi <= 0 && length2.lo > 0) {

@@ -14,10 +14,10 @@ namespace tetloft::internal::sections {
 
 namespace {
 
-struct Fraction {
+struct SquareFraction {
   BigInteger numerator, denominator;
 
-  friend bool operator<(const Fraction& a, const Fraction& b) {
+  friend bool operator<(const SquareFraction& a, const SquareFraction& b) {
     return a.numerator * b.denominator < b.numerator * a.denominator;
   }
 };
@@ -26,21 +26,21 @@ struct Vector {
   BigInteger x, y;
 };
 
-Vector difference(const Point2& a, const Point2& b, int unit) {
+Vector vector_between(const Point2& a, const Point2& b, int unit) {
   return {BigInteger::from_double(a.x, unit) - BigInteger::from_double(b.x, unit),
           BigInteger::from_double(a.y, unit) - BigInteger::from_double(b.y, unit)};
 }
 
 BigInteger dot(const Vector& u, const Vector& v) { return u.x * v.x + u.y * v.y; }
 
-Fraction squared_distance(const PointAndEdge& pair, int unit) {
-  const Vector u = difference(pair.p, pair.edge.a, unit);
-  const Vector v = difference(pair.edge.b, pair.edge.a, unit);
+SquareFraction squared_distance(const PointAndEdge& pair, int unit) {
+  const Vector u = vector_between(pair.p, pair.edge.a, unit);
+  const Vector v = vector_between(pair.edge.b, pair.edge.a, unit);
   const BigInteger along = dot(u, v);
   BigInteger length2 = dot(v, v);
   if (along.sign() <= 0) return {dot(u, u), BigInteger(1)};
   if (length2 < along) {
-    const Vector w = difference(pair.p, pair.edge.b, unit);
+    const Vector w = vector_between(pair.p, pair.edge.b, unit);
     return {dot(w, w), BigInteger(1)};
   }
   const BigInteger cross = v.x * u.y - v.y * u.x;
@@ -60,7 +60,7 @@ int common_unit(std::span<const PointAndEdge> pairs) {
 }
 
 // The root of a positive fraction times 2^unit, rounded.
-double rounded_root(const Fraction& square, int unit, int bits) {
+double rounded_root(const SquareFraction& square, int unit, int bits) {
   const auto length = [](const BigInteger& value) { return static_cast<int>(value.bits()); };
   const int n = length(square.numerator);
   const int d = length(square.denominator);
@@ -94,9 +94,9 @@ double rounded_root(const Fraction& square, int unit, int bits) {
 
 double smallest_distance(std::span<const PointAndEdge> pairs, int bits) {
   const int unit = common_unit(pairs);
-  Fraction smallest = squared_distance(pairs.front(), unit);
+  SquareFraction smallest = squared_distance(pairs.front(), unit);
   for (const PointAndEdge& pair : pairs.subspan(1)) {
-    Fraction other = squared_distance(pair, unit);
+    SquareFraction other = squared_distance(pair, unit);
     if (other < smallest) smallest = std::move(other);
   }
   return rounded_root(smallest, unit, bits);
