@@ -149,10 +149,8 @@ Result<int> run_check(const Arguments& arguments, Console& console) {
   if (!model) return model.error();
   const auto input = read_stack_input(arguments.operand(1), *prepared, console);
   if (!input) return input.error();
-  Result<Labels> labels = read_label_option(arguments, input->stack);
-  if (!labels) return labels.error();
-  options.correspondence.labels = std::move(labels->labels);
-  options.correspondence.decisions = std::move(labels->decisions);
+  const Result<void> labelled = read_label_option(arguments, input->stack, options.correspondence);
+  if (!labelled) return labelled.error();
 
   const Result<CheckReport> report = [&] {
     Progress progress(!console.quiet());

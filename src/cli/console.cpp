@@ -147,4 +147,16 @@ std::string counted(std::size_t n, const char* singular) {
   return std::to_string(n) + ' ' + singular + (n == 1 ? "" : "s");
 }
 
+void Console::warn_of(const std::string& file, const std::vector<Warning>& warnings) {
+  for (Warning warning : warnings) {
+    if (warning.where.file.empty()) warning.where.file = file;
+    warn(warning);
+  }
+}
+
+Error in_file(Error error, const std::string& file) {
+  if (error.where.file.empty()) error.where.file = file;
+  return error;
+}
+
 }  // namespace tetloft::cli

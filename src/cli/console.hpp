@@ -29,6 +29,8 @@ class Console {
   /// Prints a warning and keeps it for the JSON object; of many of a kind, the first few are
   /// printed and the rest counted (tell_rest).
   void warn(const Warning& warning);
+  /// The same for each of these, about this file where they name none.
+  void warn_of(const std::string& file, const std::vector<Warning>& warnings);
   /// Says how many warnings of each kind were not printed. To be called when all have come.
   void tell_rest();
   /// Says what failed; as JSON too where that was asked for and nothing was delivered. Returns
@@ -76,5 +78,8 @@ class Stopwatch {
  private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
+
+/// The error, about this file where it names none.
+[[nodiscard]] Error in_file(Error error, const std::string& file);
 
 }  // namespace tetloft::cli

@@ -93,11 +93,7 @@ Result<int> run_delaunay(const Arguments& arguments, Console& console) {
                                .most_tets = most_tets(*limit, points),
                                .execution = {.threads = *threads}});
   const double seconds = triangulating.seconds();
-  if (!delaunay) {
-    Error error = delaunay.error();
-    if (error.where.file.empty()) error.where.file = arguments.operand(0);
-    return error;
-  }
+  if (!delaunay) return in_file(delaunay.error(), arguments.operand(0));
   warn_if_flat(*delaunay, console);
   StagedFiles files;
   if (output) {

@@ -112,11 +112,7 @@ Result<int> reconstruct_by_geiger(const Arguments& arguments, Console& console) 
     return reconstruct_geiger(input->stack, options);
   }();
   const double seconds = watch.seconds();
-  if (!made) {
-    Error error = made.error();
-    if (error.where.file.empty()) error.where.file = arguments.operand(0);
-    return error;
-  }
+  if (!made) return in_file(made.error(), arguments.operand(0));
   if (arguments.has("--verify")) {
     Result<void> told = tell_broken_guarantees(made->model, input->stack, *threads, console);
     if (!told) return told.error();

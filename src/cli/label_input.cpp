@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace tetloft::cli {
 
@@ -42,11 +43,12 @@ std::optional<Error> check_decision(const std::string& path, const SectionStack&
 
 }  // namespace
 
-Result<Labels> read_label_option(const Arguments& arguments, const SectionStack& stack) {
+Result<void> read_label_option(const Arguments& arguments, const SectionStack& stack,
+                               CorrespondenceOptions& options) {
   const auto path = arguments.text("--labels");
-  if (!path) return Labels();
+  if (!path) return {};
   Result<Labels> read = read_labels(*path);
-  if (!read) return read;
+  if (!read) return read.error();
   for (const Label& label : read->labels) {
     if (is_contour(stack, label.section.index(), label.contour)) continue;
     return named_badly(*path, label.section.index(), label.contour,
@@ -55,7 +57,9 @@ Result<Labels> read_label_option(const Arguments& arguments, const SectionStack&
   for (const LinkDecision& decision : read->decisions) {
     if (auto error = check_decision(*path, stack, decision)) return *error;
   }
-  return read;
+  options.labels = std::move(read->labels);
+  options.decisions = std::move(read->decisions);
+  return {};
 }
 
 }  // namespace tetloft::cli

@@ -7,9 +7,9 @@
 
 namespace tetloft::cli {
 
-/// Reads --labels; nothing where it was not given. Each line must name contours of `stack`: the
-/// error names the file, section and contour.
-[[nodiscard]] Result<Labels> read_label_option(const Arguments& arguments,
-                                               const SectionStack& stack);
+/// Reads --labels into the options; leaves them where it was not given. Each line must name
+/// contours of `stack`: the error names the file, section and contour.
+[[nodiscard]] Result<void> read_label_option(const Arguments& arguments, const SectionStack& stack,
+                                             CorrespondenceOptions& options);
 
 }  // namespace tetloft::cli

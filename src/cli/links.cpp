@@ -149,25 +149,17 @@ Result<int> run_links(const Arguments& arguments, Console& console) {
   if (!request) return request.error();
   const auto input = read_stack_input(request->input, request->preparation, console);
   if (!input) return input.error();
-  Result<Labels> labels = read_label_option(arguments, input->stack);
-  if (!labels) return labels.error();
-  request->options.correspondence.labels = labels->labels;
-  request->options.correspondence.decisions = std::move(labels->decisions);
+  const Result<void> labelled =
+      read_label_option(arguments, input->stack, request->options.correspondence);
+  if (!labelled) return labelled.error();
   Result<StackLinks> found = [&] {
     Progress progress(!console.quiet());
     request->options.execution.progress = progress.callback();
     return find_links(input->stack, request->options);
   }();
-  if (!found) {
-    Error error = found.error();
-    if (error.where.file.empty()) error.where.file = request->input;
-    return error;
-  }
-  for (Warning warning : found->warnings) {
-    if (warning.where.file.empty()) warning.where.file = request->input;
-    console.warn(warning);
-  }
-  const LinkListing listing{input->stack.sections.size(), std::move(labels->labels),
+  if (!found) return in_file(found.error(), request->input);
+  console.warn_of(request->input, found->warnings);
+  const LinkListing listing{input->stack.sections.size(), request->options.correspondence.labels,
                             *std::move(found), request->first};
   auto files = stage_lines_of(*request, listing);
   if (!files) return files.error();

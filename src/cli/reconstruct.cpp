@@ -210,10 +210,9 @@ Result<int> run_reconstruct(const Arguments& arguments, Console& console) {
   Stopwatch reading;
   const auto input = read_stack_input(request->input, request->preparation, console);
   if (!input) return input.error();
-  Result<Labels> labels = read_label_option(arguments, input->stack);
-  if (!labels) return labels.error();
-  request->options.correspondence.labels = std::move(labels->labels);
-  request->options.correspondence.decisions = std::move(labels->decisions);
+  const Result<void> labelled =
+      read_label_option(arguments, input->stack, request->options.correspondence);
+  if (!labelled) return labelled.error();
   seconds.read = reading.seconds();
   if (request->options.thickness && input->stack.sections.size() > 1) {
     console.warn({"--thickness has no effect on more than one section", {}});
@@ -224,15 +223,8 @@ Result<int> run_reconstruct(const Arguments& arguments, Console& console) {
     request->options.execution.progress = progress.callback();
     return reconstruct(input->stack, request->options);
   }();
-  if (!result) {
-    Error error = result.error();
-    if (error.where.file.empty()) error.where.file = request->input;
-    return error;
-  }
-  for (Warning warning : result->warnings) {
-    if (warning.where.file.empty()) warning.where.file = request->input;
-    console.warn(warning);
-  }
+  if (!result) return in_file(result.error(), request->input);
+  console.warn_of(request->input, result->warnings);
   if (request->verify) {
     const Stopwatch verifying;
     Result<void> verified = verify(result->model, *input, *request);

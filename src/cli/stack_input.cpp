@@ -205,11 +205,7 @@ Result<StackInput> read_stack_input(const std::string& path, const Preparation& 
   Result<void> done;
   if (preparation.snap) done = snap_input(input, *preparation.snap, console);
   if (done && preparation.refine) done = refine_input(input, *preparation.refine);
-  if (!done) {
-    Error error = done.error();
-    if (error.where.file.empty()) error.where.file = path;
-    return error;
-  }
+  if (!done) return in_file(done.error(), path);
   return input;
 }
 

@@ -3,18 +3,15 @@
 
 #include <optional>
 
-#include <tetloft/nesting.hpp>
 #include <tetloft/overlap.hpp>
+#include <tetloft/section_stack.hpp>
 
 namespace tetloft::internal {
 
-/// A region as a section of its own; contour 0 is the outer one.
+/// A region as a section of its own, of which contour 0 is the outer one.
 struct MovedRegion {
   Section section;
-  Nesting nesting;
-  [[nodiscard]] RegionOutline outline() const {
-    return tetloft::outline(section, nesting, RegionId(0));
-  }
+  [[nodiscard]] RegionOutline outline() const;
 };
 
 /// The region with vertices (x + by.x, y + by.y), rounded. Nothing where rounding leaves no such
