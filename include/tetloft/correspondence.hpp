@@ -117,6 +117,25 @@ struct Labels {
   std::vector<LinkDecision> decisions = {};
 };
 
+/// How voids correspond: the rule in full in tetloft/voids.hpp.
+enum class VoidRule : std::uint8_t {
+  overlap,  ///< by overlap, chains and rims
+  near,     ///< the same; and a hole left without link, to the nearest void within reach
+  free,     ///< as it comes: nothing is decided, closed or checked
+};
+/// By `near`, if nothing else is said: in gaps.
+inline constexpr double kDefaultVoidReach = 0.5;
+
+/// What a user decides of voids. A hole is named by its contour, the exterior by an invalid one.
+struct VoidOptions {
+  VoidRule rule = VoidRule::overlap;
+  /// Of `near`, in gaps; finite, and not negative.
+  double reach = kDefaultVoidReach;
+  /// Labels of holes; there is none for the exterior.
+  std::vector<Label> labels = {};
+  std::vector<LinkDecision> decisions = {};
+};
+
 struct CorrespondenceOptions {
   Criterion criterion = Criterion::moved;
   /// The threshold of `overlap` and `moved`, in [0, 1); none: kDefaultOverlap, kDefaultMoved.
@@ -131,6 +150,7 @@ struct CorrespondenceOptions {
   std::vector<Label> labels = {};
   /// No two on one pair of regions, unless they agree.
   std::vector<LinkDecision> decisions = {};
+  VoidOptions voids = {};
 };
 
 /// tau, or the criterion's default.
@@ -149,8 +169,9 @@ enum class Evidence : std::uint8_t {
   lone = 4,      ///< rule 3
   label = 5,     ///< rule 7
   decision = 6,  ///< rule 4
+  rim = 7,       ///< of voids: rule V3 of voids.hpp
 };
-inline constexpr int kEvidences = 7;
+inline constexpr int kEvidences = 8;
 [[nodiscard]] TETLOFT_API const char* name_of(Evidence evidence);
 
 /// What became of a link. The values are stored in files.
@@ -161,8 +182,9 @@ enum class LinkFate : std::uint8_t {
   labels_part = 3,   ///< it would join different labels
   decided_part = 4,  ///< the user's decision
   unrealisable = 5,  ///< rule 8
+  forced = 6,        ///< of voids: rule V6 of voids.hpp, no wall can stand between
 };
-inline constexpr int kLinkFates = 6;
+inline constexpr int kLinkFates = 7;
 [[nodiscard]] TETLOFT_API const char* name_of(LinkFate fate);
 
 /// A link that was made, or nearly, and how surely. Regions are named by their outer contours.

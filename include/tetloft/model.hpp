@@ -11,6 +11,7 @@
 #include <tetloft/point.hpp>
 #include <tetloft/result.hpp>
 #include <tetloft/tet_mesh.hpp>
+#include <tetloft/voids.hpp>
 
 namespace tetloft {
 
@@ -64,6 +65,10 @@ struct Model {
   std::vector<RegionLink> links;
   /// By correspondence `moved`: as StackLinks::motions.
   std::vector<RegionMotion> motions;
+  /// Of voids, likewise; without any where nothing was decided about them (VoidRule::free).
+  std::vector<VoidLink> void_links;
+  /// Where guarantee 5 cannot be had, by (slab, upper, contour).
+  std::vector<Deviation> deviations;
 };
 
 /// Adjacency, stars and links of a model's tets; vertex and tet ids are the model's. Made anew by

@@ -22,3 +22,4 @@
 #include <tetloft/sections.hpp>
 #include <tetloft/tet_mesh.hpp>
 #include <tetloft/version.hpp>
+#include <tetloft/voids.hpp>

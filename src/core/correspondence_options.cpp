@@ -17,6 +17,7 @@ const char* name_of(Evidence evidence) {
     case Evidence::lone: return "lone";
     case Evidence::label: return "label";
     case Evidence::decision: return "decision";
+    case Evidence::rim: return "rim";
   }
   return "none";
 }
@@ -29,6 +30,7 @@ const char* name_of(LinkFate fate) {
     case LinkFate::labels_part: return "parted by labels";
     case LinkFate::decided_part: return "parted by decision";
     case LinkFate::unrealisable: return "unrealisable";
+    case LinkFate::forced: return "forced";
   }
   return "none";
 }

@@ -65,8 +65,8 @@ LinkCandidate get_candidate(RecordReader& in, SlabId slab) {
   candidate.link.upper = in.get<RegionId>();
   candidate.evidence = static_cast<Evidence>(in.get<std::uint8_t>());
   candidate.fate = static_cast<LinkFate>(in.get<std::uint8_t>());
-  in.require(is_enumerator(candidate.evidence, Evidence::decision) &&
-                 is_enumerator(candidate.fate, LinkFate::unrealisable),
+  in.require(is_enumerator(candidate.evidence, Evidence::rim) &&
+                 is_enumerator(candidate.fate, LinkFate::forced),
              "has a link of no evidence or fate");
   const bool leads = in.get<std::uint8_t>() != 0;
   double lead = 0;

@@ -42,6 +42,7 @@ constexpr std::array<Rgb, kEvidences + 1> kEvidence{{{120, 158, 178},
                                                      {214, 78, 62},
                                                      {122, 96, 178},
                                                      {196, 108, 178},
+                                                     {232, 140, 70},
                                                      {206, 208, 212}}};
 
 constexpr std::array<Rgb, 6> kSlabs{{{54, 62, 120},
