@@ -28,8 +28,10 @@ enum class Rule : std::uint8_t {
   gluing,
   gabriel_refinement,
   opened_pit,
+  closed_passage,
+  united_voids,
 };
-inline constexpr int kRules = 16;
+inline constexpr int kRules = 18;
 [[nodiscard]] TETLOFT_API const char* name_of(Rule rule);
 
 /// The steps that time is told for.

@@ -34,6 +34,13 @@
 
 namespace tetloft::internal {
 
+/// A tet to be kept by a class, and the corners at which it has to be attached.
+struct Wall {
+  TetId tet;
+  std::uint8_t corners = 0;
+  ClassId id;
+};
+
 /// A class that stays in several parts, for D offers no edge to connect them.
 struct LeftApart {
   ClassId id;
@@ -48,7 +55,11 @@ class Completion {
   /// Completes all active classes; returns those left in several parts.
   std::vector<LeftApart> run();
 
+  /// Keeps further tets, attached as asked, and what the rules want besides. After run().
+  void build(const std::vector<Wall>& walls);
+
   [[nodiscard]] Complex& complex() { return complex_; }
+  [[nodiscard]] const Complex& complex() const { return complex_; }
   /// Tets looked at, as often as that was.
   [[nodiscard]] std::uint64_t work() const { return work_; }
 
@@ -139,6 +150,7 @@ class Completion {
   [[nodiscard]] std::optional<TetId> connecting_tet(Connecting& connecting) const;
   [[nodiscard]] std::vector<Bridge> bridges_of(const Connecting& connecting) const;
   void attach(TetId t, int corner);
+  [[nodiscard]] std::vector<TetId> way_to_primary(TetId t, SlabVertexId p);
   void note_change(SlabVertexId v);
 
   const Slab& slab_;

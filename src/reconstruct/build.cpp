@@ -42,7 +42,7 @@ std::optional<Error> SlabBuilds::build(const std::vector<SlabId>& slabs) {
       slabs, options_.execution.threads, work_, [&](SlabId slab) -> std::optional<Error> {
         Result<SlabOutcome> outcome = build_slab(
             slab, prepared_.sections[lower_section(slab)], prepared_.sections[upper_section(slab)],
-            plan_.correspondence.links[slab], {options_.delaunay, options_.work_limit});
+            {plan_.correspondence.links[slab]}, {options_.delaunay, options_.work_limit});
         if (!outcome) return outcome.error();
         outcome_[slab] = std::move(*outcome);
         if (auto* refused = std::get_if<Unrepresentable>(&outcome_[slab])) return refused->error;
@@ -55,20 +55,13 @@ std::optional<Error> SlabBuilds::build(const std::vector<SlabId>& slabs) {
 // them.
 Result<std::vector<SlabId>> SlabBuilds::refine(SlabId slab, const RefineHere& wanted) {
   ++refinements_;
-  const SlabRegions regions(prepared_.nestings[lower_section(slab)].outer.size(),
-                            prepared_.nestings[upper_section(slab)].outer.size());
   std::vector<SlabId> touched;
   for (const bool upper : {false, true}) {
     const SectionId s = section_of(slab, upper);
     const Nesting& nesting = prepared_.nestings[s];
     IdVector<ContourId, bool> gabriel = plan_.gabriel[s];
     if (gabriel.empty()) gabriel.assign(nesting.region.size(), false);
-    for (const SlabRegionId r : wanted.regions) {
-      if (regions.is_upper(r) != upper) continue;
-      for (const ContourId c : nesting.region.ids()) {
-        if (nesting.region[c] == regions.in_section(r)) gabriel[c] = true;
-      }
-    }
+    for (const ContourId c : wanted.contours[upper ? 1 : 0]) gabriel[c] = true;
     if (std::find(gabriel.begin(), gabriel.end(), true) == gabriel.end()) continue;
     if (gabriel == plan_.gabriel[s]) continue;
     if (auto error = prepared_.conform_section(s, gabriel)) return *error;

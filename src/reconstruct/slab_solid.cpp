@@ -61,10 +61,37 @@ std::uint64_t detached_sheets(const Complex& complex) {
   return detached;
 }
 
+// All nodes of a slab's solid lie on its boundary, and a 3-manifold has half the Euler
+// characteristic of its boundary: (V − F / 2) / 2, where triangles alone bound.
+std::vector<std::pair<SlabRegionId, std::int32_t>> chi_by_class(
+    const SlabClasses& classes, const std::vector<Piece>& pieces,
+    const std::vector<TriangleVertices>& boundary, std::size_t nodes) {
+  IdVector<NodeId, ClassId> of_node(nodes);
+  for (const Piece& piece : pieces) {
+    const ClassId c = classes.of_region(piece.region);
+    for (const NodeId n : piece.node) of_node[n] = c;
+  }
+  std::vector<std::int64_t> four_chi(classes.class_count(), 0);
+  for (const ClassId c : of_node) {
+    if (c.valid()) four_chi[c.index()] += 2;
+  }
+  for (const TriangleVertices& triangle : boundary) {
+    --four_chi[of_node[NodeId(triangle[0].value())].index()];
+  }
+  std::vector<std::pair<SlabRegionId, std::int32_t>> chi;
+  for (const ClassId c : IdRange<ClassId>(classes.class_count())) {
+    if (classes.regions(c).empty()) continue;  // of exterior vertices
+    TETLOFT_CHECK(four_chi[c.index()] % 4 == 0);
+    chi.emplace_back(classes.regions(c).front(),
+                     static_cast<std::int32_t>(four_chi[c.index()] / 4));
+  }
+  return chi;
+}
+
 class SlabBuilder {
  public:
   SlabBuilder(SlabId id, const ConformingSection& lower, const ConformingSection& upper,
-              const std::vector<Link>& links, const SlabOptions& options)
+              const SlabLinks& links, const SlabOptions& options)
       : id_(id),
         links_(links),
         options_(options),
@@ -98,7 +125,7 @@ class SlabBuilder {
     const Slab slab(pits_.lower(), pits_.upper(), std::move(*d));
     clock.end(Step::delaunay);
 
-    const SlabClasses classes(slab.lower(), slab.upper(), links_);
+    const SlabClasses classes(slab.lower(), slab.upper(), links_.regions);
     std::vector<LoneEnd> lone = lone_ends(classes);
     // Each round completes one more lone class at least that has no room for a prism.
     for (;;) {
@@ -112,6 +139,9 @@ class SlabBuilder {
       const bool sealed = pits_.open_sealed(slab, classes, completion.complex());
       clock.end(Step::complex);
       if (sealed) return std::optional<SlabOutcome>();
+      std::optional<SlabOutcome> stuck = close_passages(slab, classes, active, completion, rules);
+      clock.end(Step::complex);
+      if (stuck) return stuck;
       if (auto outcome = subdivided(slab, classes, completion.complex(), lone, rules, clock)) {
         return outcome;
       }
@@ -120,19 +150,63 @@ class SlabBuilder {
 
   [[nodiscard]] static SlabOutcome left_apart(const Slab& slab, const SlabClasses& classes,
                                               LeftApart& apart) {
-    const bool refined =
-        std::all_of(apart.regions.begin(), apart.regions.end(), [&](SlabRegionId r) {
-          const ConformingSection& section = slab.section(classes.regions().is_upper(r));
-          const RegionId region = classes.regions().in_section(r);
-          if (section.gabriel.empty()) return false;
-          const auto contours = section.nesting.region.ids();
-          for (const ContourId c : contours) {
-            if (section.nesting.region[c] == region && !section.gabriel[c]) return false;
-          }
-          return true;
-        });
-    if (refined) return Unconnectable{std::move(apart.regions)};
-    return RefineHere{std::move(apart.regions)};
+    RefineHere here;
+    for (const SlabRegionId r : apart.regions) {
+      const bool upper = classes.regions().is_upper(r);
+      const Nesting& nesting = slab.section(upper).nesting;
+      for (const ContourId c : nesting.region.ids()) {
+        if (nesting.region[c] == classes.regions().in_section(r)) {
+          here.contours[upper ? 1 : 0].push_back(c);
+        }
+      }
+    }
+    if (is_refined(slab, here)) return Unconnectable{std::move(apart.regions)};
+    return here;
+  }
+
+  // Are all these contours refined already?
+  [[nodiscard]] static bool is_refined(const Slab& slab, const RefineHere& here) {
+    for (const bool upper : {false, true}) {
+      const auto& gabriel = slab.section(upper).gabriel;
+      for (const ContourId c : here.contours[upper ? 1 : 0]) {
+        if (gabriel.empty() || !gabriel[c]) return false;
+      }
+    }
+    return true;
+  }
+
+  // Closes passages. Nothing where all are closed, or voids that nothing parts are taken for one.
+  [[nodiscard]] std::optional<SlabOutcome> close_passages(
+      const Slab& slab, const SlabClasses& classes, const IdVector<ClassId, std::uint8_t>& active,
+      Completion& completion, RuleCounts& rules) {
+    if (links_.voids == nullptr) return std::nullopt;
+    SlabVoids voids(slab.lower(), slab.upper(), *links_.voids);
+    united_.clear();
+    while (voids.class_count() > 1) {
+      Passages passages(slab, classes, active, voids, completion);
+      const std::optional<Inseparable> stuck = passages.close();
+      count(rules, Rule::closed_passage, passages.closed());
+      if (!stuck) return std::nullopt;
+      RefineHere here;
+      for (const SlabVoidId v : *stuck) add_contours(slab, voids, v, here);
+      if (!is_refined(slab, here)) return here;
+      count(rules, Rule::united_voids);
+      united_.push_back(*stuck);
+      voids.unite((*stuck)[0], (*stuck)[1]);
+    }
+    return std::nullopt;
+  }
+
+  // The contours at a void; of an exterior none, they are too many.
+  static void add_contours(const Slab& slab, const SlabVoids& voids, SlabVoidId v,
+                           RefineHere& here) {
+    const ContourId hole = voids.hole(v);
+    if (!hole.valid()) return;
+    const bool upper = voids.numbering().is_upper(v);
+    const Nesting& nesting = slab.section(upper).nesting;
+    for (const ContourId c : nesting.parent.ids()) {
+      if (c == hole || nesting.parent[c] == hole) here.contours[upper ? 1 : 0].push_back(c);
+    }
   }
 
   // Nothing where a lone class gave up its prism, and is to be completed.
@@ -170,6 +244,8 @@ class SlabBuilder {
       solid.origin.push_back(embedding.origin(n));
     }
     solid.pieces = embedding.pieces();
+    solid.chi =
+        chi_by_class(classes, solid.pieces, embedding.boundary(), embedding.points().size());
     solid.smallest_lift = embedding.smallest_lift();
     solid.rules = rules;
     return solid;
@@ -192,15 +268,17 @@ class SlabBuilder {
       }
     }
     count(solid.rules, Rule::opened_pit, pits_.opened());
+    solid.united_voids = united_;
     solid.seconds = seconds_;
     solid.work = work_;
   }
 
   SlabId id_;
-  const std::vector<Link>& links_;
+  const SlabLinks& links_;
   const SlabOptions& options_;
   SlabVertices vertices_;
   Pits pits_;
+  std::vector<Inseparable> united_;
   // Of all attempts.
   StepSeconds seconds_{};
   std::uint64_t work_ = 0;
@@ -228,12 +306,13 @@ SlabSolid build_end(const ConformingSection& section, double z) {
       solid.origin.push_back(PointOrigin::cap);
     }
     count(solid.rules, Rule::prism);
+    solid.chi.emplace_back(solid.regions.in_slab(upper, r), 2);
   }
   return solid;
 }
 
 Result<SlabOutcome> build_slab(SlabId id, const ConformingSection& lower,
-                               const ConformingSection& upper, const std::vector<Link>& links,
+                               const ConformingSection& upper, const SlabLinks& links,
                                const SlabOptions& options) {
   const double middle = lower.z + 0.5 * (upper.z - lower.z);
   if (!(lower.z < middle && middle < upper.z)) {

@@ -2,8 +2,10 @@
 // proof that the result is embedded.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -12,6 +14,7 @@
 #include <tetloft/model.hpp>
 #include <tetloft/result.hpp>
 
+#include "completion/passages.hpp"
 #include "slab/link.hpp"
 #include "slab/rules.hpp"
 #include "subdivision/truncation.hpp"
@@ -29,18 +32,25 @@ struct SlabSolid {
   double smallest_lift = 1;
   StepSeconds seconds{};
   std::uint64_t work = 0;  ///< ReconstructReport::work
+  /// The Euler characteristic of what each class holds, named by its lowest region.
+  std::vector<std::pair<SlabRegionId, std::int32_t>> chi;
+  /// Voids that count as one though no link says so: rule V6 of voids.hpp. Of sections, lower and
+  /// upper of the slab or two of one section.
+  std::vector<Inseparable> united_voids;
 
   /// Of the pieces: slab vertices and constructed ones.
   [[nodiscard]] Nodes nodes() const { return Nodes(vertices.size()); }
 };
 
-/// A class of several regions has no Delaunay edge between its parts, and contours of its that
-/// are not refined to Gabriel edges yet: it may be connectable with them.
+/// Contours that are not all refined to Gabriel edges yet: what cannot be done may be with them.
+/// Either a class of several regions has no Delaunay edge between its parts, or no wall can stand
+/// between two voids.
 struct RefineHere {
-  std::vector<SlabRegionId> regions;  ///< of the class
+  std::array<std::vector<ContourId>, 2> contours;  ///< of the lower section, of the upper one
 };
 
-/// The same where all its contours are.
+/// A class of several regions has no Delaunay edge between its parts though its contours are
+/// refined.
 struct Unconnectable {
   std::vector<SlabRegionId> regions;
 };
@@ -58,11 +68,17 @@ struct SlabOptions {
   double work_limit;
 };
 
+/// What was decided about a slab.
+struct SlabLinks {
+  const std::vector<Link>& regions;
+  /// Of voids (sections/complement.hpp numbers them); null where nothing was decided about them.
+  const std::vector<Link>* voids = nullptr;
+};
+
 /// Builds the solid of a slab from its two conforming sections (either may be empty) and the
 /// accepted links: a function of these alone. Fails (work_limit) naming the place.
 [[nodiscard]] Result<SlabOutcome> build_slab(SlabId id, const ConformingSection& lower,
-                                             const ConformingSection& upper,
-                                             const std::vector<Link>& links,
+                                             const ConformingSection& upper, const SlabLinks& links,
                                              const SlabOptions& options);
 
 /// The end of a stack: all regions of a section extruded to z. Above its plane the section is the

@@ -21,6 +21,8 @@ const char* name_of(Rule rule) {
     case Rule::gluing: return "gluing";
     case Rule::gabriel_refinement: return "gabriel_refinement";
     case Rule::opened_pit: return "opened_pit";
+    case Rule::closed_passage: return "closed_passage";
+    case Rule::united_voids: return "united_voids";
   }
   return "unknown";
 }

@@ -81,6 +81,8 @@ class Slab {
   /// Some tet that contains the in-plane edge: the type-1 tet over its left triangle, or
   /// right where there is none.
   [[nodiscard]] TetId tet_at_edge(bool in_upper, EdgeId e) const;
+  /// The type-1 tet on a triangle of a section.
+  [[nodiscard]] TetId tet_on(bool upper, TriangleId t) const { return tet_on_[upper ? 1 : 0][t]; }
 
  private:
   [[nodiscard]] static VertexId mesh_vertex(SlabVertexId v) { return VertexId(v.value()); }

@@ -65,6 +65,8 @@ class Embedding {
   /// The result, once embedded: positions of all nodes, and all pieces.
   [[nodiscard]] const IdVector<NodeId, Point3>& points() const { return points_; }
   [[nodiscard]] const std::vector<Piece>& pieces() const { return pieces_; }
+  /// Their boundary, section planes included: triangles over nodes.
+  [[nodiscard]] const std::vector<TriangleVertices>& boundary() const { return boundary_; }
   /// Of a constructed node.
   [[nodiscard]] PointOrigin origin(NodeId node) const;
   /// Seconds spent in contact tests.

@@ -35,7 +35,7 @@ Sections conformed(const SectionStack& stack, bool gabriel = false) {
 
 SlabOutcome outcome_of(const Sections& s, const std::vector<Link>& links,
                        DelaunayEngine engine = DelaunayEngine::automatic) {
-  return build_slab(SlabId(0), s.lower, s.upper, links, {engine, kDefaultWorkLimit}).value();
+  return build_slab(SlabId(0), s.lower, s.upper, {links}, {engine, kDefaultWorkLimit}).value();
 }
 
 Link link(std::size_t lower, std::size_t upper) {
@@ -68,7 +68,9 @@ TEST(SlabOutcome, AsksForFinerContoursFirstAndIsUnconnectableThen) {
   const std::vector<SlabRegionId> expected{SlabRegionId(0), SlabRegionId(5)};
   const SlabOutcome coarse = outcome_of(conformed(stack), {link(0, 2)});
   ASSERT_TRUE(std::holds_alternative<RefineHere>(coarse));
-  EXPECT_EQ(std::get<RefineHere>(coarse).regions, expected);
+  const auto& [below, above] = std::get<RefineHere>(coarse).contours;
+  EXPECT_EQ(below, std::vector<ContourId>{ContourId(0)});
+  EXPECT_EQ(above, std::vector<ContourId>{ContourId(2)});
   const SlabOutcome fine = outcome_of(conformed(stack, true), {link(0, 2)});
   ASSERT_TRUE(std::holds_alternative<Unconnectable>(fine));
   EXPECT_EQ(std::get<Unconnectable>(fine).regions, expected);
@@ -88,8 +90,9 @@ TEST(SlabOutcome, IsUnrepresentableWithoutADoubleBetweenThePlanes) {
 
 TEST(BuildSlab, FailsAtTheWorkLimit) {
   const Sections s = conformed(generate(StackKind::small_grid, 1).stack);
+  const std::vector<Link> none;
   const Result<SlabOutcome> refused =
-      build_slab(SlabId(3), s.lower, s.upper, {}, {DelaunayEngine::automatic, 1e-9});
+      build_slab(SlabId(3), s.lower, s.upper, {none}, {DelaunayEngine::automatic, 1e-9});
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.error().code, ErrorCode::work_limit);
   EXPECT_EQ(refused.error().where.slab, 3U);

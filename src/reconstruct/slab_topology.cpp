@@ -1,0 +1,151 @@
+#include "reconstruct/slab_topology.hpp"
+
+#include <algorithm>
+
+#include "core/union_find.hpp"
+
+namespace tetloft::internal {
+
+namespace {
+
+class TopologyCounter {
+ public:
+  TopologyCounter(const ConformingSection& lower, const ConformingSection& upper,
+                  const SlabFaceLinks& links)
+      : nesting_{&lower.nesting, &upper.nesting},
+        holes_{voids_of(lower).hole, voids_of(upper).hole},
+        regions_(lower.nesting.outer.size(), upper.nesting.outer.size()),
+        voids_(holes_[0].size(), holes_[1].size()),
+        solid_(regions_.size()),
+        pieces_(regions_.size()),
+        void_(voids_.size()),
+        void_pieces_(voids_.size()),
+        chi_(regions_.size(), 0) {
+    for (const Link& link : links.regions) {
+      solid_.unite(regions_.in_slab(false, link.lower).index(),
+                   regions_.in_slab(true, link.upper).index());
+    }
+    void_.unite(exterior(false).index(), exterior(true).index());
+    for (const Link& link : links.voids) {
+      void_.unite(voids_.in_slab(false, link.lower).index(),
+                  voids_.in_slab(true, link.upper).index());
+    }
+    for (const auto& [a, b] : links.united_voids) void_.unite(a.index(), b.index());
+  }
+
+  std::vector<TopologyGroup> count(const sections::FaceOverlay& overlay) {
+    for (const bool upper : {false, true}) {
+      const Nesting& nesting = *nesting_[upper ? 1 : 0];
+      // 1 less for each hole: the outer contour of a region, and its holes.
+      for (const RegionId r : nesting.region) --chi_[class_of(regions_.in_slab(upper, r))];
+      for (const RegionId r : nesting.outer.ids()) chi_[class_of(regions_.in_slab(upper, r))] += 2;
+    }
+    UnionFind groups(regions_.size());
+    for (const sections::OverlayFace& face : overlay.faces()) count_face(face, groups);
+    count_bars();
+    count_tunnels(groups);
+    return gather(groups);
+  }
+
+ private:
+  [[nodiscard]] SlabVoidId exterior(bool upper) const { return voids_.in_slab(upper, RegionId(0)); }
+  // The lowest region of its class.
+  [[nodiscard]] SlabRegionId class_of(SlabRegionId r) const {
+    return SlabRegionId(solid_.find(r.index()));
+  }
+
+  void count_face(const sections::OverlayFace& face, UnionFind& groups) {
+    if (face.lower.solid != face.upper.solid) return;
+    if (face.lower.solid) {
+      const SlabRegionId below = regions_.in_slab(false, face.lower.id);
+      const SlabRegionId above = regions_.in_slab(true, face.upper.id);
+      if (class_of(below) != class_of(above)) return;
+      chi_[class_of(below)] -= face.chi;
+      pieces_.unite(below.index(), above.index());
+      return;
+    }
+    const SlabVoidId below = voids_.in_slab(false, face.lower.id);
+    const SlabVoidId above = voids_.in_slab(true, face.upper.id);
+    if (void_.same(below.index(), above.index())) {
+      void_pieces_.unite(below.index(), above.index());
+      return;
+    }
+    // Closed by a plate, which joins what it reaches of one class.
+    SlabRegionId first;
+    for (const auto& [upper, region] : face.border) {
+      const SlabRegionId r = regions_.in_slab(upper, region);
+      if (!first.valid()) first = r;
+      groups.unite(class_of(first).index(), class_of(r).index());
+      for (const auto& [other_upper, other] : face.border) {
+        const SlabRegionId q = regions_.in_slab(other_upper, other);
+        if (class_of(q) == class_of(r)) pieces_.unite(q.index(), r.index());
+      }
+    }
+    chi_[class_of(first)] += face.chi;
+  }
+
+  // Each class is its pieces and a bar less than it has of these.
+  void count_bars() {
+    for (const SlabRegionId r : chi_.ids()) {
+      if (pieces_.find(r.index()) == r.index() && class_of(r) != r) --chi_[class_of(r)];
+    }
+  }
+
+  // The same of void classes: tunnels through the solid around their holes.
+  void count_tunnels(UnionFind& groups) {
+    IdVector<SlabVoidId, std::int32_t> tunnels(voids_.size(), 0);
+    for (std::size_t v = 0; v < voids_.size(); ++v) {
+      if (void_pieces_.find(v) == v && void_.find(v) != v) ++tunnels[SlabVoidId(void_.find(v))];
+    }
+    IdVector<SlabVoidId, SlabRegionId> around(voids_.size());
+    for (const bool upper : {false, true}) {
+      const std::vector<ContourId>& holes = holes_[upper ? 1 : 0];
+      for (std::size_t v = 1; v < holes.size(); ++v) {
+        const SlabVoidId leader(void_.find(voids_.in_slab(upper, RegionId(v)).index()));
+        if (tunnels[leader] == 0) continue;
+        const SlabRegionId r =
+            class_of(regions_.in_slab(upper, nesting_[upper ? 1 : 0]->region[holes[v]]));
+        if (!around[leader].valid()) around[leader] = r;
+        groups.unite(around[leader].index(), r.index());
+      }
+    }
+    for (const SlabVoidId v : tunnels.ids()) {
+      if (tunnels[v] != 0) chi_[around[v]] -= tunnels[v];
+    }
+  }
+
+  std::vector<TopologyGroup> gather(const UnionFind& groups) const {
+    std::vector<TopologyGroup> result;
+    IdVector<SlabRegionId, std::size_t> place(regions_.size(), 0);
+    for (const SlabRegionId r : chi_.ids()) {
+      const SlabRegionId leader(groups.find(class_of(r).index()));
+      if (leader == r) {
+        place[r] = result.size();
+        result.push_back({});
+      }
+      TopologyGroup& group = result[place[leader]];
+      group.regions.push_back(r);
+      group.chi += chi_[r];
+    }
+    return result;
+  }
+
+  std::array<const Nesting*, 2> nesting_;
+  std::array<std::vector<ContourId>, 2> holes_;
+  SlabRegions regions_;
+  SlabVoidNumbering voids_;
+  UnionFind solid_, pieces_;
+  UnionFind void_, void_pieces_;
+  IdVector<SlabRegionId, std::int32_t> chi_;  // at the lowest region of a class
+};
+
+}  // namespace
+
+std::vector<TopologyGroup> expected_topology(const sections::FaceOverlay& overlay,
+                                             const ConformingSection& lower,
+                                             const ConformingSection& upper,
+                                             const SlabFaceLinks& links) {
+  return TopologyCounter(lower, upper, links).count(overlay);
+}
+
+}  // namespace tetloft::internal
