@@ -6,9 +6,11 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include <tetloft/nesting.hpp>
+#include <tetloft/point.hpp>
 #include <tetloft/section_stack.hpp>
 
 namespace tetloft::internal::sections {
@@ -43,12 +45,19 @@ class FaceOverlay {
   FaceOverlay(const Section& lower, const Nesting& lower_nesting, const Section& upper,
               const Nesting& upper_nesting);
 
-  /// Numbered by (lower, upper), then by their lowest vertex or crossing, as the order of contours
-  /// does not matter to. The unbounded face is the first with both exteriors.
+  /// Numbered by (lower, upper), then by the least node of their outer cycle as the ends of its
+  /// edges tell it, or the lowest vertex: whatever the order and direction of contours. The
+  /// unbounded face is the first with both exteriors.
   [[nodiscard]] const IdVector<FaceId, OverlayFace>& faces() const { return faces_; }
+  [[nodiscard]] FaceId unbounded() const;
+
+  /// The face that contains p; invalid for a point of a contour. Exact; by a search tree.
+  [[nodiscard]] FaceId locate(const Point2& p) const;
 
  private:
+  struct Plane;
   IdVector<FaceId, OverlayFace> faces_;
+  std::shared_ptr<const Plane> plane_;  // copies of an overlay share it
 };
 
 }  // namespace tetloft::internal::sections
