@@ -41,6 +41,7 @@ class TopologyCounter {
       for (const RegionId r : nesting.outer.ids()) chi_[class_of(regions_.in_slab(upper, r))] += 2;
     }
     UnionFind groups(regions_.size());
+    for (const sections::RegionMeeting& meeting : overlay.meetings()) count_meeting(meeting);
     for (const sections::OverlayFace& face : overlay.faces()) count_face(face, groups);
     count_bars();
     count_tunnels(groups);
@@ -54,16 +55,16 @@ class TopologyCounter {
     return SlabRegionId(solid_.find(r.index()));
   }
 
+  void count_meeting(const sections::RegionMeeting& meeting) {
+    const SlabRegionId below = regions_.in_slab(false, meeting.lower);
+    const SlabRegionId above = regions_.in_slab(true, meeting.upper);
+    if (class_of(below) != class_of(above)) return;
+    chi_[class_of(below)] -= meeting.chi;
+    pieces_.unite(below.index(), above.index());
+  }
+
   void count_face(const sections::OverlayFace& face, UnionFind& groups) {
-    if (face.lower.solid != face.upper.solid) return;
-    if (face.lower.solid) {
-      const SlabRegionId below = regions_.in_slab(false, face.lower.id);
-      const SlabRegionId above = regions_.in_slab(true, face.upper.id);
-      if (class_of(below) != class_of(above)) return;
-      chi_[class_of(below)] -= face.chi;
-      pieces_.unite(below.index(), above.index());
-      return;
-    }
+    if (face.lower.solid || face.upper.solid) return;
     const SlabVoidId below = voids_.in_slab(false, face.lower.id);
     const SlabVoidId above = voids_.in_slab(true, face.upper.id);
     if (void_.same(below.index(), above.index())) {

@@ -39,6 +39,13 @@ struct OverlayFace {
   std::vector<BorderRegion> border;
 };
 
+/// Where a region of the lower section and one of the upper meet, as closed sets: in SS faces, and
+/// in shared points and edges.
+struct RegionMeeting {
+  RegionId lower, upper;
+  std::int32_t chi = 0;  ///< Euler characteristic of the common points
+};
+
 class FaceOverlay {
  public:
   /// Requires valid sections and their nestings. Near-linear in vertices and crossings.
@@ -50,6 +57,8 @@ class FaceOverlay {
   /// unbounded face is the first with both exteriors.
   [[nodiscard]] const IdVector<FaceId, OverlayFace>& faces() const { return faces_; }
   [[nodiscard]] FaceId unbounded() const;
+  /// Of all pairs of regions with a common point, sorted by (lower, upper).
+  [[nodiscard]] const std::vector<RegionMeeting>& meetings() const { return meetings_; }
 
   /// The face that contains p; invalid for a point of a contour. Exact; by a search tree.
   [[nodiscard]] FaceId locate(const Point2& p) const;
@@ -57,6 +66,7 @@ class FaceOverlay {
  private:
   struct Plane;
   IdVector<FaceId, OverlayFace> faces_;
+  std::vector<RegionMeeting> meetings_;
   std::shared_ptr<const Plane> plane_;  // copies of an overlay share it
 };
 
