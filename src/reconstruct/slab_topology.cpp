@@ -8,6 +8,14 @@ namespace tetloft::internal {
 
 namespace {
 
+struct Range {
+  std::int32_t least = 0, most = 0;
+  void add(std::int32_t both) {
+    least += both;
+    most += both;
+  }
+};
+
 class TopologyCounter {
  public:
   TopologyCounter(const ConformingSection& lower, const ConformingSection& upper,
@@ -18,9 +26,11 @@ class TopologyCounter {
         voids_(holes_[0].size(), holes_[1].size()),
         solid_(regions_.size()),
         pieces_(regions_.size()),
+        touched_(regions_.size()),
         void_(voids_.size()),
         void_pieces_(voids_.size()),
-        chi_(regions_.size(), 0) {
+        touched_voids_(voids_.size()),
+        chi_(regions_.size()) {
     for (const Link& link : links.regions) {
       solid_.unite(regions_.in_slab(false, link.lower).index(),
                    regions_.in_slab(true, link.upper).index());
@@ -37,8 +47,15 @@ class TopologyCounter {
     for (const bool upper : {false, true}) {
       const Nesting& nesting = *nesting_[upper ? 1 : 0];
       // 1 less for each hole: the outer contour of a region, and its holes.
-      for (const RegionId r : nesting.region) --chi_[class_of(regions_.in_slab(upper, r))];
-      for (const RegionId r : nesting.outer.ids()) chi_[class_of(regions_.in_slab(upper, r))] += 2;
+      for (const RegionId r : nesting.region) chi_[class_of(regions_.in_slab(upper, r))].add(-1);
+      for (const RegionId r : nesting.outer.ids()) {
+        chi_[class_of(regions_.in_slab(upper, r))].add(2);
+      }
+    }
+    for (const sections::VoidPair& pair : overlay.touching_voids()) {
+      const std::size_t below = voids_.in_slab(false, pair.lower).index();
+      const std::size_t above = voids_.in_slab(true, pair.upper).index();
+      if (void_.same(below, above)) touched_voids_.unite(below, above);
     }
     UnionFind groups(regions_.size());
     for (const sections::RegionMeeting& meeting : overlay.meetings()) count_meeting(meeting);
@@ -59,8 +76,11 @@ class TopologyCounter {
     const SlabRegionId below = regions_.in_slab(false, meeting.lower);
     const SlabRegionId above = regions_.in_slab(true, meeting.upper);
     if (class_of(below) != class_of(above)) return;
-    chi_[class_of(below)] -= meeting.chi;
-    pieces_.unite(below.index(), above.index());
+    Range& range = chi_[class_of(below)];
+    range.least -= meeting.chi + meeting.touches;
+    range.most -= meeting.chi - meeting.connections;
+    touched_.unite(below.index(), above.index());
+    if (meeting.overlap) pieces_.unite(below.index(), above.index());
   }
 
   void count_face(const sections::OverlayFace& face, UnionFind& groups) {
@@ -69,6 +89,7 @@ class TopologyCounter {
     const SlabVoidId above = voids_.in_slab(true, face.upper.id);
     if (void_.same(below.index(), above.index())) {
       void_pieces_.unite(below.index(), above.index());
+      touched_voids_.unite(below.index(), above.index());
       return;
     }
     // Closed by a plate, which joins what it reaches of one class.
@@ -79,31 +100,38 @@ class TopologyCounter {
       groups.unite(class_of(first).index(), class_of(r).index());
       for (const auto& [other_upper, other] : face.border) {
         const SlabRegionId q = regions_.in_slab(other_upper, other);
-        if (class_of(q) == class_of(r)) pieces_.unite(q.index(), r.index());
+        if (class_of(q) != class_of(r)) continue;
+        pieces_.unite(q.index(), r.index());
+        touched_.unite(q.index(), r.index());
       }
     }
-    chi_[class_of(first)] += face.chi;
+    chi_[class_of(first)].add(face.chi);
   }
 
   // Each class is its pieces and a bar less than it has of these.
   void count_bars() {
     for (const SlabRegionId r : chi_.ids()) {
-      if (pieces_.find(r.index()) == r.index() && class_of(r) != r) --chi_[class_of(r)];
+      if (class_of(r) == r) continue;
+      if (pieces_.find(r.index()) == r.index()) --chi_[class_of(r)].most;
+      if (touched_.find(r.index()) == r.index()) --chi_[class_of(r)].least;
     }
   }
 
   // The same of void classes: tunnels through the solid around their holes.
   void count_tunnels(UnionFind& groups) {
-    IdVector<SlabVoidId, std::int32_t> tunnels(voids_.size(), 0);
+    IdVector<SlabVoidId, Range> tunnels(voids_.size());
     for (std::size_t v = 0; v < voids_.size(); ++v) {
-      if (void_pieces_.find(v) == v && void_.find(v) != v) ++tunnels[SlabVoidId(void_.find(v))];
+      Range& of_class = tunnels[SlabVoidId(void_.find(v))];
+      if (void_.find(v) == v) continue;
+      if (void_pieces_.find(v) == v) ++of_class.most;
+      if (touched_voids_.find(v) == v) ++of_class.least;
     }
     IdVector<SlabVoidId, SlabRegionId> around(voids_.size());
     for (const bool upper : {false, true}) {
       const std::vector<ContourId>& holes = holes_[upper ? 1 : 0];
       for (std::size_t v = 1; v < holes.size(); ++v) {
         const SlabVoidId leader(void_.find(voids_.in_slab(upper, RegionId(v)).index()));
-        if (tunnels[leader] == 0) continue;
+        if (tunnels[leader].most == 0) continue;
         const SlabRegionId r =
             class_of(regions_.in_slab(upper, nesting_[upper ? 1 : 0]->region[holes[v]]));
         if (!around[leader].valid()) around[leader] = r;
@@ -111,7 +139,9 @@ class TopologyCounter {
       }
     }
     for (const SlabVoidId v : tunnels.ids()) {
-      if (tunnels[v] != 0) chi_[around[v]] -= tunnels[v];
+      if (tunnels[v].most == 0) continue;
+      chi_[around[v]].least -= tunnels[v].least;
+      chi_[around[v]].most -= tunnels[v].most;
     }
   }
 
@@ -126,7 +156,8 @@ class TopologyCounter {
       }
       TopologyGroup& group = result[place[leader]];
       group.regions.push_back(r);
-      group.chi += chi_[r];
+      group.least += chi_[r].least;
+      group.most += chi_[r].most;
     }
     return result;
   }
@@ -135,9 +166,9 @@ class TopologyCounter {
   std::array<std::vector<ContourId>, 2> holes_;
   SlabRegions regions_;
   SlabVoidNumbering voids_;
-  UnionFind solid_, pieces_;
-  UnionFind void_, void_pieces_;
-  IdVector<SlabRegionId, std::int32_t> chi_;  // at the lowest region of a class
+  UnionFind solid_, pieces_, touched_;                 // what touches, too, united
+  UnionFind void_, void_pieces_, touched_voids_;
+  IdVector<SlabRegionId, Range> chi_;  // at the lowest region of a class
 };
 
 }  // namespace

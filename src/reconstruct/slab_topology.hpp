@@ -19,7 +19,8 @@ namespace tetloft::internal {
 struct TopologyGroup {
   /// Of all its classes, by id; the first names the group.
   std::vector<SlabRegionId> regions;
-  std::int32_t chi = 0;  ///< as the links imply
+  /// Euler characteristic as the links imply: which touches are solid is open.
+  std::int32_t least = 0, most = 0;
 };
 
 /// What was decided about a slab, and what could not be.

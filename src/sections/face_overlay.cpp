@@ -18,6 +18,7 @@
 #include "sections/overlay_curves.hpp"
 #include "sections/overlay_graph.hpp"
 #include "sections/overlay_ray.hpp"
+#include "sections/overlay_touches.hpp"
 
 namespace tetloft::internal::sections {
 
@@ -267,51 +268,6 @@ void Faces::number() {
   for (const std::uint32_t draft : draft_of_) of_cycle.push_back(id_of[draft]);
 }
 
-// The common points of two regions are SS faces, arcs and nodes: a node lies on a contour of each
-// section, an arc of one contour alone in or out of the other section. Loops are circles, of Euler
-// characteristic 0.
-std::vector<RegionMeeting> meetings_of(const OverlayGraph& graph,
-                                       const std::array<OverlayCurves, 2>& curves,
-                                       const IdVector<FaceId, OverlayFace>& faces,
-                                       const std::vector<FaceId>& of_cycle,
-                                       const std::array<const Nesting*, 2>& nestings) {
-  std::vector<RegionMeeting> parts;
-  const auto region = [&](std::size_t s, std::uint32_t contour) {
-    return nestings[s]->region[ContourId(contour)];
-  };
-  for (const OverlayFace& face : faces) {
-    if (face.lower.solid && face.upper.solid) {
-      parts.push_back({face.lower.id, face.upper.id, face.chi});
-    }
-  }
-  for (std::uint32_t half = 0; half < 2 * graph.arcs().size(); half += 2) {
-    if (graph.cycle(half) == kNone || graph.is_loop(half)) continue;
-    const std::array<std::uint32_t, 2>& contour = graph.arcs()[half / 2].contour;
-    const OverlayFace& left = faces[of_cycle[graph.cycle(half)]];
-    const FaceSide& below = left.lower;
-    const FaceSide& above = left.upper;
-    if ((contour[0] == kNone && !below.solid) || (contour[1] == kNone && !above.solid)) continue;
-    parts.push_back({contour[0] == kNone ? below.id : region(0, contour[0]),
-                     contour[1] == kNone ? above.id : region(1, contour[1]), -1});
-  }
-  for (const OverlayNode& node : graph.nodes().nodes) {
-    parts.push_back({region(0, curves[0].contour(node.edge[0])),
-                     region(1, curves[1].contour(node.edge[1])), 1});
-  }
-  std::sort(parts.begin(), parts.end(), [](const RegionMeeting& p, const RegionMeeting& q) {
-    return std::tie(p.lower, p.upper) < std::tie(q.lower, q.upper);
-  });
-  std::vector<RegionMeeting> meetings;
-  for (const RegionMeeting& part : parts) {
-    if (meetings.empty() || meetings.back().lower != part.lower ||
-        meetings.back().upper != part.upper) {
-      meetings.push_back({part.lower, part.upper, 0});
-    }
-    meetings.back().chi += part.chi;
-  }
-  return meetings;
-}
-
 }  // namespace
 
 FaceOverlay::FaceOverlay(const Section& lower, const Nesting& lower_nesting, const Section& upper,
@@ -322,8 +278,11 @@ FaceOverlay::FaceOverlay(const Section& lower, const Nesting& lower_nesting, con
   Faces found(plane->curves, plane->graph, plane->ray, sides, {&lower_nesting, &upper_nesting});
   faces_ = std::move(found.faces);
   plane->face = std::move(found.of_cycle);
-  meetings_ = meetings_of(plane->graph, plane->curves, faces_, plane->face,
-                          {&lower_nesting, &upper_nesting});
+  OverlayTouches touches =
+      touches_of(plane->graph, {&plane->curves[0], &plane->curves[1]}, faces_, plane->face,
+                 {&lower_nesting, &upper_nesting});
+  meetings_ = std::move(touches.meetings);
+  touching_voids_ = std::move(touches.voids);
   plane_ = std::move(plane);
 }
 

@@ -39,11 +39,24 @@ struct OverlayFace {
   std::vector<BorderRegion> border;
 };
 
-/// Where a region of the lower section and one of the upper meet, as closed sets: in SS faces, and
-/// in shared points and edges.
+/// A region of the lower section and one of the upper that have a point in common.
+///
+/// They *touch* where common points lie on no border of an SS face: at a node, or along arcs that have
+/// one of the regions on either side; and at a node where two SS faces end that lie apart there. So
+/// do voids. What is small enough to be seen neither as solid nor as void may be either: taken for
+/// solid, a touch adds its Euler characteristic to that of the SS faces.
 struct RegionMeeting {
   RegionId lower, upper;
-  std::int32_t chi = 0;  ///< Euler characteristic of the common points
+  bool overlap = false;          ///< there are SS faces
+  std::int32_t chi = 0;          ///< of these, in sum
+  std::int32_t touches = 0;      ///< the sum of touches that add to it
+  std::int32_t connections = 0;  ///< the sum of those that take from it: between faces
+};
+
+/// A void of the lower section and one of the upper.
+struct VoidPair {
+  RegionId lower, upper;
+  friend auto operator<=>(const VoidPair&, const VoidPair&) = default;
 };
 
 class FaceOverlay {
@@ -57,8 +70,10 @@ class FaceOverlay {
   /// unbounded face is the first with both exteriors.
   [[nodiscard]] const IdVector<FaceId, OverlayFace>& faces() const { return faces_; }
   [[nodiscard]] FaceId unbounded() const;
-  /// Of all pairs of regions with a common point, sorted by (lower, upper).
+  /// Sorted by (lower, upper).
   [[nodiscard]] const std::vector<RegionMeeting>& meetings() const { return meetings_; }
+  /// The voids that touch, sorted, each once.
+  [[nodiscard]] const std::vector<VoidPair>& touching_voids() const { return touching_voids_; }
 
   /// The face that contains p; invalid for a point of a contour. Exact; by a search tree.
   [[nodiscard]] FaceId locate(const Point2& p) const;
@@ -67,6 +82,7 @@ class FaceOverlay {
   struct Plane;
   IdVector<FaceId, OverlayFace> faces_;
   std::vector<RegionMeeting> meetings_;
+  std::vector<VoidPair> touching_voids_;
   std::shared_ptr<const Plane> plane_;  // copies of an overlay share it
 };
 
