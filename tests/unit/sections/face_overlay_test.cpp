@@ -130,6 +130,14 @@ TEST(FaceOverlay, OfAFacePinchedAtBothEndsIsTwo) {
   EXPECT_EQ(texts(overlay({rectangle(0, 0, 4, 4)}, {lozenge})),
             (Lines{"V0 V0 chi 0 by 0.0", "S0 V0 chi 1 by 0.0 1.0", "S0 V0 chi 1 by 0.0 1.0",
                    "S0 S0 chi 1 by 1.0"}));
+  // Both faces have their least node in common: ways out of it tell which is first.
+  for (int k = 0; k < 4; ++k) {
+    const Contour square = rectangle(0, 0, 4, 4);
+    const FaceOverlay turned = overlay({k % 2 == 0 ? square : reversed(square)},
+                                       {k / 2 == 0 ? lozenge : reversed(lozenge)});
+    EXPECT_EQ(turned.locate({2, 3.5}), FaceId(1U)) << k;
+    EXPECT_EQ(turned.locate({2, 0.5}), FaceId(2U)) << k;
+  }
 }
 
 TEST(FaceOverlay, OfARingOverADiscWithIsland) {
