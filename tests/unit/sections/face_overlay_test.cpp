@@ -1,11 +1,9 @@
-// The faces of two sections laid over each other, on cases small enough to count by eye.
+// The faces of two sections laid over each other, on cases small enough to count by eye; and
+// complements of sections.
 #include "sections/face_overlay.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
+#include <cmath>
 #include <cstdint>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -13,7 +11,8 @@
 
 #include <tetloft/sections.hpp>
 
-#include "core/prng.hpp"
+#include "sections/complement.hpp"
+#include "support/stacks/generate.hpp"
 #include "unit/sections/shapes.hpp"
 
 namespace tetloft::testing {
@@ -131,6 +130,14 @@ TEST(FaceOverlay, OfAFacePinchedAtBothEndsIsTwo) {
   EXPECT_EQ(texts(overlay({rectangle(0, 0, 4, 4)}, {lozenge})),
             (Lines{"V0 V0 chi 0 by 0.0", "S0 V0 chi 1 by 0.0 1.0", "S0 V0 chi 1 by 0.0 1.0",
                    "S0 S0 chi 1 by 1.0"}));
+  // Both faces have their least node in common: ways out of it tell which is first.
+  for (int k = 0; k < 4; ++k) {
+    const Contour square = rectangle(0, 0, 4, 4);
+    const FaceOverlay turned = overlay({k % 2 == 0 ? square : reversed(square)},
+                                       {k / 2 == 0 ? lozenge : reversed(lozenge)});
+    EXPECT_EQ(turned.locate({2, 3.5}), FaceId(1U)) << k;
+    EXPECT_EQ(turned.locate({2, 0.5}), FaceId(2U)) << k;
+  }
 }
 
 TEST(FaceOverlay, OfARingOverADiscWithIsland) {
@@ -152,6 +159,70 @@ TEST(FaceOverlay, LocatesPointsOffContours) {
   EXPECT_FALSE(bars.locate({4.5, 3.5}).valid());
   EXPECT_EQ(bars.faces()[bars.locate({1, 1})].lower.solid, true);
   EXPECT_EQ(bars.faces()[bars.locate({1, 8})].upper.solid, true);
+}
+
+TEST(FaceOverlay, LooksDownOnCrossingsExactly) {
+  // The edges cross at (1/3, 1/3) and at (1, 1/2), below the point or beside it by an ulp.
+  const FaceOverlay thirds = overlay({contour({{0, 0}, {1, 1}, {1, -9}, {0, -9}})},
+                                     {contour({{0, 0.5}, {1, 0}, {1, -8}, {0, -8}})});
+  const FaceId left = thirds.locate({1.0 / 3, 0.34});  // 1/3 rounds down
+  const FaceId right = thirds.locate({std::nextafter(1.0 / 3, 1), 0.34});
+  EXPECT_EQ(left, thirds.unbounded());
+  EXPECT_EQ(right, thirds.unbounded());
+  EXPECT_EQ(text(thirds.faces()[thirds.locate({0.25, 0.3})].upper), "S0");
+  EXPECT_EQ(text(thirds.faces()[thirds.locate({0.25, 0.3})].lower), "V0");
+  EXPECT_EQ(text(thirds.faces()[thirds.locate({0.5, 0.3})].lower), "S0");
+  EXPECT_EQ(text(thirds.faces()[thirds.locate({0.5, 0.3})].upper), "V0");
+
+  // An island straight above, just left and just right of a crossing whose four faces differ.
+  for (const double dx : {-0x1p-40, 0.0, 0x1p-40}) {
+    const Contour island = contour({{1 + dx, 3}, {2, 3}, {1.5, 4}});
+    const FaceOverlay frame =
+        overlay({rectangle(-9, -9, 9, 9), contour({{0, 0}, {2, 1}, {1, -5}}), island},
+                {contour({{0, 1}, {2, 0}, {1, -6}})});
+    const FaceId around = frame.locate({1.5, 2});
+    EXPECT_EQ(frame.faces()[around].chi, -1) << dx;
+    EXPECT_EQ(frame.locate({1 + dx, 2}), around);
+  }
+}
+
+void expect_complement(const Section& section, const Complement& complement) {
+  const Nesting nested = nest(complement.section);
+  ASSERT_EQ(complement.section.contours.size(), section.contours.size() + 1);
+  ASSERT_EQ(complement.nesting.parent, nested.parent);
+  ASSERT_EQ(complement.nesting.depth, nested.depth);
+  ASSERT_EQ(complement.nesting.region, nested.region);
+  ASSERT_EQ(complement.nesting.outer, nested.outer);
+}
+
+TEST(Complement, IsNestedAsAnySection) {
+  for (const StackKind kind : all_kinds()) {
+    for (std::uint64_t seed = 0; seed < 4; ++seed) {
+      const SectionStack stack = generate(kind, seed).stack;
+      const double side = far_outside(stack);
+      for (const Section& section : stack.sections) {
+        const Nesting nesting = nest(section);
+        const Complement complement = complement_of(section, nesting, side);
+        expect_complement(section, complement);
+        if (HasFatalFailure()) FAIL() << name_of(kind) << " seed " << seed;
+        const auto voids = voids_of_contours(section, nesting);
+        for (const ContourId c : section.contours.ids()) {
+          ASSERT_EQ(voids[c], complement.nesting.region[c]);
+          ASSERT_EQ(complement.hole(voids[c]) == c, nesting.depth[c] % 2 == 1);
+        }
+        ASSERT_FALSE(complement.hole(kExterior).valid());
+      }
+    }
+  }
+}
+
+TEST(Complement, IsCutOffAtAPowerOfTwoFarOutside) {
+  EXPECT_EQ(far_outside(one({rectangle(-3, 0, 1, 1)})), 16);
+  EXPECT_EQ(far_outside(one({rectangle(-4, 0, 1, 1)})), 16);
+  EXPECT_EQ(far_outside(one({rectangle(0, -4.5, 1, 1)})), 32);
+  EXPECT_EQ(far_outside(one({rectangle(0, 0, 0x1p-1074, 0x1p-1074)})), 0x1p-1072);
+  EXPECT_EQ(far_outside(one({rectangle(0, 0, 0x1p999, 1)})), 0x1p1001);
+  EXPECT_GT(far_outside(SectionStack()), 0);
 }
 
 }  // namespace
