@@ -30,8 +30,9 @@ enum class Rule : std::uint8_t {
   opened_pit,
   closed_passage,
   united_voids,
+  filled_handle,
 };
-inline constexpr int kRules = 18;
+inline constexpr int kRules = 19;
 [[nodiscard]] TETLOFT_API const char* name_of(Rule rule);
 
 /// The steps that time is told for.

@@ -58,6 +58,9 @@ class Completion {
   /// Keeps further tets, attached as asked, and what the rules want besides. After run().
   void build(const std::vector<Wall>& walls);
 
+  /// Goes on from where a copy of this got to.
+  void adopt(Completion&& trial);
+
   [[nodiscard]] Complex& complex() { return complex_; }
   [[nodiscard]] const Complex& complex() const { return complex_; }
   /// Tets looked at, as often as that was.

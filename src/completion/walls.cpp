@@ -17,6 +17,11 @@ void Completion::build(const std::vector<Wall>& walls) {
   }
 }
 
+void Completion::adopt(Completion&& trial) {
+  complex_ = std::move(trial.complex_);
+  parts_ = std::move(trial.parts_);
+}
+
 // The shortest way of tets in the star of p from t to its primary sheet; ties by the order of
 // spokes. A star is connected.
 std::vector<TetId> Completion::way_to_primary(TetId t, SlabVertexId p) {

@@ -5,9 +5,11 @@
 #include <utility>
 
 #include "completion/completion.hpp"
+#include "completion/handles.hpp"
 #include "completion/pits.hpp"
 #include "core/guard.hpp"
 #include "reconstruct/lattice_hint.hpp"
+#include "reconstruct/slab_topology.hpp"
 #include "slab/delaunay.hpp"
 #include "subdivision/embedding.hpp"
 #include "subdivision/trimming.hpp"
@@ -63,9 +65,10 @@ std::uint64_t detached_sheets(const Complex& complex) {
 
 // All nodes of a slab's solid lie on its boundary, and a 3-manifold has half the Euler
 // characteristic of its boundary: (V − F / 2) / 2, where triangles alone bound.
-std::vector<std::pair<SlabRegionId, std::int32_t>> chi_by_class(
-    const SlabClasses& classes, const std::vector<Piece>& pieces,
-    const std::vector<TriangleVertices>& boundary, std::size_t nodes) {
+IdVector<ClassId, std::int32_t> chi_by_class(const SlabClasses& classes,
+                                             const std::vector<Piece>& pieces,
+                                             const std::vector<TriangleVertices>& boundary,
+                                             std::size_t nodes) {
   IdVector<NodeId, ClassId> of_node(nodes);
   for (const Piece& piece : pieces) {
     const ClassId c = classes.of_region(piece.region);
@@ -78,12 +81,10 @@ std::vector<std::pair<SlabRegionId, std::int32_t>> chi_by_class(
   for (const TriangleVertices& triangle : boundary) {
     --four_chi[of_node[NodeId(triangle[0].value())].index()];
   }
-  std::vector<std::pair<SlabRegionId, std::int32_t>> chi;
-  for (const ClassId c : IdRange<ClassId>(classes.class_count())) {
-    if (classes.regions(c).empty()) continue;  // of exterior vertices
-    TETLOFT_CHECK(four_chi[c.index()] % 4 == 0);
-    chi.emplace_back(classes.regions(c).front(),
-                     static_cast<std::int32_t>(four_chi[c.index()] / 4));
+  IdVector<ClassId, std::int32_t> chi;
+  for (const std::int64_t four : four_chi) {
+    TETLOFT_CHECK(four % 4 == 0);
+    chi.push_back(static_cast<std::int32_t>(four / 4));
   }
   return chi;
 }
@@ -139,7 +140,7 @@ class SlabBuilder {
       const bool sealed = pits_.open_sealed(slab, classes, completion.complex());
       clock.end(Step::complex);
       if (sealed) return std::optional<SlabOutcome>();
-      std::optional<SlabOutcome> stuck = close_passages(slab, classes, active, completion, rules);
+      std::optional<SlabOutcome> stuck = make_topology(slab, classes, active, completion, rules);
       clock.end(Step::complex);
       if (stuck) return stuck;
       if (auto outcome = subdivided(slab, classes, completion.complex(), lone, rules, clock)) {
@@ -175,13 +176,56 @@ class SlabBuilder {
     return true;
   }
 
-  // Closes passages. Nothing where all are closed, or voids that nothing parts are taken for one.
-  [[nodiscard]] std::optional<SlabOutcome> close_passages(
+  // Closes passages and fills handles. Nothing where that is done, or voids that nothing parts are
+  // taken for one.
+  [[nodiscard]] std::optional<SlabOutcome> make_topology(
       const Slab& slab, const SlabClasses& classes, const IdVector<ClassId, std::uint8_t>& active,
       Completion& completion, RuleCounts& rules) {
+    united_.clear();
+    groups_.clear();
     if (links_.voids == nullptr) return std::nullopt;
     SlabVoids voids(slab.lower(), slab.upper(), *links_.voids);
-    united_.clear();
+    if (auto stuck = close_passages(slab, classes, active, voids, completion, rules)) return stuck;
+    groups_ = expected_topology(*links_.faces, slab.lower(), slab.upper(),
+                                {links_.regions, *links_.voids, united_});
+    count(
+        rules, Rule::filled_handle,
+        fill_handles(slab, classes, active, voids, chi_ranges(slab, classes, active), completion));
+    return std::nullopt;
+  }
+
+  // Of active classes; what ends in a prism has the topology of its region.
+  [[nodiscard]] std::vector<ChiRange> chi_ranges(
+      const Slab& slab, const SlabClasses& classes,
+      const IdVector<ClassId, std::uint8_t>& active) const {
+    std::vector<ChiRange> ranges;
+    for (const TopologyGroup& group : groups_) {
+      ChiRange range{{}, group.least, group.most};
+      for (const SlabRegionId r : group.regions) {
+        const ClassId c = classes.of_region(r);
+        if (active[c] == 0) {
+          const std::int32_t chi = region_chi(slab, classes.regions(), r);
+          range.least -= chi;
+          range.most -= chi;
+        } else if (classes.regions(c).front() == r) {
+          range.classes.push_back(c);
+        }
+      }
+      ranges.push_back(std::move(range));
+    }
+    return ranges;
+  }
+
+  [[nodiscard]] static std::int32_t region_chi(const Slab& slab, const SlabRegions& regions,
+                                               SlabRegionId r) {
+    const auto& of_contour = slab.section(regions.is_upper(r)).nesting.region;
+    return 2 - static_cast<std::int32_t>(
+                   std::count(of_contour.begin(), of_contour.end(), regions.in_section(r)));
+  }
+
+  [[nodiscard]] std::optional<SlabOutcome> close_passages(
+      const Slab& slab, const SlabClasses& classes, const IdVector<ClassId, std::uint8_t>& active,
+      SlabVoids& voids, Completion& completion, RuleCounts& rules) {
     while (voids.class_count() > 1) {
       Passages passages(slab, classes, active, voids, completion);
       const std::optional<Inseparable> stuck = passages.close();
@@ -244,11 +288,28 @@ class SlabBuilder {
       solid.origin.push_back(embedding.origin(n));
     }
     solid.pieces = embedding.pieces();
-    solid.chi =
-        chi_by_class(classes, solid.pieces, embedding.boundary(), embedding.points().size());
+    solid.deviations = deviations(
+        classes,
+        chi_by_class(classes, solid.pieces, embedding.boundary(), embedding.points().size()));
     solid.smallest_lift = embedding.smallest_lift();
     solid.rules = rules;
     return solid;
+  }
+
+  [[nodiscard]] std::vector<SlabDeviation> deviations(
+      const SlabClasses& classes, const IdVector<ClassId, std::int32_t>& chi) const {
+    std::vector<SlabDeviation> result;
+    for (const TopologyGroup& group : groups_) {
+      std::int32_t got = 0;
+      for (const SlabRegionId r : group.regions) {
+        const ClassId c = classes.of_region(r);
+        if (classes.regions(c).front() == r) got += chi[c];
+      }
+      if (got < group.least || got > group.most) {
+        result.push_back({group.regions.front(), group.least, group.most, got});
+      }
+    }
+    return result;
   }
 
   // Numbers the nodes as if the sections had no exterior vertices; what all attempts took.
@@ -279,6 +340,7 @@ class SlabBuilder {
   SlabVertices vertices_;
   Pits pits_;
   std::vector<Inseparable> united_;
+  std::vector<TopologyGroup> groups_;
   // Of all attempts.
   StepSeconds seconds_{};
   std::uint64_t work_ = 0;
@@ -306,7 +368,6 @@ SlabSolid build_end(const ConformingSection& section, double z) {
       solid.origin.push_back(PointOrigin::cap);
     }
     count(solid.rules, Rule::prism);
-    solid.chi.emplace_back(solid.regions.in_slab(upper, r), 2);
   }
   return solid;
 }

@@ -15,11 +15,28 @@
 #include <tetloft/result.hpp>
 
 #include "completion/passages.hpp"
+#include "sections/face_overlay.hpp"
 #include "slab/link.hpp"
 #include "slab/rules.hpp"
 #include "subdivision/truncation.hpp"
 
 namespace tetloft::internal {
+
+/// What was decided about a slab.
+struct SlabLinks {
+  const std::vector<Link>& regions;
+  /// Of voids (sections/complement.hpp numbers them); null where nothing was decided about them.
+  const std::vector<Link>* voids = nullptr;
+  /// Of the sections as they were given; null with `voids`.
+  const sections::FaceOverlay* faces = nullptr;
+};
+
+/// What the solid of a slab has in place of the topology that the links imply.
+struct SlabDeviation {
+  SlabRegionId region;  ///< the first of the group
+  std::int32_t least = 0, most = 0;
+  std::int32_t got = 0;
+};
 
 /// Tets over the vertices of two sections and constructed ones, and what making them took.
 struct SlabSolid {
@@ -32,8 +49,8 @@ struct SlabSolid {
   double smallest_lift = 1;
   StepSeconds seconds{};
   std::uint64_t work = 0;  ///< ReconstructReport::work
-  /// The Euler characteristic of what each class holds, named by its lowest region.
-  std::vector<std::pair<SlabRegionId, std::int32_t>> chi;
+  /// By region; none where nothing was decided about voids.
+  std::vector<SlabDeviation> deviations;
   /// Voids that count as one though no link says so: rule V6 of voids.hpp. Of sections, lower and
   /// upper of the slab or two of one section.
   std::vector<Inseparable> united_voids;
@@ -66,13 +83,6 @@ using SlabOutcome = std::variant<SlabSolid, RefineHere, Unconnectable, Unreprese
 struct SlabOptions {
   DelaunayEngine engine = DelaunayEngine::automatic;
   double work_limit;
-};
-
-/// What was decided about a slab.
-struct SlabLinks {
-  const std::vector<Link>& regions;
-  /// Of voids (sections/complement.hpp numbers them); null where nothing was decided about them.
-  const std::vector<Link>* voids = nullptr;
 };
 
 /// Builds the solid of a slab from its two conforming sections (either may be empty) and the

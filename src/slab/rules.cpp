@@ -23,6 +23,7 @@ const char* name_of(Rule rule) {
     case Rule::opened_pit: return "opened_pit";
     case Rule::closed_passage: return "closed_passage";
     case Rule::united_voids: return "united_voids";
+    case Rule::filled_handle: return "filled_handle";
   }
   return "unknown";
 }
