@@ -74,6 +74,9 @@ struct ConformOptions {
   /// Further vertices, strictly inside the region, distinct from each other and from contour
   /// vertices; they lie on no contour.
   std::vector<Point2> interior = {};
+  /// Points off the region and its contours: contour edges are split until none of these lies in
+  /// the circumcircle of a triangle inside the region. They become no vertices.
+  std::vector<Point2> apart = {};
   /// At most so many vertices are inserted; 0: as ConformingOptions has it.
   std::size_t most_inserted = 0;
   Execution execution = {};

@@ -31,8 +31,10 @@ enum class Rule : std::uint8_t {
   closed_passage,
   united_voids,
   filled_handle,
+  bridged_face,
+  opened_face,
 };
-inline constexpr int kRules = 19;
+inline constexpr int kRules = 21;
 [[nodiscard]] TETLOFT_API const char* name_of(Rule rule);
 
 /// The steps that time is told for.

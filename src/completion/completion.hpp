@@ -58,6 +58,9 @@ class Completion {
   /// Keeps further tets, attached as asked, and what the rules want besides. After run().
   void build(const std::vector<Wall>& walls);
 
+  [[nodiscard]] const Slab& slab() const { return slab_; }
+  [[nodiscard]] const SlabClasses& classes() const { return classes_; }
+
   /// Goes on from where a copy of this got to.
   void adopt(Completion&& trial);
 

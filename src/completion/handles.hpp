@@ -5,22 +5,19 @@
 #include <cstdint>
 #include <vector>
 
+#include "completion/chi_groups.hpp"
 #include "completion/completion.hpp"
 #include "completion/slab_voids.hpp"
 
 namespace tetloft::internal {
 
-/// Classes whose Euler characteristics count as one, and what their sum should be.
-struct ChiRange {
-  std::vector<ClassId> classes;
-  std::int32_t least = 0, most = 0;
-};
+/// Keeps tets, the smallest first, each of which brings the characteristics of a group that is
+/// below its range nearer to it, and parts no voids that hung together. Returns how many handles
+/// went.
+std::uint64_t fill_handles(const ChiGroups& groups, const SlabVoids& voids, Completion& completion);
 
-/// Keeps tets, the smallest first, each of which brings a group's Euler characteristic, where it is
-/// below what it should be, nearer, and parts no void from another that it hung together with.
-/// Returns how many handles went.
-std::uint64_t fill_handles(const Slab& slab, const SlabClasses& classes,
-                           const IdVector<ClassId, std::uint8_t>& active, const SlabVoids& voids,
-                           const std::vector<ChiRange>& groups, Completion& completion);
+/// Which voids hang together through what a complex leaves empty: of each the lowest it does with.
+[[nodiscard]] std::vector<SlabVoidId> joined_voids(const Slab& slab, const SlabClasses& classes,
+                                                   const SlabVoids& voids, const Complex& complex);
 
 }  // namespace tetloft::internal

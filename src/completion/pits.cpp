@@ -146,12 +146,43 @@ bool Pits::open_sealed(const Slab& slab, const SlabClasses& classes, const Compl
     for (const ContourId hole : sealed_holes(slab, classes, complex, upper)) open(hole, upper);
   }
   if (opened_ == before) return false;
+  extend();
+  return true;
+}
+
+void Pits::extend() {
   for (Side& side : side_) {
-    if (!side.exterior.empty()) {
-      side.extended = with_exterior_vertices(*side.section, side.exterior);
-    }
+    std::vector<Point2> exterior = side.exterior;
+    exterior.insert(exterior.end(), pairs_.begin(), pairs_.end());
+    side.extended.reset();
+    if (!exterior.empty()) side.extended = with_exterior_vertices(*side.section, exterior);
+  }
+}
+
+bool Pits::has_room(const Point2& p) {
+  for (Side& side : side_) {
+    if (!side.contours) side.contours.emplace(*side.section);
+    if (side.contours->locate(p) != sections::ContourEdges::Where::outside) return false;
+    if (in_internal_circle(*side.section, p)) return false;
   }
   return true;
+}
+
+bool Pits::open_at(const Point2& p) {
+  if (std::find(pairs_.begin(), pairs_.end(), p) != pairs_.end()) return false;
+  for (const Side& side : side_) {
+    if (std::find(side.exterior.begin(), side.exterior.end(), p) != side.exterior.end()) {
+      return false;
+    }
+  }
+  pairs_.push_back(p);
+  extend();
+  return true;
+}
+
+void Pits::close_pairs() {
+  pairs_.clear();
+  extend();
 }
 
 void Pits::open(ContourId hole, bool upper) {
@@ -174,7 +205,11 @@ void Pits::open(ContourId hole, bool upper) {
 void Pits::give_up() {
   given_up_ = true;
   opened_ = 0;
-  for (Side& side : side_) side.extended.reset();
+  pairs_.clear();
+  for (Side& side : side_) {
+    side.exterior.clear();
+    side.extended.reset();
+  }
 }
 
 IdVector<SlabVertexId, SlabVertexId> Pits::original_numbers() const {

@@ -57,6 +57,15 @@ class Pits {
   /// Takes all exterior vertices back, and opens no more.
   void give_up();
 
+  /// Can a vertex of both planes be put here, off both regions and the circles of their triangles?
+  [[nodiscard]] bool has_room(const Point2& p);
+  /// Puts one here in both planes: D has the edge between, and no class either end, so that what is
+  /// around the edge stays void. Requires has_room(). False if there is one already.
+  bool open_at(const Point2& p);
+  /// Takes back those of open_at().
+  void close_pairs();
+  [[nodiscard]] std::size_t pairs() const { return pairs_.size(); }
+
   /// The vertex of the slab without exterior vertices; invalid for these.
   [[nodiscard]] IdVector<SlabVertexId, SlabVertexId> original_numbers() const;
 
@@ -75,9 +84,11 @@ class Pits {
   [[nodiscard]] std::vector<ContourId> sealed_holes(const Slab& slab, const SlabClasses& classes,
                                                     const Complex& complex, bool upper) const;
   void open(ContourId hole, bool upper);
+  void extend();
 
   std::array<Side, 2> side_;  // lower, upper
   std::size_t opened_ = 0;
+  std::vector<Point2> pairs_;
   bool given_up_ = false;
 };
 

@@ -5,11 +5,10 @@
 #include <utility>
 
 #include "completion/completion.hpp"
-#include "completion/handles.hpp"
 #include "completion/pits.hpp"
 #include "core/guard.hpp"
 #include "reconstruct/lattice_hint.hpp"
-#include "reconstruct/slab_topology.hpp"
+#include "reconstruct/topology.hpp"
 #include "slab/delaunay.hpp"
 #include "subdivision/embedding.hpp"
 #include "subdivision/trimming.hpp"
@@ -97,7 +96,8 @@ class SlabBuilder {
         links_(links),
         options_(options),
         vertices_(lower.vertex_count(), upper.vertex_count()),
-        pits_(lower, upper) {}
+        pits_(lower, upper),
+        topology_(links, pits_) {}
 
   Result<SlabOutcome> run() {
     // Each round but the last opens a pit at least, or gives all of them up.
@@ -105,7 +105,8 @@ class SlabBuilder {
       Result<std::optional<SlabOutcome>> built = attempt();
       if (accepted(built) && !*built) continue;
       const bool solid = built && std::holds_alternative<SlabSolid>(**built);
-      if (pits_.opened() > 0 && !solid) {
+      const bool asks = built && std::holds_alternative<RefineHere>(**built);
+      if (pits_.opened() + pits_.pairs() > 0 && !solid && !asks) {
         pits_.give_up();
         continue;
       }
@@ -140,9 +141,11 @@ class SlabBuilder {
       const bool sealed = pits_.open_sealed(slab, classes, completion.complex());
       clock.end(Step::complex);
       if (sealed) return std::optional<SlabOutcome>();
-      std::optional<SlabOutcome> stuck = make_topology(slab, classes, active, completion, rules);
+      const Topology::Next next =
+          topology_.make({slab, classes, active}, completion, options_.may_ask, rules);
       clock.end(Step::complex);
-      if (stuck) return stuck;
+      if (next == Topology::Next::again) return std::optional<SlabOutcome>();
+      if (next == Topology::Next::refine) return std::optional<SlabOutcome>(topology_.wanted());
       if (auto outcome = subdivided(slab, classes, completion.complex(), lone, rules, clock)) {
         return outcome;
       }
@@ -174,83 +177,6 @@ class SlabBuilder {
       }
     }
     return true;
-  }
-
-  // Closes passages and fills handles. Nothing where that is done, or voids that nothing parts are
-  // taken for one.
-  [[nodiscard]] std::optional<SlabOutcome> make_topology(
-      const Slab& slab, const SlabClasses& classes, const IdVector<ClassId, std::uint8_t>& active,
-      Completion& completion, RuleCounts& rules) {
-    united_.clear();
-    groups_.clear();
-    if (links_.voids == nullptr) return std::nullopt;
-    SlabVoids voids(slab.lower(), slab.upper(), *links_.voids);
-    if (auto stuck = close_passages(slab, classes, active, voids, completion, rules)) return stuck;
-    groups_ = expected_topology(*links_.faces, slab.lower(), slab.upper(),
-                                {links_.regions, *links_.voids, united_});
-    count(
-        rules, Rule::filled_handle,
-        fill_handles(slab, classes, active, voids, chi_ranges(slab, classes, active), completion));
-    return std::nullopt;
-  }
-
-  // Of active classes; what ends in a prism has the topology of its region.
-  [[nodiscard]] std::vector<ChiRange> chi_ranges(
-      const Slab& slab, const SlabClasses& classes,
-      const IdVector<ClassId, std::uint8_t>& active) const {
-    std::vector<ChiRange> ranges;
-    for (const TopologyGroup& group : groups_) {
-      ChiRange range{{}, group.least, group.most};
-      for (const SlabRegionId r : group.regions) {
-        const ClassId c = classes.of_region(r);
-        if (active[c] == 0) {
-          const std::int32_t chi = region_chi(slab, classes.regions(), r);
-          range.least -= chi;
-          range.most -= chi;
-        } else if (classes.regions(c).front() == r) {
-          range.classes.push_back(c);
-        }
-      }
-      ranges.push_back(std::move(range));
-    }
-    return ranges;
-  }
-
-  [[nodiscard]] static std::int32_t region_chi(const Slab& slab, const SlabRegions& regions,
-                                               SlabRegionId r) {
-    const auto& of_contour = slab.section(regions.is_upper(r)).nesting.region;
-    return 2 - static_cast<std::int32_t>(
-                   std::count(of_contour.begin(), of_contour.end(), regions.in_section(r)));
-  }
-
-  [[nodiscard]] std::optional<SlabOutcome> close_passages(
-      const Slab& slab, const SlabClasses& classes, const IdVector<ClassId, std::uint8_t>& active,
-      SlabVoids& voids, Completion& completion, RuleCounts& rules) {
-    while (voids.class_count() > 1) {
-      Passages passages(slab, classes, active, voids, completion);
-      const std::optional<Inseparable> stuck = passages.close();
-      count(rules, Rule::closed_passage, passages.closed());
-      if (!stuck) return std::nullopt;
-      RefineHere here;
-      for (const SlabVoidId v : *stuck) add_contours(slab, voids, v, here);
-      if (!is_refined(slab, here)) return here;
-      count(rules, Rule::united_voids);
-      united_.push_back(*stuck);
-      voids.unite((*stuck)[0], (*stuck)[1]);
-    }
-    return std::nullopt;
-  }
-
-  // The contours at a void; of an exterior none, they are too many.
-  static void add_contours(const Slab& slab, const SlabVoids& voids, SlabVoidId v,
-                           RefineHere& here) {
-    const ContourId hole = voids.hole(v);
-    if (!hole.valid()) return;
-    const bool upper = voids.numbering().is_upper(v);
-    const Nesting& nesting = slab.section(upper).nesting;
-    for (const ContourId c : nesting.parent.ids()) {
-      if (c == hole || nesting.parent[c] == hole) here.contours[upper ? 1 : 0].push_back(c);
-    }
   }
 
   // Nothing where a lone class gave up its prism, and is to be completed.
@@ -288,28 +214,12 @@ class SlabBuilder {
       solid.origin.push_back(embedding.origin(n));
     }
     solid.pieces = embedding.pieces();
-    solid.deviations = deviations(
+    solid.deviations = topology_.deviations(
         classes,
         chi_by_class(classes, solid.pieces, embedding.boundary(), embedding.points().size()));
     solid.smallest_lift = embedding.smallest_lift();
     solid.rules = rules;
     return solid;
-  }
-
-  [[nodiscard]] std::vector<SlabDeviation> deviations(
-      const SlabClasses& classes, const IdVector<ClassId, std::int32_t>& chi) const {
-    std::vector<SlabDeviation> result;
-    for (const TopologyGroup& group : groups_) {
-      std::int32_t got = 0;
-      for (const SlabRegionId r : group.regions) {
-        const ClassId c = classes.of_region(r);
-        if (classes.regions(c).front() == r) got += chi[c];
-      }
-      if (got < group.least || got > group.most) {
-        result.push_back({group.regions.front(), group.least, group.most, got});
-      }
-    }
-    return result;
   }
 
   // Numbers the nodes as if the sections had no exterior vertices; what all attempts took.
@@ -329,7 +239,8 @@ class SlabBuilder {
       }
     }
     count(solid.rules, Rule::opened_pit, pits_.opened());
-    solid.united_voids = united_;
+    count(solid.rules, Rule::opened_face, pits_.pairs());
+    solid.united_voids = topology_.united();
     solid.seconds = seconds_;
     solid.work = work_;
   }
@@ -339,8 +250,7 @@ class SlabBuilder {
   const SlabOptions& options_;
   SlabVertices vertices_;
   Pits pits_;
-  std::vector<Inseparable> united_;
-  std::vector<TopologyGroup> groups_;
+  Topology topology_;
   // Of all attempts.
   StepSeconds seconds_{};
   std::uint64_t work_ = 0;

@@ -64,6 +64,9 @@ struct SlabSolid {
 /// between two voids.
 struct RefineHere {
   std::array<std::vector<ContourId>, 2> contours;  ///< of the lower section, of the upper one
+  /// Of both sections, in the plane: points of faces to be opened that circles of triangles inside
+  /// the regions must not hold (ConformOptions::apart).
+  std::vector<Point2> apart;
 };
 
 /// A class of several regions has no Delaunay edge between its parts though its contours are
@@ -83,6 +86,9 @@ using SlabOutcome = std::variant<SlabSolid, RefineHere, Unconnectable, Unreprese
 struct SlabOptions {
   DelaunayEngine engine = DelaunayEngine::automatic;
   double work_limit;
+  /// May the slab ask for finer contours to get the topology that links imply? Where they cannot be
+  /// had it goes without.
+  bool may_ask = true;
 };
 
 /// Builds the solid of a slab from its two conforming sections (either may be empty) and the

@@ -55,8 +55,9 @@ Flat flatten(const Section& section, std::span<const Point2> interior) {
 
 class Conformer {
  public:
-  Conformer(const Section& section, SectionId id, std::span<const Point2> interior)
-      : section_(section), id_(id) {
+  Conformer(const Section& section, SectionId id, std::span<const Point2> interior,
+            std::span<const Point2> apart)
+      : section_(section), id_(id), apart_(apart) {
     result_.z = section.z;
     result_.nesting = nest(section);
     flat_ = flatten(section, interior);
@@ -73,7 +74,7 @@ class Conformer {
     if (!asked.gabriel.empty()) {
       for (const ContourId c : flat_.contour) options.gabriel.push_back(asked.gabriel[c]);
     }
-    Result<Conforming2> conforming = conforming_delaunay2(flat_.points, flat_.segments, options);
+    Result<Conforming2> conforming = conform_apart(options);
     if (!conforming) return placed(conforming.error());
     number_ = sections::adopt(conforming->triangulation, result_);
     if (Result<void> walked = walk_chains(conforming->chains); !walked) return walked.error();
@@ -85,6 +86,30 @@ class Conformer {
   }
 
  private:
+  // With the points that are to lie apart as vertices triangles inside the region have empty
+  // circles; without them these are triangles still, and splits what they were.
+  [[nodiscard]] Result<Conforming2> conform_apart(const ConformingOptions& options) const {
+    if (apart_.empty()) return conforming_delaunay2(flat_.points, flat_.segments, options);
+    std::vector<Point2> points = flat_.points;
+    points.insert(points.end(), apart_.begin(), apart_.end());
+    Result<Conforming2> result = conforming_delaunay2(points, flat_.segments, options);
+    if (!result) return result;
+    const std::size_t first = flat_.points.size();
+    const IdVector<PlaneVertexId, Point2>& all = result->triangulation.points;
+    points = flat_.points;
+    points.insert(points.end(), all.begin() + static_cast<std::ptrdiff_t>(first + apart_.size()),
+                  all.end());
+    for (std::vector<PlaneVertexId>& chain : result->chains) {
+      for (PlaneVertexId& v : chain) {
+        if (v.index() >= first) v = PlaneVertexId(v.index() - apart_.size());
+      }
+    }
+    Result<Triangulation2> triangulation = delaunay2(points);
+    if (!triangulation) return triangulation.error();
+    result->triangulation = std::move(*triangulation);
+    return result;
+  }
+
   // The error of the triangulation, whose vertices are numbered through, in our terms.
   [[nodiscard]] Error placed(Error error) const {
     if (error.where.vertex && *error.where.vertex < flat_.contour.size()) {
@@ -267,6 +292,7 @@ class Conformer {
 
   const Section& section_;
   SectionId id_;
+  std::span<const Point2> apart_;
   Flat flat_;
   IdVector<PlaneVertexId, PlaneVertexId> number_;  // of the triangulation's vertices
   IdVector<EdgeId, ContourId> contour_of_edge_;    // invalid: not on a contour
@@ -283,11 +309,14 @@ std::optional<Result<ConformingSection>> conform_in_unit(const Section& section,
     for (const Point2& p : contour.vertices) unit.include(p);
   }
   for (const Point2& p : options.interior) unit.include(p);
+  for (const Point2& p : options.apart) unit.include(p);
   const int exponent = unit.exponent();
   std::vector<Point2> inside = options.interior;
   for (Point2& p : inside) p = scaled(p, exponent);
+  std::vector<Point2> apart = options.apart;
+  for (Point2& p : apart) p = scaled(p, exponent);
   const Section in_unit = sections::scaled_in_plane(section, exponent);
-  Result<ConformingSection> result = Conformer(in_unit, id, inside).run(options);
+  Result<ConformingSection> result = Conformer(in_unit, id, inside, apart).run(options);
   if (!result) {
     Error error = result.error();
     if (error.where.point) {
@@ -321,7 +350,8 @@ Result<ConformingSection> conform(const Section& section, SectionId id,
     ConformOptions again = options;
     again.execution.progress = nullptr;
     Result<ConformingSection> result =
-        in_unit ? *std::move(in_unit) : Conformer(section, id, again.interior).run(again);
+        in_unit ? *std::move(in_unit)
+                : Conformer(section, id, again.interior, again.apart).run(again);
     if (result) result->gabriel = options.gabriel;
     return result;
   });

@@ -268,6 +268,50 @@ void Faces::number() {
   for (const std::uint32_t draft : draft_of_) of_cycle.push_back(id_of[draft]);
 }
 
+Point2 position(const std::array<OverlayCurves, 2>& curves, const OverlayNode& node) {
+  for (std::size_t s = 0; s < 2; ++s) {
+    if (node.at_start[s]) return curves[s].start(node.edge[s]);
+  }
+  const Point2& a = curves[0].start(node.edge[0]);
+  const Point2& b = curves[0].end(node.edge[0]);
+  const Point2& c = curves[1].start(node.edge[1]);
+  const Point2& d = curves[1].end(node.edge[1]);
+  const double along = (c.x - a.x) * (d.y - c.y) - (c.y - a.y) * (d.x - c.x);
+  const double whole = (b.x - a.x) * (d.y - c.y) - (b.y - a.y) * (d.x - c.x);
+  const double t = whole == 0 ? 0.5 : along / whole;
+  return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
+}
+
+// The vertices inside an arc, and the node that it starts at.
+void append_points(const OverlayGraph& graph, const std::array<OverlayCurves, 2>& curves,
+                   std::uint32_t arc, std::vector<Point2>& points) {
+  const std::array<std::uint32_t, 2>& contour = graph.arcs()[arc].contour;
+  const OverlayNodes& all = graph.nodes();
+  const auto nodes = static_cast<std::uint32_t>(all.nodes.size());
+  if (graph.is_loop(2 * arc)) {
+    const std::size_t s = contour[0] != kNone ? 0 : 1;
+    for (std::uint32_t v = 0; v < curves[s].edge_count(); ++v) {
+      if (curves[s].contour(v) == contour[s]) points.push_back(curves[s].start(v));
+    }
+    return;
+  }
+  const std::size_t s = arc < nodes ? 0 : 1;
+  const std::uint32_t pass = s == 0 ? arc : arc - nodes;
+  const OverlayNodes::Range range = all.range[s][contour[s]];
+  const OverlayNode& from = all.nodes[all.passes[s][pass]];
+  const OverlayNode& to = all.nodes[all.passes[s][pass + 1 == range.last ? range.first : pass + 1]];
+  points.push_back(position(curves, from));
+  // From the vertex after the first node to that before the second, around once if these are one.
+  std::uint32_t v = from.edge[s];
+  const std::uint32_t end = to.edge[s];
+  bool whole = range.last - range.first == 1;
+  while (v != end || whole) {
+    whole = false;
+    v = curves[s].next(v);
+    if (v != end || !to.at_start[s]) points.push_back(curves[s].start(v));
+  }
+}
+
 }  // namespace
 
 FaceOverlay::FaceOverlay(const Section& lower, const Nesting& lower_nesting, const Section& upper,
@@ -278,9 +322,8 @@ FaceOverlay::FaceOverlay(const Section& lower, const Nesting& lower_nesting, con
   Faces found(plane->curves, plane->graph, plane->ray, sides, {&lower_nesting, &upper_nesting});
   faces_ = std::move(found.faces);
   plane->face = std::move(found.of_cycle);
-  OverlayTouches touches =
-      touches_of(plane->graph, {&plane->curves[0], &plane->curves[1]}, faces_, plane->face,
-                 {&lower_nesting, &upper_nesting});
+  OverlayTouches touches = touches_of(plane->graph, {&plane->curves[0], &plane->curves[1]}, faces_,
+                                      plane->face, {&lower_nesting, &upper_nesting});
   meetings_ = std::move(touches.meetings);
   touching_voids_ = std::move(touches.voids);
   plane_ = std::move(plane);
@@ -299,6 +342,17 @@ FaceId FaceOverlay::locate(const Point2& p) const {
   if (plane_->ray.meets(p)) return {};
   const std::uint32_t below = plane_->ray.half_below(p);
   return below == kNone ? unbounded() : plane_->face[plane_->graph.cycle(below)];
+}
+
+std::vector<Point2> FaceOverlay::border_points(FaceId face) const {
+  std::vector<Point2> points;
+  for (std::uint32_t half = 0; half < 2 * plane_->graph.arcs().size(); ++half) {
+    const std::uint32_t cycle = plane_->graph.cycle(half);
+    if (cycle != kNone && plane_->face[cycle] == face) {
+      append_points(plane_->graph, plane_->curves, half / 2, points);
+    }
+  }
+  return points;
 }
 
 }  // namespace tetloft::internal::sections

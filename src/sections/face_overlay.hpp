@@ -41,10 +41,10 @@ struct OverlayFace {
 
 /// A region of the lower section and one of the upper that have a point in common.
 ///
-/// They *touch* where common points lie on no border of an SS face: at a node, or along arcs that have
-/// one of the regions on either side; and at a node where two SS faces end that lie apart there. So
-/// do voids. What is small enough to be seen neither as solid nor as void may be either: taken for
-/// solid, a touch adds its Euler characteristic to that of the SS faces.
+/// They *touch* where common points lie on no border of an SS face: at a node, or along arcs that
+/// have one of the regions on either side; and at a node where two SS faces end that lie apart
+/// there. So do voids. What is small enough to be seen neither as solid nor as void may be either:
+/// taken for solid, a touch adds its Euler characteristic to that of the SS faces.
 struct RegionMeeting {
   RegionId lower, upper;
   bool overlap = false;          ///< there are SS faces
@@ -77,6 +77,9 @@ class FaceOverlay {
 
   /// The face that contains p; invalid for a point of a contour. Exact; by a search tree.
   [[nodiscard]] FaceId locate(const Point2& p) const;
+
+  /// The vertices and nodes on the face's border, in no order of meaning; crossings are rounded.
+  [[nodiscard]] std::vector<Point2> border_points(FaceId face) const;
 
  private:
   struct Plane;

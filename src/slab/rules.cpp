@@ -24,6 +24,8 @@ const char* name_of(Rule rule) {
     case Rule::closed_passage: return "closed_passage";
     case Rule::united_voids: return "united_voids";
     case Rule::filled_handle: return "filled_handle";
+    case Rule::bridged_face: return "bridged_face";
+    case Rule::opened_face: return "opened_face";
   }
   return "unknown";
 }

@@ -1,0 +1,194 @@
+#include "reconstruct/topology.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "completion/sealed_faces.hpp"
+#include "sections/inner_point.hpp"
+
+namespace tetloft::internal {
+
+namespace {
+
+std::int32_t region_chi(const Slab& slab, const SlabRegions& regions, SlabRegionId r) {
+  const auto& of_contour = slab.section(regions.is_upper(r)).nesting.region;
+  return 2 - static_cast<std::int32_t>(
+                 std::count(of_contour.begin(), of_contour.end(), regions.in_section(r)));
+}
+
+// Are all contours refined that are asked for?
+bool is_refined(const Slab& slab, const RefineHere& here) {
+  for (const bool upper : {false, true}) {
+    const auto& gabriel = slab.section(upper).gabriel;
+    for (const ContourId c : here.contours[upper ? 1 : 0]) {
+      if (gabriel.empty() || !gabriel[c]) return false;
+    }
+  }
+  return true;
+}
+
+// The contours at a void; of an exterior none, they are too many.
+void add_contours(const Slab& slab, const SlabVoids& voids, SlabVoidId v, RefineHere& here) {
+  const ContourId hole = voids.hole(v);
+  if (!hole.valid()) return;
+  const bool upper = voids.numbering().is_upper(v);
+  const Nesting& nesting = slab.section(upper).nesting;
+  for (const ContourId c : nesting.parent.ids()) {
+    if (c == hole || nesting.parent[c] == hole) here.contours[upper ? 1 : 0].push_back(c);
+  }
+}
+
+}  // namespace
+
+Topology::Next Topology::make(const SlabView& view, Completion& completion, bool may_ask,
+                              RuleCounts& rules) {
+  if (links_.voids == nullptr) return Next::go_on;
+  SlabVoids voids(view.slab.lower(), view.slab.upper(), *links_.voids);
+  if (!part_voids(view, voids, completion, may_ask, rules)) return Next::refine;
+  groups_ = expected_topology(*links_.faces, view.slab.lower(), view.slab.upper(),
+                              {links_.regions, *links_.voids, united_});
+  const ChiGroups groups(view.slab, view.classes, view.active, chi_ranges(view));
+  count(rules, Rule::filled_handle, fill_handles(groups, voids, completion));
+  bridge_faces(view, groups, completion, rules);
+  return open_faces(view, voids, groups, completion, may_ask);
+}
+
+// False where contours have to be finer before two voids are taken for one.
+bool Topology::part_voids(const SlabView& view, SlabVoids& voids, Completion& completion,
+                          bool may_ask, RuleCounts& rules) {
+  united_.clear();
+  while (voids.class_count() > 1) {
+    Passages passages(view.slab, view.classes, view.active, voids, completion);
+    const std::optional<Inseparable> stuck = passages.close();
+    count(rules, Rule::closed_passage, passages.closed());
+    if (!stuck) break;
+    RefineHere here;
+    for (const SlabVoidId v : *stuck) add_contours(view.slab, voids, v, here);
+    if (may_ask && !is_refined(view.slab, here)) {
+      wanted_ = std::move(here);
+      return false;
+    }
+    count(rules, Rule::united_voids);
+    united_.push_back(*stuck);
+    voids.unite((*stuck)[0], (*stuck)[1]);
+  }
+  return true;
+}
+
+// Of active classes; what ends in a prism has the topology of its region.
+std::vector<ChiRange> Topology::chi_ranges(const SlabView& view) const {
+  std::vector<ChiRange> ranges;
+  for (const TopologyGroup& group : groups_) {
+    ChiRange range{{}, group.least, group.most};
+    for (const SlabRegionId r : group.regions) {
+      const ClassId c = view.classes.of_region(r);
+      if (view.active[c] == 0) {
+        const std::int32_t chi = region_chi(view.slab, view.classes.regions(), r);
+        range.least -= chi;
+        range.most -= chi;
+      } else if (view.classes.regions(c).front() == r) {
+        range.classes.push_back(c);
+      }
+    }
+    ranges.push_back(std::move(range));
+  }
+  return ranges;
+}
+
+// SS faces of a group above its range: what D holds over their middle becomes solid where that
+// brings it nearer.
+void Topology::bridge_faces(const SlabView& view, const ChiGroups& groups, Completion& completion,
+                            RuleCounts& rules) {
+  ChiGroups::Sums sums = groups.sums(completion.complex());
+  if (!groups.any_high(sums)) return;
+  const SlabVoids voids(view.slab.lower(), view.slab.upper(), *links_.voids);
+  const VoidSpace space(view.slab, view.classes, voids, completion.complex());
+  const auto joined = joined_voids(view.slab, view.classes, voids, completion.complex());
+  const SlabRegions& regions = view.classes.regions();
+  for (const sections::FaceId f : links_.faces->faces().ids()) {
+    const sections::OverlayFace& face = links_.faces->faces()[f];
+    if (!face.lower.solid || !face.upper.solid) continue;
+    const ClassId c = view.classes.of_region(regions.in_slab(false, face.lower.id));
+    if (view.classes.of_region(regions.in_slab(true, face.upper.id)) != c) continue;
+    if (!groups.is_high(c, sums)) continue;
+    const std::optional<Point2> p = sections::inner_point(*links_.faces, f);
+    if (!p) continue;
+    std::vector<Wall> walls;
+    for (const TetId t : tets_over(view.slab, *p)) {
+      if (space.of_one_class(t, 0xF) && view.classes.of(view.slab.vertex(t, 0)) == c &&
+          space.is_void(t)) {
+        walls.push_back({t, 0xF, c});
+      }
+    }
+    if (walls.empty()) continue;
+    Completion trial = completion;
+    trial.build(walls);
+    const ChiGroups::Sums after = groups.sums(trial.complex());
+    if (groups.deviation(after) >= groups.deviation(sums)) continue;
+    if (joined_voids(view.slab, view.classes, voids, trial.complex()) != joined) continue;
+    completion.adopt(std::move(trial));
+    count(rules, Rule::bridged_face);
+    sums = after;
+  }
+}
+
+// VV faces of a group above its range that are sealed get a vertex in their middle, in both planes.
+Topology::Next Topology::open_faces(const SlabView& view, const SlabVoids& voids,
+                                    const ChiGroups& groups, const Completion& completion,
+                                    bool may_ask) {
+  if (openings_ == Openings::given_up) return Next::go_on;
+  const ChiGroups::Sums sums = groups.sums(completion.complex());
+  const std::int32_t deviation = groups.deviation(sums);
+  if (openings_ == Openings::tried && deviation >= least_deviation_) {
+    openings_ = Openings::given_up;
+    pits_.close_pairs();
+    return Next::again;
+  }
+  least_deviation_ = deviation;
+  if (!groups.any_high(sums)) return Next::go_on;
+  const VoidSpace space(view.slab, view.classes, voids, completion.complex());
+  const SlabRegions& regions = view.classes.regions();
+  wanted_ = {};
+  bool opened = false;
+  for (const sections::FaceId f : links_.faces->faces().ids()) {
+    const sections::OverlayFace& face = links_.faces->faces()[f];
+    if (face.lower.solid || face.upper.solid || f == links_.faces->unbounded()) continue;
+    const SlabVoidId below = voids.numbering().in_slab(false, face.lower.id);
+    const SlabVoidId above = voids.numbering().in_slab(true, face.upper.id);
+    if (voids.class_of(below) != voids.class_of(above)) continue;
+    const bool high = std::any_of(face.border.begin(), face.border.end(), [&](const auto& border) {
+      return groups.is_high(view.classes.of_region(regions.in_slab(border.upper, border.region)),
+                            sums);
+    });
+    if (!high) continue;
+    const std::optional<Point2> p = sections::inner_point(*links_.faces, f);
+    if (!p || is_open(view.slab, space, tets_over(view.slab, *p), *p)) continue;
+    if (pits_.has_room(*p)) {
+      opened = pits_.open_at(*p) || opened;
+    } else {
+      wanted_.apart.push_back(*p);
+    }
+  }
+  if (may_ask && !wanted_.apart.empty()) return Next::refine;
+  if (!opened) return Next::go_on;
+  openings_ = Openings::tried;
+  return Next::again;
+}
+
+std::vector<SlabDeviation> Topology::deviations(const SlabClasses& classes,
+                                                const IdVector<ClassId, std::int32_t>& chi) const {
+  std::vector<SlabDeviation> result;
+  for (const TopologyGroup& group : groups_) {
+    std::int32_t got = 0;
+    for (const SlabRegionId r : group.regions) {
+      const ClassId c = classes.of_region(r);
+      if (classes.regions(c).front() == r) got += chi[c];
+    }
+    if (got < group.least || got > group.most) {
+      result.push_back({group.regions.front(), group.least, group.most, got});
+    }
+  }
+  return result;
+}
+
+}  // namespace tetloft::internal

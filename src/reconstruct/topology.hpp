@@ -1,0 +1,68 @@
+// What the links imply for a slab's topology, made in its complex: passages closed, handles filled,
+// sealed faces opened.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "completion/completion.hpp"
+#include "completion/handles.hpp"
+#include "completion/passages.hpp"
+#include "completion/pits.hpp"
+#include "reconstruct/slab_solid.hpp"
+#include "reconstruct/slab_topology.hpp"
+
+namespace tetloft::internal {
+
+/// A slab with what its tets and vertices belong to.
+struct SlabView {
+  const Slab& slab;
+  const SlabClasses& classes;
+  const IdVector<ClassId, std::uint8_t>& active;
+};
+
+class Topology {
+ public:
+  /// Both must outlive this. Does nothing where nothing was decided about voids.
+  Topology(const SlabLinks& links, Pits& pits) : links_(links), pits_(pits) {}
+
+  enum class Next : std::uint8_t {
+    go_on,   ///< nothing can be done better
+    again,   ///< the sections of the pits have changed: D is another
+    refine,  ///< wanted() says what
+  };
+  /// Works on a completed slab; `may_ask` as in SlabOptions.
+  [[nodiscard]] Next make(const SlabView& view, Completion& completion, bool may_ask,
+                          RuleCounts& rules);
+
+  [[nodiscard]] const RefineHere& wanted() const { return wanted_; }
+  [[nodiscard]] const std::vector<Inseparable>& united() const { return united_; }
+  /// The groups that have another topology than implied, from what each class of the solid has.
+  [[nodiscard]] std::vector<SlabDeviation> deviations(
+      const SlabClasses& classes, const IdVector<ClassId, std::int32_t>& chi) const;
+
+ private:
+  /// Openings are tried until one round makes nothing better, which is taken back.
+  enum class Openings : std::uint8_t { may_help, tried, given_up };
+
+  [[nodiscard]] bool part_voids(const SlabView& view, SlabVoids& voids, Completion& completion,
+                                bool may_ask, RuleCounts& rules);
+  [[nodiscard]] std::vector<ChiRange> chi_ranges(const SlabView& view) const;
+  void bridge_faces(const SlabView& view, const ChiGroups& groups, Completion& completion,
+                    RuleCounts& rules);
+  [[nodiscard]] Next open_faces(const SlabView& view, const SlabVoids& voids,
+                                const ChiGroups& groups, const Completion& completion,
+                                bool may_ask);
+
+  const SlabLinks& links_;
+  Pits& pits_;
+  std::vector<Inseparable> united_;
+  std::vector<TopologyGroup> groups_;
+  RefineHere wanted_;
+  Openings openings_ = Openings::may_help;
+  std::int32_t least_deviation_ = std::numeric_limits<std::int32_t>::max();
+};
+
+}  // namespace tetloft::internal
