@@ -124,7 +124,7 @@ void expect_faces_of_oracle(Prng& prng, const Section& lower, const Section& upp
     ASSERT_EQ(plain(overlay.faces()[face]), cells.faces()[*cell]);
   }
   ASSERT_EQ(cells.locate({-0x1p500, 1}), cells.locate({0x1p500, 1}));
-  ASSERT_EQ(overlay.locate({0x1p500, 1}), overlay.unbounded());
+  ASSERT_EQ(overlay.locate({0x1p500, 1}), kUnboundedFace);
   expect_canonical(prng, lower, upper, overlay, points);
 }
 
@@ -164,7 +164,7 @@ TEST(FaceOverlay, AgreesWithTrapezoidsOnRandomStacks) {
   Prng prng(7);
   std::size_t compared = 0;
   for (const StackKind kind : all_kinds()) {
-    for (std::uint64_t seed = 0; seed < 3; ++seed) {
+    for (std::uint64_t seed = 0; seed < 2; ++seed) {
       const SectionStack stack = generate(kind, seed).stack;
       for (std::size_t k = 0; k + 1 < stack.sections.size(); ++k) {
         const Section& lower = stack.sections[SectionId(k)];
@@ -176,7 +176,7 @@ TEST(FaceOverlay, AgreesWithTrapezoidsOnRandomStacks) {
       }
     }
   }
-  EXPECT_GT(compared, 60U);
+  EXPECT_GT(compared, 40U);
 }
 
 TEST(FaceOverlay, AgreesWithTrapezoidsOnCrowdedGrids) {
@@ -197,7 +197,7 @@ TEST(FaceOverlay, AgreesWithTrapezoidsOnCrowdedGrids) {
 
 TEST(FaceOverlay, AgreesWithTrapezoidsInTheLastBits) {
   std::size_t compared = 0;
-  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+  for (std::uint64_t seed = 0; seed < 120; ++seed) {
     Prng prng(seed);
     const bool of_ulps = prng.below(2) == 0;
     const auto jitter = [&] { return static_cast<double>(prng.below(3)) - 1; };
@@ -214,7 +214,7 @@ TEST(FaceOverlay, AgreesWithTrapezoidsInTheLastBits) {
     if (HasFatalFailure()) FAIL() << "seed " << seed;
     ++compared;
   }
-  EXPECT_GT(compared, 150U);
+  EXPECT_GT(compared, 60U);
 }
 
 TEST(FaceOverlay, IsTheSameAtAnyScale) {
