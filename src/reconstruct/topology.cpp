@@ -152,7 +152,7 @@ Topology::Next Topology::open_faces(const SlabView& view, const SlabVoids& voids
   bool opened = false;
   for (const sections::FaceId f : links_.faces->faces().ids()) {
     const sections::OverlayFace& face = links_.faces->faces()[f];
-    if (face.lower.solid || face.upper.solid || f == links_.faces->unbounded()) continue;
+    if (face.lower.solid || face.upper.solid || f == sections::kUnboundedFace) continue;
     const SlabVoidId below = voids.numbering().in_slab(false, face.lower.id);
     const SlabVoidId above = voids.numbering().in_slab(true, face.upper.id);
     if (voids.class_of(below) != voids.class_of(above)) continue;

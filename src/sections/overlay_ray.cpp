@@ -31,8 +31,8 @@ Number height(const Number& x, const std::array<Number, 4>& ab, const std::array
 // Intervals neither over- nor underflow in three factors of two such coordinates.
 constexpr double kIntervalLimit = 0x1p300;
 
-// The sign of it. Requires a.x < b.x, and c lower than d in canonical order: a line straight up is
-// above what is left of it.
+// The sign of it. Requires a.x < b.x, and c lower than d in canonical order: a line straight up
+// rises from below all, to its left, to above all.
 int height_sign(double x, const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
   const std::array<double, 9> all = {x, a.x, a.y, b.x, b.y, c.x, c.y, d.x, d.y};
   const bool moderate =
@@ -98,6 +98,7 @@ OverlayRay::Edge OverlayRay::edge_below(const Point2& p) const {
         const Point2& low = curves.low(k);
         const Point2& high = curves.high(k);
         if (!(low.x <= p.x && p.x < high.x) || orient2d(low, high, p) != Sign::positive) continue;
+        // Of edges that run together the lower section's stays.
         if (best.edge != kNone && !is_above({s, k}, best, p.x)) continue;
         best = {s, k};
         within = std::min(within, p.y - std::min(low.y, high.y));
