@@ -10,6 +10,7 @@
 #include <tetloft/export.hpp>
 #include <tetloft/result.hpp>
 #include <tetloft/section_stack.hpp>
+#include <tetloft/voids.hpp>
 
 namespace tetloft {
 
@@ -21,6 +22,13 @@ struct StackLinks {
   std::vector<RegionMotion> motions;
   ContourPartition partition;
   std::size_t components = 0;
+  /// Of voids: made ones and those that nearly were, by (slab, lower, upper void), the exterior
+  /// first, holes by their lowest vertices; the rule in tetloft/voids.hpp. None without holes, nor
+  /// by VoidRule::free.
+  std::vector<VoidLink> void_links;
+  /// Voids that belong together and not to the outside: as many cavities; where a wall is
+  /// impossible (rule V6), fewer.
+  std::size_t cavities = 0;
   std::vector<Warning> warnings;  ///< the hint that most regions have no partner
 };
 
@@ -29,8 +37,8 @@ struct LinkOptions {
   Execution execution = {};  ///< threads share the slabs
 };
 
-/// The links of a stack, without making a solid: rules 1 to 7. Refused: invalid_input for an
-/// invalid stack, or labels and decisions that name no contour or contradict each other;
+/// The links of a stack, without making a solid: rules 1 to 7, and V1 to V5. Refused: invalid_input
+/// for an invalid stack, or labels and decisions that name no contour or contradict each other;
 /// unrepresentable for labels that cannot be realised, naming contours; work_limit as by
 /// reconstruct(), with `reverse` alone; usage for options out of range; cancelled if it was
 /// stopped.

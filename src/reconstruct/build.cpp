@@ -42,7 +42,8 @@ std::optional<Error> SlabBuilds::build(const std::vector<SlabId>& slabs) {
       slabs, options_.execution.threads, work_, [&](SlabId slab) -> std::optional<Error> {
         Result<SlabOutcome> outcome = build_slab(
             slab, prepared_.sections[lower_section(slab)], prepared_.sections[upper_section(slab)],
-            plan_.correspondence.links[slab], {options_.delaunay, options_.work_limit});
+            plan_.correspondence.links[slab], plan_.voids ? &plan_.voids->links[slab] : nullptr,
+            {options_.delaunay, options_.work_limit});
         if (!outcome) return outcome.error();
         outcome_[slab] = std::move(*outcome);
         if (auto* refused = std::get_if<Unrepresentable>(&outcome_[slab])) return refused->error;

@@ -24,6 +24,8 @@ struct Plan {
   /// The contours to be refined to Gabriel edges, by section; empty: none.
   IdVector<SectionId, IdVector<ContourId, bool>> gabriel;
   Correspondence correspondence;
+  /// Of voids: as VoidDecision::make().
+  std::optional<Correspondence> voids;
   std::vector<RegionMotion> motions;  ///< that it was decided by; in the plan's unit
 };
 

@@ -18,6 +18,7 @@
 #include "model/scaling.hpp"
 #include "reconstruct/build.hpp"
 #include "reconstruct/decide.hpp"
+#include "reconstruct/decide_voids.hpp"
 #include "reconstruct/ends.hpp"
 #include "reconstruct/glue.hpp"
 #include "reconstruct/hints.hpp"
@@ -111,6 +112,10 @@ Result<std::optional<Reconstruction>> make(PreparedStack& prepared,
   if (!decided) return decided.error();
   plan.correspondence = std::move(*decided);
   plan.motions = decision.motions();
+  const VoidDecision void_decision(prepared, options);
+  Result<std::optional<Correspondence>> voids = void_decision.make(work);
+  if (!voids) return voids.error();
+  plan.voids = std::move(*voids);
   clock.end(Step::correspondence);
 
   SlabBuilds builds(prepared, decision, plan, options, work);
@@ -127,6 +132,7 @@ Result<std::optional<Reconstruction>> make(PreparedStack& prepared,
   result.model = glue(prepared.sections, plan.correspondence.component, std::move(parts));
   result.model.links = region_links(plan.correspondence.candidates, prepared.nestings);
   result.model.motions = std::move(plan.motions);
+  if (plan.voids) result.model.void_links = void_decision.links(*plan.voids);
   gluing.end(Step::assembly);
   if (const auto hint = hint_of_many_tets(prepared, result.model)) result.warnings.push_back(*hint);
   describe(prepared, result.model, report);

@@ -64,9 +64,11 @@ std::uint64_t detached_sheets(const Complex& complex) {
 class SlabBuilder {
  public:
   SlabBuilder(SlabId id, const ConformingSection& lower, const ConformingSection& upper,
-              const std::vector<Link>& links, const SlabOptions& options)
+              const std::vector<Link>& links, const std::vector<Link>* void_links,
+              const SlabOptions& options)
       : id_(id),
         links_(links),
+        void_links_(void_links),
         options_(options),
         vertices_(lower.vertex_count(), upper.vertex_count()),
         pits_(lower, upper) {}
@@ -198,6 +200,7 @@ class SlabBuilder {
 
   SlabId id_;
   const std::vector<Link>& links_;
+  const std::vector<Link>* void_links_;
   const SlabOptions& options_;
   SlabVertices vertices_;
   Pits pits_;
@@ -234,7 +237,7 @@ SlabSolid build_end(const ConformingSection& section, double z) {
 
 Result<SlabOutcome> build_slab(SlabId id, const ConformingSection& lower,
                                const ConformingSection& upper, const std::vector<Link>& links,
-                               const SlabOptions& options) {
+                               const std::vector<Link>* void_links, const SlabOptions& options) {
   const double middle = lower.z + 0.5 * (upper.z - lower.z);
   if (!(lower.z < middle && middle < upper.z)) {
     return SlabOutcome(Unrepresentable{
@@ -242,7 +245,8 @@ Result<SlabOutcome> build_slab(SlabId id, const ConformingSection& lower,
   }
   const bool has_lower = lower.vertex_count() > 0;
   const bool has_upper = upper.vertex_count() > 0;
-  if (has_lower && has_upper) return SlabBuilder(id, lower, upper, links, options).run();
+  if (has_lower && has_upper)
+    return SlabBuilder(id, lower, upper, links, void_links, options).run();
   if (has_lower) return SlabOutcome(build_end(lower, middle));
   if (has_upper) return SlabOutcome(build_end(upper, middle));
   return SlabOutcome(SlabSolid{});

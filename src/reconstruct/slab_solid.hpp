@@ -59,10 +59,12 @@ struct SlabOptions {
 };
 
 /// Builds the solid of a slab from its two conforming sections (either may be empty) and the
-/// accepted links: a function of these alone. Fails (work_limit) naming the place.
+/// accepted links, of regions and of voids: a function of these alone. void_links: as of regions of
+/// complements; null where nothing is decided about voids. Fails (work_limit) naming the place.
 [[nodiscard]] Result<SlabOutcome> build_slab(SlabId id, const ConformingSection& lower,
                                              const ConformingSection& upper,
                                              const std::vector<Link>& links,
+                                             const std::vector<Link>* void_links,
                                              const SlabOptions& options);
 
 /// The end of a stack: all regions of a section extruded to z. Above its plane the section is the

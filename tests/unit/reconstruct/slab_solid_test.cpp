@@ -35,7 +35,7 @@ Sections conformed(const SectionStack& stack, bool gabriel = false) {
 
 SlabOutcome outcome_of(const Sections& s, const std::vector<Link>& links,
                        DelaunayEngine engine = DelaunayEngine::automatic) {
-  return build_slab(SlabId(0), s.lower, s.upper, links, {engine, kDefaultWorkLimit}).value();
+  return build_slab(SlabId(0), s.lower, s.upper, links, nullptr, {engine, kDefaultWorkLimit}).value();
 }
 
 Link link(std::size_t lower, std::size_t upper) {
@@ -89,7 +89,7 @@ TEST(SlabOutcome, IsUnrepresentableWithoutADoubleBetweenThePlanes) {
 TEST(BuildSlab, FailsAtTheWorkLimit) {
   const Sections s = conformed(generate(StackKind::small_grid, 1).stack);
   const Result<SlabOutcome> refused =
-      build_slab(SlabId(3), s.lower, s.upper, {}, {DelaunayEngine::automatic, 1e-9});
+      build_slab(SlabId(3), s.lower, s.upper, {}, nullptr, {DelaunayEngine::automatic, 1e-9});
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.error().code, ErrorCode::work_limit);
   EXPECT_EQ(refused.error().where.slab, 3U);
