@@ -123,7 +123,7 @@ TEST(SlabBuilds, SolidsAreThoseOfTheSectionsAndLinksAsRefined) {
     for (const Part& part : phases.builds->take_parts()) {
       Result<SlabOutcome> alone = build_slab(part.slab, phases.prepared.sections[part.lower],
                                              phases.prepared.sections[part.upper],
-                                             phases.plan.correspondence.links[part.slab],
+                                             phases.plan.correspondence.links[part.slab], nullptr,
                                              {DelaunayEngine::automatic, kDefaultWorkLimit});
       ASSERT_TRUE(alone.ok());
       ASSERT_TRUE(std::holds_alternative<SlabSolid>(*alone));

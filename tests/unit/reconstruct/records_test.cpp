@@ -94,6 +94,7 @@ void build_into(const Folder& folder, SlabId slab) {
   const ConformingSection lower = section_of_file(folder, lower_section(slab));
   const ConformingSection upper = section_of_file(folder, upper_section(slab));
   const SlabOutcome outcome = build_slab(slab, lower, upper, plan.correspondence.links[slab],
+                                         plan.voids ? &plan.voids->links[slab] : nullptr,
                                          {DelaunayEngine::automatic, kDefaultWorkLimit})
                                   .value();
   folder.write(slab_file(slab), to_record(std::get<SlabSolid>(outcome)));
@@ -198,7 +199,7 @@ TEST(Records, SolidsAndPlansReadBackAsTheyWere) {
   for (const NamedSlab& s : generated_slabs(913, 1)) {
     SCOPED_TRACE(s.name);
     const SlabOutcome outcome =
-        build_slab(SlabId(0), s.built->lower, s.built->upper, s.built->links,
+        build_slab(SlabId(0), s.built->lower, s.built->upper, s.built->links, nullptr,
                    {DelaunayEngine::automatic, kDefaultWorkLimit})
             .value();
     const auto* solid = std::get_if<SlabSolid>(&outcome);
