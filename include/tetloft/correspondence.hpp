@@ -121,7 +121,7 @@ struct Labels {
 enum class VoidRule : std::uint8_t {
   overlap,  ///< by overlap, chains and rims
   near,     ///< the same; and a hole left without link, to the nearest void within reach
-  free,     ///< as it comes: nothing is decided, closed or checked
+  free,     ///< as it comes: nothing is decided, closed or checked; takes no labels or decisions
 };
 /// By `near`, if nothing else is said: in gaps.
 inline constexpr double kDefaultVoidReach = 0.5;

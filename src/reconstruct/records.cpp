@@ -12,7 +12,7 @@ namespace tetloft::internal {
 
 namespace {
 
-constexpr RecordKind kPlan{"plan", 2, "a plan"};
+constexpr RecordKind kPlan{"plan", 3, "a plan"};
 constexpr RecordKind kSolid{"slab", 1, "the solid of a slab"};
 
 // The least that a vector of a vector takes: its count.
@@ -146,33 +146,45 @@ void get_correspondence(RecordReader& in, Correspondence& correspondence) {
   get_candidates(in, correspondence.candidates);
 }
 
-void check_plan(const Plan& plan, RecordReader& in) {
-  const auto& [links, component, partition, candidates] = plan.correspondence;
-  const std::size_t sections = plan.gabriel.size();
+// `what`: "region" or "void".
+void check_correspondence(const Correspondence& correspondence, std::size_t sections,
+                          const std::string& what, RecordReader& in) {
+  const auto& [links, component, partition, candidates] = correspondence;
   in.require(sections > 0 && links.size() == sections - 1 && component.size() == sections &&
                  partition.size() == sections && candidates.size() == links.size(),
              "plans some of its sections");
   if (in.refused()) return;
-  for (const SectionId s : plan.gabriel.ids()) {
-    in.require(plan.gabriel[s].empty() || plan.gabriel[s].size() == partition[s].size(),
-               "refines some of its contours");
-  }
   for (const SlabId slab : links.ids()) {
     for (const Link& link : links[slab]) {
       in.require(link.lower.index() < component[lower_section(slab)].size() &&
                      link.upper.index() < component[upper_section(slab)].size(),
-                 "links a region it lacks");
+                 "links a " + what + " it lacks");
     }
   }
   for (const SlabId slab : candidates.ids()) {
     for (const LinkCandidate& candidate : candidates[slab]) {
       in.require(candidate.link.lower.index() < component[lower_section(slab)].size() &&
                      candidate.link.upper.index() < component[upper_section(slab)].size(),
-                 "tells of a region it lacks");
+                 "tells of a " + what + " it lacks");
     }
   }
+}
+
+void check_plan(const Plan& plan, RecordReader& in) {
+  const auto& partition = plan.correspondence.partition;
+  check_correspondence(plan.correspondence, plan.gabriel.size(), "region", in);
+  if (plan.voids) check_correspondence(*plan.voids, plan.gabriel.size(), "void", in);
+  if (in.refused()) return;
+  for (const SectionId s : plan.gabriel.ids()) {
+    in.require(plan.gabriel[s].empty() || plan.gabriel[s].size() == partition[s].size(),
+               "refines some of its contours");
+    // The frame of a complement is a contour more, and its exterior a void in every section.
+    in.require(!plan.voids || (plan.voids->partition[s].size() == partition[s].size() + 1 &&
+                               !plan.voids->component[s].empty()),
+               "has other voids than regions");
+  }
   for (const RegionMotion& motion : plan.motions) {
-    in.require(motion.slab.index() < links.size() &&
+    in.require(motion.slab.index() < plan.correspondence.links.size() &&
                    motion.contour.index() < partition[section_of(motion.slab, motion.upper)].size(),
                "moves a contour it lacks");
   }
@@ -233,6 +245,8 @@ std::string to_record(const Plan& plan) {
   put_gabriel(plan, out);
   put_correspondence(plan.correspondence, out);
   put_motions(plan.motions, out);
+  out.put(static_cast<std::uint8_t>(plan.voids ? 1 : 0));
+  if (plan.voids) put_correspondence(*plan.voids, out);
   return out.take();
 }
 
@@ -249,6 +263,7 @@ Result<Plan> plan_from_record(std::string_view bytes, const std::string& name) {
     get_gabriel(in, plan);
     get_correspondence(in, plan.correspondence);
     get_motions(in, plan.motions);
+    if (in.get<std::uint8_t>() != 0) get_correspondence(in, plan.voids.emplace());
     check_plan(plan, in);
     if (Result<void> read = in.end(); !read) return read.error();
     return plan;
