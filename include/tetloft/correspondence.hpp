@@ -115,6 +115,9 @@ struct LinkDecision {
 struct Labels {
   std::vector<Label> labels = {};
   std::vector<LinkDecision> decisions = {};
+  /// Of voids: those of VoidOptions.
+  std::vector<Label> hole_labels = {};
+  std::vector<LinkDecision> void_decisions = {};
 };
 
 /// How voids correspond: the rule in full in tetloft/voids.hpp.

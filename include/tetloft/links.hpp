@@ -26,8 +26,8 @@ struct StackLinks {
   /// first, holes by their lowest vertices; the rule in tetloft/voids.hpp. None without holes, nor
   /// by VoidRule::free.
   std::vector<VoidLink> void_links;
-  /// Voids that belong together and not to the outside: as many cavities; where a wall is
-  /// impossible (rule V6), fewer.
+  /// Components of voids that are cavities: not of the outside, nor open in the first or last
+  /// section. Where a wall is impossible (rule V6) the model has fewer.
   std::size_t cavities = 0;
   std::vector<Warning> warnings;  ///< the hint that most regions have no partner
 };
@@ -49,5 +49,7 @@ struct LinkOptions {
 /// is less, is least; equal ones stay in order. A link that the user parted counts as one he
 /// joined.
 [[nodiscard]] TETLOFT_API std::vector<RegionLink> least_sure_first(std::vector<RegionLink> links);
+/// The same of voids.
+[[nodiscard]] TETLOFT_API std::vector<VoidLink> least_sure_first(std::vector<VoidLink> links);
 
 }  // namespace tetloft

@@ -102,7 +102,12 @@ std::size_t cavities(const Correspondence& of_voids) {
   for (const auto& section : of_voids.component) {
     for (const ComponentId id : section) components = std::max(components, id.index() + 1);
   }
-  return components - 1;
+  IdVector<ComponentId, std::uint8_t> open(components, 0);
+  const SectionId last(of_voids.component.size() - 1);
+  for (const SectionId s : {SectionId(0), last}) {
+    for (const ComponentId id : of_voids.component[s]) open[id] = 1;
+  }
+  return static_cast<std::size_t>(std::count(open.begin(), open.end(), 0));
 }
 
 }  // namespace tetloft::internal

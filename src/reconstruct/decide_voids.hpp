@@ -41,7 +41,8 @@ class VoidDecision {
   StackSections sections_;
 };
 
-/// Components of voids but the outside.
+/// Components of voids but those that are open: to the exterior, or, in the first or last section,
+/// at the end of the model.
 [[nodiscard]] std::size_t cavities(const Correspondence& of_voids);
 
 }  // namespace tetloft::internal

@@ -56,6 +56,13 @@ Result<StackLinks> links_of(const SectionStack& stack, const ReconstructOptions&
   return result;
 }
 
+template <class Links>
+void sort_by_sureness(Links& links) {
+  std::stable_sort(links.begin(), links.end(), [](const RegionLink& a, const RegionLink& b) {
+    return sureness(a) < sureness(b);
+  });
+}
+
 }  // namespace
 
 Result<StackLinks> find_links(const SectionStack& stack, const LinkOptions& given_options) {
@@ -67,9 +74,12 @@ Result<StackLinks> find_links(const SectionStack& stack, const LinkOptions& give
 }
 
 std::vector<RegionLink> least_sure_first(std::vector<RegionLink> links) {
-  std::stable_sort(links.begin(), links.end(), [](const RegionLink& a, const RegionLink& b) {
-    return sureness(a) < sureness(b);
-  });
+  sort_by_sureness(links);
+  return links;
+}
+
+std::vector<VoidLink> least_sure_first(std::vector<VoidLink> links) {
+  sort_by_sureness(links);
   return links;
 }
 
