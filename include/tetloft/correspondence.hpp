@@ -115,13 +115,16 @@ struct LinkDecision {
 struct Labels {
   std::vector<Label> labels = {};
   std::vector<LinkDecision> decisions = {};
+  /// Of voids: those of VoidOptions.
+  std::vector<Label> hole_labels = {};
+  std::vector<LinkDecision> void_decisions = {};
 };
 
 /// How voids correspond: the rule in full in tetloft/voids.hpp.
 enum class VoidRule : std::uint8_t {
   overlap,  ///< by overlap, chains and rims
   near,     ///< the same; and a hole left without link, to the nearest void within reach
-  free,     ///< as it comes: nothing is decided, closed or checked
+  free,     ///< as it comes: nothing is decided, closed or checked; takes no labels or decisions
 };
 /// By `near`, if nothing else is said: in gaps.
 inline constexpr double kDefaultVoidReach = 0.5;

@@ -58,8 +58,10 @@ enum class Validity { required, unchecked };
 [[nodiscard]] TETLOFT_API Result<std::string> format_cnt(const SectionStack& stack);
 
 /// Lines "section contour label", and "join section contour other" or "part section contour other":
-/// decisions on the link between a contour of a section and another of the section above.
-/// Zero-based; # starts a comment. Refused where two lines say join and part of the same.
+/// decisions on the link between a contour of a section and another of the section above. Of voids:
+/// "hole section contour label", and "open section hole other" or "close section hole other", where
+/// a hole is a contour or the word "outside". Zero-based; # starts a comment. Refused where two
+/// lines say join and part, or open and close, of the same.
 [[nodiscard]] TETLOFT_API Result<Labels> read_labels(const std::string& path);
 [[nodiscard]] TETLOFT_API Result<Labels> parse_labels(std::string_view text,
                                                       const std::string& name);

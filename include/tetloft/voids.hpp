@@ -37,10 +37,16 @@
 // these one group, whose sum counts. chi of the stack is the sum over slabs less that over inner
 // sections; and genus = components + cavities − chi.
 //
+// Regions also *touch*: in a point, or along an edge that has one of them on either side, as on
+// pixel grids they often do; or two SS faces, in a point. So do voids. A touch is small enough to
+// be seen as solid or as void, and either is right: as solid it counts as a face of its Euler
+// characteristic, joins pieces, and parts voids. So chi(C) is a range, from what it is where those
+// touches are solid that make it less, to where those are that make it more.
+//
 // V6. Where no wall can stand between two voids of different classes, however contours are divided,
 //     they count as one, and are reported (`forced`); a link that the slab's tetrahedra cannot open
-//     is no link, and is reported (`unrealisable`). Where chi of a group is another one after all,
-//     that is reported (Deviation). By `strict` each of the three is refused.
+//     is no link, and is reported (`unrealisable`). Where chi of a group is out of its range after
+//     all, that is reported (Deviation). By `strict` each of the three is refused.
 #pragma once
 
 #include <cstdint>
@@ -57,10 +63,20 @@ inline constexpr double kVoidOverlap = 0.02;
 inline constexpr double kVoidChainReach = 1.0;
 inline constexpr double kRimReach = 0.25;
 
+/// Where the two voids of a link lie. The values are stored in files.
+enum class VoidPlanes : std::uint8_t {
+  across = 0,  ///< one in either section of the slab
+  lower = 1,   ///< both in the lower one: V6 alone joins such
+  upper = 2,
+};
+inline constexpr int kVoidPlanes = 3;
+
 /// A link between two voids of neighbouring sections, made or nearly, and how surely: `lower` and
 /// `upper` are the contours of holes, invalid for the exterior. The links of exteriors with each
 /// other, which are certain, are left out.
-struct VoidLink : RegionLink {};
+struct VoidLink : RegionLink {
+  VoidPlanes planes = VoidPlanes::across;
+};
 
 /// Where the solid of a slab has not the topology that the links imply (guarantee 5).
 struct Deviation {
@@ -68,8 +84,8 @@ struct Deviation {
   bool upper = false;  ///< the region is one of the upper section
   /// The outer contour of a region of the group: the lowest by (section, region).
   ContourId contour;
-  std::int32_t expected = 0;  ///< chi of the group
-  std::int32_t got = 0;
+  std::int32_t least = 0, most = 0;  ///< what chi of the group may be
+  std::int32_t got = 0;              ///< what it is
 };
 
 }  // namespace tetloft

@@ -8,7 +8,8 @@
 namespace tetloft::cli {
 
 /// Reads --labels into the options; leaves them where it was not given. Each line must name
-/// contours of `stack`: the error names the file, section and contour.
+/// contours of `stack`, and those about voids holes, where voids are not free: the error names the
+/// file, section and contour.
 [[nodiscard]] Result<void> read_label_option(const Arguments& arguments, const SectionStack& stack,
                                              CorrespondenceOptions& options);
 

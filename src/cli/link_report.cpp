@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <map>
 #include <string_view>
+#include <tuple>
+#include <utility>
 
 #include "cli/console.hpp"
 
@@ -29,7 +32,8 @@ struct LinkCounts {
   }
 };
 
-LinkCounts counts_of(const std::vector<RegionLink>& links) {
+template <class Row>
+LinkCounts counts_of(const std::vector<Row>& links) {
   LinkCounts counts;
   for (const RegionLink& link : links) counts.add(link);
   return counts;
@@ -77,21 +81,29 @@ std::string measures(const RegionLink& link) {
   return text;
 }
 
-void append_decision(std::string& text, const RegionLink& link) {
-  text += link.fate == LinkFate::made ? "join " : "part ";
-  text += std::to_string(link.slab.index()) + ' ' + std::to_string(link.lower.index()) + ' ' +
-          std::to_string(link.upper.index());
+std::string hole_name(ContourId contour) {
+  return contour.valid() ? std::to_string(contour.index()) : "outside";
+}
+
+std::string decision(const RegionLink& link) {
+  return (link.fate == LinkFate::made ? "join " : "part ") + std::to_string(link.slab.index()) +
+         ' ' + std::to_string(link.lower.index()) + ' ' + std::to_string(link.upper.index());
+}
+std::string decision(const VoidLink& link) {
+  return (link.fate == LinkFate::made ? "open " : "close ") + std::to_string(link.slab.index()) +
+         ' ' + hole_name(link.lower) + ' ' + hole_name(link.upper);
 }
 
 bool is_decided(const RegionLink& link) {
   return link.evidence == Evidence::decision || link.fate == LinkFate::decided_part;
 }
 
-// Those that are listed.
-std::vector<RegionLink> listed(const LinkListing& listing) {
-  std::vector<RegionLink> links = least_sure_first(listing.links.links);
-  if (!listing.first) return links;
-  std::size_t left = *listing.first;
+// Those that are listed: all, or the first so many.
+template <class Row>
+std::vector<Row> listed(const std::vector<Row>& all, const std::optional<std::size_t>& first) {
+  std::vector<Row> links = least_sure_first(all);
+  if (!first) return links;
+  std::size_t left = *first;
   const auto is_left_out = [&left](const RegionLink& link) {
     if (is_decided(link)) return false;
     if (left == 0) return true;
@@ -99,11 +111,16 @@ std::vector<RegionLink> listed(const LinkListing& listing) {
     return false;
   };
   // A loop, for erase_if may ask in any order.
-  std::vector<RegionLink> kept;
-  for (const RegionLink& link : links) {
+  std::vector<Row> kept;
+  for (const Row& link : links) {
     if (!is_left_out(link)) kept.push_back(link);
   }
   return kept;
+}
+
+std::string lines_listed(std::size_t lines, std::size_t all, const char* of) {
+  if (lines == all) return "";
+  return "# listed: " + std::to_string(lines) + " of " + std::to_string(all) + of + '\n';
 }
 
 std::string header(const LinkListing& listing, std::size_t lines) {
@@ -122,15 +139,27 @@ std::string header(const LinkListing& listing, std::size_t lines) {
   text += "# " + counted(listing.sections, "section") + ", " +
           counted(listing.links.components, "component") + ", links: " + text_of(counts_of(links)) +
           '\n';
-  if (lines < links.size()) {
-    text += "# listed: " + std::to_string(lines) + " of " + std::to_string(links.size()) + '\n';
-  }
-  return text;
+  return text + lines_listed(lines, links.size(), "");
 }
 
-std::string slab_counts(const LinkListing& listing) {
-  std::vector<LinkCounts> slabs(listing.sections == 0 ? 0 : listing.sections - 1);
-  for (const RegionLink& link : listing.links.links) slabs[link.slab.index()].add(link);
+std::string void_header(const LinkListing& listing, std::size_t lines) {
+  const auto& links = listing.links.void_links;
+  return "# Which voids are one, likewise. A line \"open S H I\" or \"close S H I\" says that hole "
+         "H "
+         "of\n"
+         "# section S and hole I of section S+1, each a contour or the word outside, hang together "
+         "or not.\n"
+         "# " +
+         (listing.links.cavities == 1 ? std::string("1 cavity")
+                                      : std::to_string(listing.links.cavities) + " cavities") +
+         ", links of voids: " + text_of(counts_of(links)) + '\n' +
+         lines_listed(lines, links.size(), " of voids");
+}
+
+template <class Row>
+std::string slab_counts(std::size_t sections, const std::vector<Row>& links) {
+  std::vector<LinkCounts> slabs(sections - 1);
+  for (const RegionLink& link : links) slabs[link.slab.index()].add(link);
   std::string text = "# By slab, between sections S and S+1:\n";
   for (std::size_t k = 0, end = 0; k < slabs.size(); k = end) {
     const std::string counts = text_of(slabs[k]);
@@ -141,11 +170,43 @@ std::string slab_counts(const LinkListing& listing) {
   return text;
 }
 
-void write_link(JsonWriter& json, const RegionLink& link) {
-  json.begin_object();
-  json.member("slab", link.slab.index());
+std::string label_lines(const std::vector<Label>& labels, const char* word) {
+  std::string text;
+  for (const Label& label : labels) {
+    text += word + std::to_string(label.section.index()) + ' ' +
+            std::to_string(label.contour.index()) + ' ' + std::to_string(label.label) +
+            "  # label\n";
+  }
+  return text;
+}
+
+template <class Row>
+std::string decision_lines(const std::vector<Row>& links) {
+  std::string text;
+  for (const Row& link : links) text += decision(link) + "  # " + measures(link) + '\n';
+  return text;
+}
+
+void write_ends(JsonWriter& json, const RegionLink& link) {
   json.member("lower", link.lower.index());
   json.member("upper", link.upper.index());
+}
+void write_ends(JsonWriter& json, const VoidLink& link) {
+  for (const auto& [name, contour] :
+       {std::pair("lower", link.lower), std::pair("upper", link.upper)}) {
+    if (contour.valid()) {
+      json.member(name, contour.index());
+    } else {
+      json.member(name, hole_name(contour));
+    }
+  }
+}
+
+template <class Row>
+void write_link(JsonWriter& json, const Row& link) {
+  json.begin_object();
+  json.member("slab", link.slab.index());
+  write_ends(json, link);
   json.member("made", link.fate == LinkFate::made);
   json.member("evidence", name_of(link.evidence));
   json.member("fate", json_name(name_of(link.fate)));
@@ -157,30 +218,15 @@ void write_link(JsonWriter& json, const RegionLink& link) {
   json.end_object();
 }
 
-}  // namespace
-
-std::string link_lines(const LinkListing& listing, bool told) {
-  const std::vector<RegionLink> links = listed(listing);
-  std::string text = told ? header(listing, links.size()) : "";
-  for (const Label& label : listing.labels) {
-    text += std::to_string(label.section.index()) + ' ' + std::to_string(label.contour.index()) +
-            ' ' + std::to_string(label.label) + "  # label\n";
-  }
-  for (const RegionLink& link : links) {
-    append_decision(text, link);
-    text += "  # " + measures(link) + '\n';
-  }
-  if (told && listing.sections > 1) text += slab_counts(listing);
-  return text;
-}
-
-void write_links(JsonWriter& json, const std::vector<RegionLink>& links) {
+template <class Row>
+void write_all(JsonWriter& json, const std::vector<Row>& links) {
   json.begin_array();
-  for (const RegionLink& link : links) write_link(json, link);
+  for (const Row& link : links) write_link(json, link);
   json.end_array();
 }
 
-void write_link_counts(JsonWriter& json, const std::vector<RegionLink>& links) {
+template <class Row>
+void write_counts(JsonWriter& json, const std::vector<Row>& links) {
   const LinkCounts counts = counts_of(links);
   json.key("made");
   json.begin_object();
@@ -197,28 +243,86 @@ void write_link_counts(JsonWriter& json, const std::vector<RegionLink>& links) {
   json.end_object();
 }
 
-void write_link_summary(JsonWriter& json, const std::vector<RegionLink>& links) {
+// Positions in `links` of the least sure first, as many as are asked for.
+template <class Row>
+void write_order(JsonWriter& json, const std::vector<Row>& links,
+                 const std::optional<std::size_t>& first) {
+  std::map<std::tuple<SlabId, ContourId, ContourId>, std::size_t> position;
+  for (std::size_t k = 0; k < links.size(); ++k) {
+    position[{links[k].slab, links[k].lower, links[k].upper}] = k;
+  }
+  std::size_t left = first.value_or(links.size());
+  json.key("least_sure");
+  json.begin_array();
+  for (const Row& link : least_sure_first(links)) {
+    if (left == 0) break;
+    --left;
+    json.value(position[{link.slab, link.lower, link.upper}]);
+  }
+  json.end_array();
+}
+
+template <class Row>
+void write_summary(JsonWriter& json, const char* key, const std::vector<Row>& links) {
   constexpr std::size_t kFew = 5;
-  json.key("links");
+  json.key(key);
   json.begin_object();
-  write_link_counts(json, links);
-  std::vector<RegionLink> few = least_sure_first(links);
+  write_counts(json, links);
+  std::vector<Row> few = least_sure_first(links);
   few.resize(std::min(few.size(), kFew));
   json.key("least_sure");
-  write_links(json, few);
+  write_all(json, few);
   json.end_object();
 }
 
-std::string counted_links(const std::vector<RegionLink>& links) {
-  return text_of(counts_of(links));
+template <class Row>
+std::string description(const char* what, const std::vector<Row>& links) {
+  if (links.empty()) return "";
+  const Row least = least_sure_first(links).front();
+  return what + text_of(counts_of(links)) + "; the least sure: " + decision(least) + " (" +
+         measures(least) + ")\n";
 }
 
-std::string describe_links(const std::vector<RegionLink>& links) {
-  if (links.empty()) return "";
-  const RegionLink least = least_sure_first(links).front();
-  std::string text = "links: " + counted_links(links) + "; the least sure: ";
-  append_decision(text, least);
-  return text + " (" + measures(least) + ")\n";
+}  // namespace
+
+std::string link_lines(const LinkListing& listing, bool told) {
+  const auto& all = listing.links;
+  const std::vector<RegionLink> links = listed(all.links, listing.first);
+  const std::vector<VoidLink> voids = listed(all.void_links, listing.first);
+  const bool slabs = told && listing.sections > 1;
+  std::string text = told ? header(listing, links.size()) : "";
+  text += label_lines(listing.labels, "") + decision_lines(links);
+  if (slabs) text += slab_counts(listing.sections, all.links);
+  if (told && !all.void_links.empty()) text += void_header(listing, voids.size());
+  text += label_lines(listing.hole_labels, "hole ") + decision_lines(voids);
+  if (slabs && !all.void_links.empty()) text += slab_counts(listing.sections, all.void_links);
+  return text;
+}
+
+void write_links(JsonWriter& json, const LinkListing& listing) {
+  const StackLinks& found = listing.links;
+  write_counts(json, found.links);
+  json.key("links");
+  write_all(json, found.links);
+  write_order(json, found.links, listing.first);
+  json.key("voids");
+  json.begin_object();
+  json.member("cavities", found.cavities);
+  write_counts(json, found.void_links);
+  json.key("links");
+  write_all(json, found.void_links);
+  write_order(json, found.void_links, listing.first);
+  json.end_object();
+}
+
+void write_link_summary(JsonWriter& json, const Model& model) {
+  write_summary(json, "links", model.links);
+  write_summary(json, "void_links", model.void_links);
+}
+
+std::string describe_links(const std::vector<RegionLink>& links,
+                           const std::vector<VoidLink>& voids) {
+  return description("links: ", links) + description("links of voids: ", voids);
 }
 
 }  // namespace tetloft::cli

@@ -1,9 +1,7 @@
 // tetloft links: what belongs together, and how surely, without making a solid.
 #include <limits>
-#include <map>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -28,18 +26,21 @@ using namespace internal;
 namespace {
 
 Usage links_usage() {
-  Usage usage{"links",
-              "Which regions of neighbouring sections belong together, why, and how surely.",
-              {input_word("IN", Contents::stack)},
-              {{"--output", output_word("OUT", Contents::labels),
-                "where the lines go; default: standard output", "-o"},
-               {"--first", "N", "only the N least sure links; default: all"}},
-              "Prints a line for each link that is made, and each that nearly was, the least sure "
-              "first: join or part, the lower section, its contour, the contour of the section "
-              "above; behind # the evidence and its measures. --labels takes these lines back, as "
-              "they are or changed. No solid is made: a link that turns out to be unrealisable is "
-              "told by reconstruct. --json: links by slab, least_sure (their order of doubt), made "
-              "and not_made (counts), components, motions."};
+  Usage usage{
+      "links",
+      "Which regions of neighbouring sections belong together, and which holes, why, and how "
+      "surely.",
+      {input_word("IN", Contents::stack)},
+      {{"--output", output_word("OUT", Contents::labels),
+        "where the lines go; default: standard output", "-o"},
+       {"--first", "N", "only the N least sure links, and as many of voids; default: all"}},
+      "Prints a line for each link that is made, and each that nearly was, the least sure "
+      "first: join or part, the lower section, its contour, the contour of the section "
+      "above; behind # the evidence and its measures. Then, likewise, of voids: open or "
+      "close, with holes or the word outside. --labels takes these lines back, as they are "
+      "or changed. No solid is made: a link that turns out to be unrealisable is told by "
+      "reconstruct. --json: links by slab, least_sure (their order of doubt), made and "
+      "not_made (counts), components, motions; voids: the same of voids, and cavities."};
   for (const Option& option : stack_options()) usage.options.push_back(option);
   for (const Option& option : {kThreadsOption, kJsonOption, kQuietOption, kHelpOption}) {
     usage.options.push_back(option);
@@ -81,24 +82,6 @@ Result<LinksRequest> links_request_of(const Arguments& arguments, Console& conso
   return request;
 }
 
-// Positions in `links` of the least sure first.
-void write_order(JsonWriter& json, const std::vector<RegionLink>& links,
-                 const std::optional<std::size_t>& first) {
-  std::map<std::tuple<SlabId, ContourId, ContourId>, std::size_t> position;
-  for (std::size_t k = 0; k < links.size(); ++k) {
-    position[{links[k].slab, links[k].lower, links[k].upper}] = k;
-  }
-  std::size_t left = first.value_or(links.size());
-  json.key("least_sure");
-  json.begin_array();
-  for (const RegionLink& link : least_sure_first(links)) {
-    if (left == 0) break;
-    --left;
-    json.value(position[{link.slab, link.lower, link.upper}]);
-  }
-  json.end_array();
-}
-
 void write_motions(JsonWriter& json, const std::vector<RegionMotion>& motions) {
   json.key("motions");
   json.begin_array();
@@ -124,10 +107,7 @@ std::string to_json(const LinkListing& listing, const StackInput& input, const C
   json.member("slices", listing.sections);
   json.member("contours", input.stack.contour_count());
   json.member("components", found.components);
-  write_link_counts(json, found.links);
-  json.key("links");
-  write_links(json, found.links);
-  write_order(json, found.links, listing.first);
+  write_links(json, listing);
   write_motions(json, found.motions);
   write_preparation(json, input);
   write_warnings(json, console.warnings());
@@ -159,7 +139,8 @@ Result<int> run_links(const Arguments& arguments, Console& console) {
   }();
   if (!found) return in_file(found.error(), request->input);
   console.warn_of(request->input, found->warnings);
-  const LinkListing listing{input->stack.sections.size(), request->options.correspondence.labels,
+  const CorrespondenceOptions& asked = request->options.correspondence;
+  const LinkListing listing{input->stack.sections.size(), asked.labels, asked.voids.labels,
                             *std::move(found), request->first};
   auto files = stage_lines_of(*request, listing);
   if (!files) return files.error();
@@ -170,7 +151,8 @@ Result<int> run_links(const Arguments& arguments, Console& console) {
     told = link_lines(listing, !console.quiet());
   } else if (!console.quiet()) {
     told = describe_preparation(*input) + counted(listing.links.components, "component") + '\n' +
-           describe_links(listing.links.links) + "written: " + printable(*request->output) + '\n';
+           describe_links(listing.links.links, listing.links.void_links) +
+           "written: " + printable(*request->output) + '\n';
   }
   const Result<void> done = deliver_with(*files, told, console);
   if (!done) return done.error();

@@ -158,7 +158,7 @@ std::string to_json(const Reconstruction& result, const StackInput& input, const
   json.member("write", seconds.write);
   json.member("total", seconds.total);
   json.end_object();
-  write_link_summary(json, result.model.links);
+  write_link_summary(json, result.model);
   write_preparation(json, input);
   write_warnings(json, console.warnings());
   json.end_object();
@@ -177,7 +177,7 @@ std::string to_text(const Reconstruction& result, const StackInput& input, const
           std::to_string(result.model.points.size()) + " vertices, " +
           counted(result.model.component_count, "component") + ", volume " +
           readable(report.volume) + '\n';
-  text += describe_links(result.model.links);
+  text += describe_links(result.model.links, result.model.void_links);
   text += "smallest lift " + readable(report.smallest_lift) + '\n';
   std::string rules;
   for (int r = 0; r < kRules; ++r) {

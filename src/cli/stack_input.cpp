@@ -6,6 +6,7 @@
 
 #include "cli/file_formats.hpp"
 #include "core/option_rules.hpp"
+#include "core/spelling.hpp"
 #include "io/numbers.hpp"
 
 namespace tetloft::cli {
@@ -25,6 +26,12 @@ std::vector<Option> stack_options() {
       {"--no-lone", "",
        "leave regions alone that nothing links, where the default joins them to the nearest one: "
        "for particles"},
+      {"--voids", "RULE",
+       "which holes form one cavity or tunnel, and what opens to the outside: overlap (default: "
+       "they "
+       "overlap, lean on, or come within a quarter of a gap of the outside), near or near=K (in "
+       "place of the last, what nothing links goes to the nearest hole, or the outside, within K "
+       "gaps; default 0.5; 0: nowhere), or free (nothing is decided)"},
       {"--labels", "FILE", described_inputs(Contents::labels)},
   };
   for (const Option& option : preparation_options()) options.push_back(option);
@@ -70,6 +77,39 @@ Result<Model> read_model_input(const std::string& path, const std::string& forma
   return std::move(read->model);
 }
 
+namespace {
+
+// "near=K", too.
+Result<void> read_voids_option(const Arguments& arguments, VoidOptions& options) {
+  const auto given = arguments.text("--voids");
+  if (!given) return {};
+  const std::vector<std::string_view> rules{"overlap", "near", "free"};
+  const std::size_t equals = given->find('=');
+  const std::string word = given->substr(0, equals);
+  const auto rule = std::find(rules.begin(), rules.end(), word);
+  if (rule == rules.end()) {
+    return usage_error("option --voids: " + io::in_quotes(word) + " is not " + list_of(rules) +
+                       did_you_mean(word, rules));
+  }
+  options.rule = static_cast<VoidRule>(rule - rules.begin());
+  if (equals == std::string::npos) return {};
+  if (options.rule != VoidRule::near) {
+    return usage_error("option --voids: " + word + " takes no reach, near does");
+  }
+  const std::string value = given->substr(equals + 1);
+  const io::ParsedNumber number = io::parse_number(value);
+  if (!number.ok()) {
+    return usage_error("option --voids: " + io::complaint(value, number.status));
+  }
+  if (!is_void_reach(number.value)) {
+    return usage_error("option --voids: the reach " + io::in_quotes(value) + " is below 0");
+  }
+  options.reach = number.value;
+  return {};
+}
+
+}  // namespace
+
 Result<CorrespondenceOptions> correspondence_options(const Arguments& arguments, Console& console) {
   CorrespondenceOptions options;
   const auto rule = arguments.choice("--correspondence", {"overlap", "reverse", "moved"});
@@ -89,6 +129,8 @@ Result<CorrespondenceOptions> correspondence_options(const Arguments& arguments,
   }
   options.chain = !arguments.has("--no-chain");
   options.lone = !arguments.has("--no-lone");
+  const Result<void> voids = read_voids_option(arguments, options.voids);
+  if (!voids) return voids.error();
   return options;
 }
 

@@ -15,7 +15,7 @@ namespace tetloft::cli {
 
 /// --format, --repair, --repair-distance, --snap, --refine.
 [[nodiscard]] std::vector<Option> preparation_options();
-/// The same, after --correspondence, --overlap, --labels.
+/// The same, after --correspondence, --overlap, --voids, --labels.
 [[nodiscard]] std::vector<Option> stack_options();
 
 struct SnapReport {

@@ -12,9 +12,24 @@ namespace {
 
 Error refused(std::string why) { return {ErrorCode::usage, std::move(why), {}}; }
 
+Result<void> check_void_options(const VoidOptions& options) {
+  if (!is_enumerator(options.rule, VoidRule::free)) {
+    return refused("there is no such rule of voids: overlap, near or free");
+  }
+  if (!is_void_reach(options.reach)) {
+    return refused("the reach of voids must be finite and not negative");
+  }
+  if (options.rule == VoidRule::free && !(options.labels.empty() && options.decisions.empty())) {
+    return refused("voids are free: labels and decisions about them would do nothing");
+  }
+  return {};
+}
+
 }  // namespace
 
 bool is_overlap_ratio(double value) { return value >= 0 && value < 1; }
+
+bool is_void_reach(double value) { return value >= 0 && std::isfinite(value); }
 
 bool is_work_limit(double value) { return value > 0; }
 
@@ -37,7 +52,7 @@ Result<void> check_correspondence_options(const CorrespondenceOptions& options) 
   if (!is_overlap_ratio(threshold_of(options))) {
     return refused("the overlap threshold must be in [0, 1)");
   }
-  return {};
+  return check_void_options(options.voids);
 }
 
 }  // namespace tetloft::internal

@@ -8,6 +8,8 @@ namespace tetloft::internal {
 
 /// Of areas, as `tau` is: in [0, 1).
 [[nodiscard]] bool is_overlap_ratio(double value);
+/// Of VoidOptions: finite, not negative.
+[[nodiscard]] bool is_void_reach(double value);
 /// Of tets per vertex: above 0; infinity is none.
 [[nodiscard]] bool is_work_limit(double value);
 /// Thicknesses, distances: positive and finite.
@@ -17,8 +19,9 @@ namespace tetloft::internal {
 inline constexpr int kFewestSnapBits = 1;
 inline constexpr int kMostSnapBits = 50;
 
-/// Usage error for a criterion that there is none of, and for ratios that are not in [0, 1). Labels
-/// and decisions are input, and looked at with the sections.
+/// Usage error for a criterion or rule that there is none of, for ratios that are not in [0, 1), a
+/// reach that is none, and for labels or decisions on free voids. Others are input, and looked at
+/// with the sections.
 [[nodiscard]] Result<void> check_correspondence_options(const CorrespondenceOptions& options);
 /// Usage error where it is none.
 [[nodiscard]] Result<void> check_work_limit(double value);

@@ -7,10 +7,13 @@
 
 #include "correspondence/moved_region.hpp"
 #include "correspondence/overlap_links.hpp"
+#include "sections/complement.hpp"
 
 namespace tetloft::internal {
 
 namespace {
+
+using sections::kExterior;
 
 // The candidates of a region in one slab: how many, and with which region the last of them is.
 struct Partners {
@@ -20,8 +23,10 @@ struct Partners {
 
 using RegionPartners = IdVector<RegionId, Partners>;
 
-RegionPartners partners_of(std::size_t regions, const SlabCandidates& candidates, bool upper) {
+RegionPartners partners_of(std::size_t regions, const SlabCandidates& candidates, bool upper,
+                           const ChainRule& rule) {
   RegionPartners result(regions);
+  if (rule.voids) result[kExterior] = {1, kExterior};
   for (const LinkCandidate& candidate : candidates) {
     if (!candidate.made()) continue;
     const Link& link = candidate.link;
@@ -36,8 +41,8 @@ RegionPartners partners_of(std::size_t regions, const SlabCandidates& candidates
 class Passage {
  public:
   Passage(const SectionRegions& behind, const RegionPartners& origins, const SectionRegions& from,
-          const SectionRegions& to)
-      : behind_(behind), origins_(origins), from_(from), to_(to) {}
+          const SectionRegions& to, const ChainRule& rule)
+      : behind_(behind), origins_(origins), from_(from), to_(to), rule_(rule) {}
 
   // The region moved on, if it has an origin and remains a region.
   [[nodiscard]] std::optional<MovedRegion> moved_on(RegionId r) const {
@@ -56,12 +61,15 @@ class Passage {
 
   [[nodiscard]] std::optional<RegionId> origin_of(RegionId r) const {
     const Partners& partners = origins_[r];
-    if (partners.count == 1) return partners.last;
     if (partners.count > 1) return std::nullopt;
+    if (partners.count == 1) {
+      return is_origin(partners.last) ? std::optional(partners.last) : std::nullopt;
+    }
     std::optional<RegionId> nearest;
-    double reach = kChainReach;
+    double reach = rule_.reach;
     const bool up = behind_.z < from_.z;
     behind_.for_each_near(grown(from_.box[r], reach * gap(behind_, from_)), [&](RegionId q) {
+      if (!is_origin(q)) return;
       const auto d =
           up ? gaps_apart(behind_, q, from_, r, reach) : gaps_apart(from_, r, behind_, q, reach);
       if (!d || (nearest && !(*d < reach))) return;
@@ -70,32 +78,35 @@ class Passage {
     });
     return nearest;
   }
+  [[nodiscard]] bool is_origin(RegionId r) const { return !rule_.voids || r != kExterior; }
 
   const SectionRegions& behind_;
   const RegionPartners& origins_;
   const SectionRegions& from_;
   const SectionRegions& to_;
+  const ChainRule& rule_;
 };
 
 // The single regions of a slab, and the pairs of them that are within reach.
 class SlabSingles {
  public:
   SlabSingles(SlabId slab, const SectionRegions& below, const SectionRegions& above,
-              const SlabCandidates& candidates)
+              const SlabCandidates& candidates, const ChainRule& rule)
       : slab_(slab),
+        reach_(rule.reach),
         below_(below),
         above_(above),
-        of_below_(partners_of(below.size(), candidates, false)),
-        of_above_(partners_of(above.size(), candidates, true)) {}
+        of_below_(partners_of(below.size(), candidates, false, rule)),
+        of_above_(partners_of(above.size(), candidates, true, rule)) {}
 
   [[nodiscard]] SlabCandidates pairs_within_reach() const {
     SlabCandidates pairs;
     for (const RegionId i : below_.ids()) {
       if (of_below_[i].count > 0) continue;
-      const Box2 near = grown(below_.box[i], kChainReach * (above_.z - below_.z));
+      const Box2 near = grown(below_.box[i], reach_ * (above_.z - below_.z));
       above_.for_each_near(near, [&](RegionId j) {
         if (of_above_[j].count > 0) return;
-        const auto d = gaps_apart(below_, i, above_, j, kChainReach);
+        const auto d = gaps_apart(below_, i, above_, j, reach_);
         if (!d) return;
         LinkCandidate pair{{slab_, i, j}, Evidence::chain, LinkFate::too_weak};
         pair.distance = *d;
@@ -129,6 +140,7 @@ class SlabSingles {
 
  private:
   SlabId slab_;
+  double reach_;
   const SectionRegions& below_;
   const SectionRegions& above_;
   RegionPartners of_below_, of_above_;
@@ -137,23 +149,23 @@ class SlabSingles {
 }  // namespace
 
 SlabCandidates chain_links(SlabId slab, const StackSections& sections,
-                           const StackCandidates& by_criterion) {
+                           const StackCandidates& by_criterion, const ChainRule& rule) {
   const SectionId below(slab.index());
   const SectionId above(slab.index() + 1);
-  const SlabSingles singles(slab, sections[below], sections[above], by_criterion[slab]);
+  const SlabSingles singles(slab, sections[below], sections[above], by_criterion[slab], rule);
   SlabCandidates pairs = singles.pairs_within_reach();
   if (pairs.empty()) return pairs;
   if (slab.index() > 0) {
     const SectionRegions& behind = sections[SectionId(slab.index() - 1)];
     const RegionPartners origins =
-        partners_of(sections[below].size(), by_criterion[SlabId(slab.index() - 1)], true);
-    singles.measure(Passage(behind, origins, sections[below], sections[above]), true, pairs);
+        partners_of(sections[below].size(), by_criterion[SlabId(slab.index() - 1)], true, rule);
+    singles.measure(Passage(behind, origins, sections[below], sections[above], rule), true, pairs);
   }
   if (slab.index() + 1 < by_criterion.size()) {
     const SectionRegions& behind = sections[SectionId(slab.index() + 2)];
     const RegionPartners origins =
-        partners_of(sections[above].size(), by_criterion[SlabId(slab.index() + 1)], false);
-    singles.measure(Passage(behind, origins, sections[above], sections[below]), false, pairs);
+        partners_of(sections[above].size(), by_criterion[SlabId(slab.index() + 1)], false, rule);
+    singles.measure(Passage(behind, origins, sections[above], sections[below], rule), false, pairs);
   }
   std::erase_if(pairs, [](const LinkCandidate& pair) { return pair.moved == 0; });
   for (LinkCandidate& pair : pairs) pair.margin = pair.moved - kChainOverlap;

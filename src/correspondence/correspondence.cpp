@@ -9,6 +9,8 @@
 #include "correspondence/decisions.hpp"
 #include "correspondence/label_connector.hpp"
 #include "correspondence/labelled_sets.hpp"
+#include "correspondence/region_names.hpp"
+#include "sections/complement.hpp"
 
 namespace tetloft::internal {
 
@@ -63,8 +65,7 @@ std::vector<LinkCandidate*> by_evidence(StackCandidates& candidates) {
 
 // Rules 5 and 6. The error of a joined pair of different labels.
 Result<void> accept(StackCandidates& candidates, const StackRegions& regions,
-                    const IdVector<SectionId, Nesting>& nestings, LabelledSets& sets,
-                    std::vector<Link>& accepted) {
+                    const RegionNames& names, LabelledSets& sets, std::vector<Link>& accepted) {
   for (LinkCandidate* const candidate : by_evidence(candidates)) {
     const Link& link = candidate->link;
     const StackRegionId below = regions.below(link);
@@ -75,19 +76,24 @@ Result<void> accept(StackCandidates& candidates, const StackRegions& regions,
       continue;
     }
     if (candidate->evidence == Evidence::decision) {
-      Place place;
-      place.section = lower_section(link.slab).index();
-      place.contour = nestings[lower_section(link.slab)].outer[link.lower].index();
-      const ContourId other = nestings[upper_section(link.slab)].outer[link.upper];
       return Error{ErrorCode::invalid_input,
-                   "a decision joins this to contour " + std::to_string(other.index()) +
+                   "a decision joins this to " + names.of(upper_section(link.slab), link.upper) +
                        " of the section above, and labels, " + std::to_string(*sets.label(below)) +
                        " and " + std::to_string(*sets.label(above)) + ", part them",
-                   place};
+                   names.place(lower_section(link.slab), link.lower)};
     }
     candidate->fate = LinkFate::labels_part;
   }
   return {};
+}
+
+void unite_exteriors(const StackRegions& regions, std::size_t slabs, LabelledSets& sets,
+                     std::vector<Link>& accepted) {
+  for (const SlabId slab : IdRange<SlabId>(slabs)) {
+    const Link link{slab, sections::kExterior, sections::kExterior};
+    sets.unite(regions.below(link), regions.above(link));
+    accepted.push_back(link);
+  }
 }
 
 }  // namespace
@@ -98,10 +104,12 @@ Result<Correspondence> decide_correspondence(const SectionStack& stack,
                                              StackCandidates candidates, const Asked& asked,
                                              const std::set<Link>& dropped) {
   const StackRegions regions(nestings);
+  const RegionNames names(nestings, asked.voids);
   const Result<RegionLabels> region_labels = labels_of_regions(nestings, regions, asked.labels);
   if (!region_labels) return region_labels.error();
   LabelledSets sets(*region_labels);
-  Result<std::set<Link>> closed = apply_decisions(nestings, sections, asked.decisions, candidates);
+  Result<std::set<Link>> closed =
+      apply_decisions(nestings, sections, asked.decisions, candidates, asked.voids);
   if (!closed) return closed.error();
   for (SlabCandidates& slab : candidates) {
     for (LinkCandidate& candidate : slab) {
@@ -113,19 +121,20 @@ Result<Correspondence> decide_correspondence(const SectionStack& stack,
   closed->insert(dropped.begin(), dropped.end());
 
   std::vector<Link> accepted;
-  if (Result<void> good = accept(candidates, regions, nestings, sets, accepted); !good) {
+  if (asked.voids) unite_exteriors(regions, candidates.size(), sets, accepted);
+  if (Result<void> good = accept(candidates, regions, names, sets, accepted); !good) {
     return good.error();
   }
   if (!asked.labels.empty()) {
     const std::size_t before = accepted.size();
-    if (Result<void> connected =
-            connect_labels(stack, nestings, regions, *region_labels, *closed, sets, accepted);
+    if (Result<void> connected = connect_labels(stack, nestings, regions, *region_labels, names,
+                                                *closed, sets, accepted);
         !connected) {
       return connected.error();
     }
     for (std::size_t k = before; k < accepted.size(); ++k) {
       add_candidate(candidates[accepted[k].slab],
-                    asked_for(accepted[k], sections, Evidence::label));
+                    asked_for(accepted[k], sections, Evidence::label, asked.voids));
     }
   }
 

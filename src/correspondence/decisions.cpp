@@ -5,6 +5,9 @@
 #include <string>
 #include <utility>
 
+#include "correspondence/region_names.hpp"
+#include "correspondence/void_links.hpp"
+
 namespace tetloft::internal {
 
 namespace {
@@ -36,12 +39,14 @@ Result<Link> link_of(const IdVector<SectionId, Nesting>& nestings, const LinkDec
 
 }  // namespace
 
-LinkCandidate asked_for(const Link& link, const StackSections& sections, Evidence evidence) {
+LinkCandidate asked_for(const Link& link, const StackSections& sections, Evidence evidence,
+                        bool voids) {
   const SectionRegions& below = sections[lower_section(link.slab)];
   const SectionRegions& above = sections[upper_section(link.slab)];
   LinkCandidate candidate{link, evidence};
   candidate.ratio = candidate.moved =
-      overlap_ratio(below.outline[link.lower], above.outline[link.upper]);
+      voids ? void_ratio(below, link.lower, above, link.upper)
+            : overlap_ratio(below.outline[link.lower], above.outline[link.upper]);
   candidate.distance =
       gaps_apart(below, link.lower, above, link.upper, std::numeric_limits<double>::infinity())
           .value_or(0);
@@ -52,31 +57,33 @@ LinkCandidate asked_for(const Link& link, const StackSections& sections, Evidenc
 Result<std::set<Link>> apply_decisions(const IdVector<SectionId, Nesting>& nestings,
                                        const StackSections& sections,
                                        const std::vector<LinkDecision>& decisions,
-                                       StackCandidates& candidates) {
+                                       StackCandidates& candidates, bool voids) {
+  const RegionNames names(nestings, voids);
   std::map<Link, bool> joined;
   for (const LinkDecision& decision : decisions) {
     const Result<Link> link = link_of(nestings, decision);
     if (!link) return link.error();
     const auto [at, fresh] = joined.try_emplace(*link, decision.join);
     if (!fresh && at->second != decision.join) {
-      return decision_error(decision.slab.index(), decision.lower,
-                            "it is both joined to and parted from contour " +
-                                std::to_string(decision.upper.index()) +
-                                " of the section above, or their regions are");
+      return Error{ErrorCode::invalid_input,
+                   "it is both joined to and parted from " +
+                       names.of(upper_section(link->slab), link->upper) +
+                       " of the section above, or their " + names.many() + " are",
+                   names.place(lower_section(link->slab), link->lower)};
     }
   }
   std::set<Link> parted;
   for (const auto& [link, join] : joined) {
     SlabCandidates& of_slab = candidates[link.slab];
     if (join) {
-      add_candidate(of_slab, asked_for(link, sections, Evidence::decision));
+      add_candidate(of_slab, asked_for(link, sections, Evidence::decision, voids));
       continue;
     }
     parted.insert(link);
     if (LinkCandidate* const known = find_candidate(of_slab, link)) {
       known->fate = LinkFate::decided_part;
     } else {
-      LinkCandidate decided = asked_for(link, sections, Evidence::decision);
+      LinkCandidate decided = asked_for(link, sections, Evidence::decision, voids);
       decided.fate = LinkFate::decided_part;
       add_candidate(of_slab, decided);
     }

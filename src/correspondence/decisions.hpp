@@ -1,4 +1,5 @@
-// The user's decisions on single links: rule 4 of include/tetloft/correspondence.hpp.
+// The user's decisions on single links: rule 4 of include/tetloft/correspondence.hpp, and V4 of
+// include/tetloft/voids.hpp.
 #pragma once
 
 #include <set>
@@ -13,14 +14,14 @@
 namespace tetloft::internal {
 
 /// Makes joined pairs candidates, and parted ones none. The parted pairs; or invalid_input where a
-/// decision names no contour, or two contradict each other.
+/// decision names no contour, or two contradict each other. `voids`: sections are complements.
 [[nodiscard]] Result<std::set<Link>> apply_decisions(const IdVector<SectionId, Nesting>& nestings,
                                                      const StackSections& sections,
                                                      const std::vector<LinkDecision>& decisions,
-                                                     StackCandidates& candidates);
+                                                     StackCandidates& candidates, bool voids);
 
-/// A candidate that is one whatever is measured.
+/// A candidate that is one whatever is measured. `voids`: as above, one of them a hole.
 [[nodiscard]] LinkCandidate asked_for(const Link& link, const StackSections& sections,
-                                      Evidence evidence);
+                                      Evidence evidence, bool voids = false);
 
 }  // namespace tetloft::internal

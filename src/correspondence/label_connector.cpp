@@ -30,12 +30,13 @@ double vertex_distance(const RegionOutline& a, const RegionOutline& b) {
 class LabelConnector {
  public:
   LabelConnector(const SectionStack& stack, const IdVector<SectionId, Nesting>& nestings,
-                 const StackRegions& regions, const RegionLabels& labels,
+                 const StackRegions& regions, const RegionLabels& labels, const RegionNames& names,
                  const std::set<Link>& closed, LabelledSets& sets)
       : stack_(stack),
         nestings_(nestings),
         regions_(regions),
         labels_(labels),
+        names_(names),
         closed_(closed),
         sets_(sets) {}
 
@@ -161,25 +162,21 @@ class LabelConnector {
   [[nodiscard]] Error unrealisable(std::uint32_t value, StackRegionId apart) const {
     const auto name = [&](StackRegionId r) {
       const auto [s, region] = regions_.locate(r);
-      return "section " + std::to_string(s.index()) + " contour " +
-             std::to_string(nestings_[s].outer[region].index());
+      return "section " + std::to_string(s.index()) + " " + names_.of(s, region);
     };
     const auto [s, region] = regions_.locate(apart);
-    Place place;
-    place.section = s.index();
-    place.contour = nestings_[s].outer[region].index();
     return {ErrorCode::unrepresentable,
-            "label " + std::to_string(value) +
-                " cannot be realised: no way through regions of "
-                "this label or none from " +
-                name(first_with(value)) + " to " + name(apart),
-            place};
+            "label " + std::to_string(value) + " cannot be realised: no way through " +
+                names_.many() + " of this label or none from " + name(first_with(value)) + " to " +
+                name(apart),
+            names_.place(s, region)};
   }
 
   const SectionStack& stack_;
   const IdVector<SectionId, Nesting>& nestings_;
   const StackRegions& regions_;
   const RegionLabels& labels_;
+  const RegionNames& names_;
   const std::set<Link>& closed_;
   LabelledSets& sets_;
   std::map<Link, double> distances_;  // known ones
@@ -189,9 +186,9 @@ class LabelConnector {
 
 Result<void> connect_labels(const SectionStack& stack, const IdVector<SectionId, Nesting>& nestings,
                             const StackRegions& regions, const RegionLabels& labels,
-                            const std::set<Link>& closed, LabelledSets& sets,
-                            std::vector<Link>& accepted) {
-  return LabelConnector(stack, nestings, regions, labels, closed, sets).connect(accepted);
+                            const RegionNames& names, const std::set<Link>& closed,
+                            LabelledSets& sets, std::vector<Link>& accepted) {
+  return LabelConnector(stack, nestings, regions, labels, names, closed, sets).connect(accepted);
 }
 
 }  // namespace tetloft::internal

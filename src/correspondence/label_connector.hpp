@@ -9,6 +9,7 @@
 #include <tetloft/result.hpp>
 
 #include "correspondence/labelled_sets.hpp"
+#include "correspondence/region_names.hpp"
 
 namespace tetloft::internal {
 
@@ -18,7 +19,7 @@ namespace tetloft::internal {
 [[nodiscard]] Result<void> connect_labels(const SectionStack& stack,
                                           const IdVector<SectionId, Nesting>& nestings,
                                           const StackRegions& regions, const RegionLabels& labels,
-                                          const std::set<Link>& closed, LabelledSets& sets,
-                                          std::vector<Link>& accepted);
+                                          const RegionNames& names, const std::set<Link>& closed,
+                                          LabelledSets& sets, std::vector<Link>& accepted);
 
 }  // namespace tetloft::internal

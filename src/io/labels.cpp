@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 #include <tuple>
+#include <vector>
 
 #include "core/spelling.hpp"
 #include "io/format.hpp"
@@ -15,15 +16,24 @@ namespace tetloft::internal::io {
 
 namespace {
 
-constexpr std::string_view kJoin = "join";
-constexpr std::string_view kPart = "part";
 constexpr std::string_view kLabelForm = "section contour label";
-constexpr std::string_view kDecisionForm = " section contour contour_above";
+constexpr std::string_view kHole = "hole";
+constexpr std::string_view kHoleForm = "hole section contour label";
+// In place of a hole.
+constexpr std::string_view kOutside = "outside";
+
+// Lines of decisions: on regions, or on voids.
+struct DecisionForm {
+  std::string_view yes, no, fields;
+  std::vector<LinkDecision> Labels::*decisions;
+};
+constexpr std::array<DecisionForm, 2> kDecisions{
+    {{"join", "part", " section contour contour_above", &Labels::decisions},
+     {"open", "close", " section hole hole_above", &Labels::void_decisions}}};
+constexpr std::size_t kOfVoids = 1;
 
 // Largest value of a section, contour or label: one less than an invalid id.
 constexpr std::int64_t kLargestIndex = std::numeric_limits<std::uint32_t>::max() - 1;
-
-using Values = std::array<std::uint32_t, 3>;
 
 bool begins_as_number(std::string_view field) {
   const char c = field.front();
@@ -38,7 +48,9 @@ class LabelReader {
     Result<void> good = for_each_row(
         source_.bytes,
         [this](std::size_t line, const RowFields& fields) { return take(line, fields); });
-    if (good) good = refuse_contradictions();
+    for (std::size_t kind = 0; kind < kDecisions.size() && good; ++kind) {
+      good = refuse_contradictions(kind);
+    }
     if (!good) return good.error();
     return std::move(labels_);
   }
@@ -46,57 +58,87 @@ class LabelReader {
  private:
   Result<void> take(std::size_t line, const RowFields& fields) {
     const std::string_view word = fields.field[0];
-    if (word == kJoin || word == kPart) return take_decision(line, fields, word == kJoin);
+    for (std::size_t kind = 0; kind < kDecisions.size(); ++kind) {
+      const DecisionForm& form = kDecisions[kind];
+      if (word == form.yes || word == form.no) return take_decision(line, fields, kind);
+    }
+    if (word == kHole) return take_label(line, fields, 1, kHoleForm, labels_.hole_labels);
     if (!begins_as_number(word)) {
       return row_error(source_.name, line,
-                       in_quotes(word) + " is neither join, part nor a section" +
-                           did_you_mean(word, {kJoin, kPart}));
+                       in_quotes(word) + " is neither join, part, hole, open, close nor a section" +
+                           did_you_mean(word, {"join", "part", kHole, "open", "close"}));
     }
-    if (fields.count != 3) return row_form_error(source_.name, line, kLabelForm, fields.count);
-    const auto values = integers(line, fields, 0, {"section", "contour", "label"});
-    if (!values) return values.error();
-    const auto [section, contour, label] = *values;
-    labels_.labels.push_back({SectionId(section), ContourId(contour), label});
+    return take_label(line, fields, 0, kLabelForm, labels_.labels);
+  }
+
+  // Its fields begin with `first`.
+  Result<void> take_label(std::size_t line, const RowFields& fields, std::size_t first,
+                          std::string_view form, std::vector<Label>& labels) {
+    if (fields.count != first + 3) return row_form_error(source_.name, line, form, fields.count);
+    const auto section = index(line, fields.field[first], "section");
+    if (!section) return section.error();
+    const auto contour = index(line, fields.field[first + 1], "contour");
+    if (!contour) return contour.error();
+    const auto label = index(line, fields.field[first + 2], "label");
+    if (!label) return label.error();
+    labels.push_back({SectionId(*section), ContourId(*contour), *label});
     return {};
   }
 
-  Result<void> take_decision(std::size_t line, const RowFields& fields, bool join) {
+  Result<void> take_decision(std::size_t line, const RowFields& fields, std::size_t kind) {
+    const DecisionForm& form = kDecisions[kind];
+    const std::string_view word = fields.field[0];
     if (fields.count != 4) {
-      return row_form_error(source_.name, line,
-                            std::string(join ? kJoin : kPart) + std::string(kDecisionForm),
+      return row_form_error(source_.name, line, std::string(word) + std::string(form.fields),
                             fields.count);
     }
-    const auto values = integers(line, fields, 1, {"section", "contour", "contour"});
-    if (!values) return values.error();
-    const auto [section, lower, upper] = *values;
-    labels_.decisions.push_back({SlabId(section), ContourId(lower), ContourId(upper), join});
-    line_.push_back(line);
+    const auto section = index(line, fields.field[1], "section");
+    if (!section) return section.error();
+    const auto lower = contour(line, fields.field[2], kind);
+    if (!lower) return lower.error();
+    const auto upper = contour(line, fields.field[3], kind);
+    if (!upper) return upper.error();
+    if (!lower->valid() && !upper->valid()) {
+      return row_error(source_.name, line,
+                       "the outside is the same in all sections: there is nothing to decide");
+    }
+    (labels_.*form.decisions).push_back({SlabId(*section), *lower, *upper, word == form.yes});
+    line_[kind].push_back(line);
     return {};
   }
 
-  // Three of the fields.
-  Result<Values> integers(std::size_t line, const RowFields& fields, std::size_t first,
-                          const std::array<const char*, 3>& names) const {
-    Values values{};
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      const std::string_view field = fields.field[first + i];
-      const auto value = parse_integer(field);
-      if (!value || *value < 0 || *value > kLargestIndex) {
-        return row_error(source_.name, line,
-                         in_quotes(field) + " is no " + names[i] + ": expected an integer from 0");
-      }
-      values[i] = static_cast<std::uint32_t>(*value);
+  // A contour, or of voids the outside, which has none.
+  Result<ContourId> contour(std::size_t line, std::string_view field, std::size_t kind) const {
+    if (kind != kOfVoids) {
+      const auto value = index(line, field, "contour");
+      if (!value) return value.error();
+      return ContourId(*value);
     }
-    return values;
+    if (field == kOutside) return ContourId();
+    const auto value = index(line, field, "hole", " or outside");
+    if (!value) return value.error();
+    return ContourId(*value);
+  }
+
+  Result<std::uint32_t> index(std::size_t line, std::string_view field, const char* name,
+                              const char* other = "") const {
+    const auto value = parse_integer(field);
+    if (!value || *value < 0 || *value > kLargestIndex) {
+      return row_error(
+          source_.name, line,
+          in_quotes(field) + " is no " + name + ": expected an integer from 0" + other);
+    }
+    return static_cast<std::uint32_t>(*value);
   }
 
   // Of two lines on the same contours: that on the regions of different ones is found later.
-  [[nodiscard]] Result<void> refuse_contradictions() const {
-    std::vector<std::size_t> order(line_.size());
+  [[nodiscard]] Result<void> refuse_contradictions(std::size_t kind) const {
+    const DecisionForm& form = kDecisions[kind];
+    const std::vector<LinkDecision>& decisions = labels_.*form.decisions;
+    std::vector<std::size_t> order(decisions.size());
     for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
-    const auto link = [this](std::size_t k) {
-      const LinkDecision& decision = labels_.decisions[k];
-      return std::tuple(decision.slab, decision.lower, decision.upper);
+    const auto link = [&](std::size_t k) {
+      return std::tuple(decisions[k].slab, decisions[k].lower, decisions[k].upper);
     };
     std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
       return std::tuple(link(a), a) < std::tuple(link(b), b);
@@ -105,42 +147,64 @@ class LabelReader {
       const std::size_t before = order[k - 1];
       const std::size_t here = order[k];
       if (link(before) != link(here)) continue;
-      if (labels_.decisions[before].join == labels_.decisions[here].join) continue;
-      return row_error(
-          source_.name, line_[here],
-          "join and part of the same contours: see line " + std::to_string(line_[before]));
+      if (decisions[before].join == decisions[here].join) continue;
+      return row_error(source_.name, line_[kind][here],
+                       std::string(form.yes) + " and " + std::string(form.no) +
+                           " of the same contours: see line " +
+                           std::to_string(line_[kind][before]));
     }
     return {};
   }
 
   const Source& source_;
   Labels labels_;
-  std::vector<std::size_t> line_;  // of each decision
+  // Of each decision, by kind.
+  std::array<std::vector<std::size_t>, kDecisions.size()> line_;
 };
 
 Result<Labels> read_label_lines(const Source& source, const ReadOptions& /*options*/) {
   return LabelReader(source).read();
 }
 
-void append_values(Pieces& pieces, const Values& values) {
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (i != 0) pieces.text() += ' ';
-    append_number(pieces.text(), values[i]);
+void append_field(std::string& text, std::uint32_t value) {
+  if (!text.empty()) text += ' ';
+  append_number(text, value);
+}
+
+void append_labels(Pieces& pieces, std::string_view word, const std::vector<Label>& labels) {
+  for (const Label& label : labels) {
+    std::string line(word);
+    append_field(line, label.section.value());
+    append_field(line, label.contour.value());
+    append_field(line, label.label);
+    pieces.text() += line + '\n';
+    pieces.next();
   }
-  pieces.text() += '\n';
-  pieces.next();
+}
+
+void append_decisions(Pieces& pieces, const DecisionForm& form,
+                      const std::vector<LinkDecision>& decisions) {
+  for (const LinkDecision& decision : decisions) {
+    std::string line(decision.join ? form.yes : form.no);
+    append_field(line, decision.slab.value());
+    for (const ContourId contour : {decision.lower, decision.upper}) {
+      if (contour.valid()) {
+        append_field(line, contour.value());
+      } else {
+        (line += ' ') += kOutside;
+      }
+    }
+    pieces.text() += line + '\n';
+    pieces.next();
+  }
 }
 
 Written write_label_lines(Sink& sink, const Labels& labels, const Target& /*target*/) {
   Pieces pieces(sink);
-  for (const Label& label : labels.labels) {
-    append_values(pieces, {label.section.value(), label.contour.value(), label.label});
-  }
-  for (const LinkDecision& decision : labels.decisions) {
-    pieces.text() += decision.join ? kJoin : kPart;
-    pieces.text() += ' ';
-    append_values(pieces, {decision.slab.value(), decision.lower.value(), decision.upper.value()});
-  }
+  append_labels(pieces, "", labels.labels);
+  append_decisions(pieces, kDecisions[0], labels.decisions);
+  append_labels(pieces, kHole, labels.hole_labels);
+  append_decisions(pieces, kDecisions[kOfVoids], labels.void_decisions);
   pieces.finish();
   return std::vector<Warning>();
 }
@@ -151,7 +215,9 @@ extern constinit const Format labels_format{
     .name = "labels",
     .summary =
         "lines \"section contour label\", \"join section contour contour_above\" or \"part "
-        "section contour contour_above\", zero-based, # comments",
+        "section contour contour_above\"; of voids \"hole section contour label\", \"open section "
+        "hole hole_above\" or \"close section hole hole_above\", where a hole may be \"outside\"; "
+        "zero-based, # comments",
     .extensions = {".labels", ".txt"},
     .takes_text = true,
     .read_labels = read_label_lines,

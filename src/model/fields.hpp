@@ -1,6 +1,6 @@
 // The data that a model carries about its points and tets, once: every reader, writer and check of
-// it goes through this list. In files an id is an Int32, −1 where it is invalid, an enumeration or
-// a yes or no a UInt8, and a number, which is finite, a Float64.
+// it goes through this list. In files an id is an Int32, −1 where it is invalid, a count an Int32,
+// an enumeration or a yes or no a UInt8, and a number, which is finite, a Float64.
 #pragma once
 
 #include <cmath>
@@ -48,6 +48,8 @@ template <>
 struct StoredAs<Evidence> : StoredEnum<Evidence, kEvidences> {};
 template <>
 struct StoredAs<LinkFate> : StoredEnum<LinkFate, kLinkFates> {};
+template <>
+struct StoredAs<VoidPlanes> : StoredEnum<VoidPlanes, kVoidPlanes> {};
 
 template <>
 struct StoredAs<bool> {
@@ -57,6 +59,16 @@ struct StoredAs<bool> {
   static Type store(bool value) { return value ? 1 : 0; }
   static bool load(std::int64_t value) { return value != 0; }
   static bool legal(bool) { return true; }
+};
+
+template <>
+struct StoredAs<std::int32_t> {
+  using Type = std::int32_t;
+  static constexpr std::int64_t kLeast = std::numeric_limits<Type>::min();
+  static constexpr std::int64_t kLargest = std::numeric_limits<Type>::max();
+  static Type store(std::int32_t value) { return value; }
+  static std::int32_t load(std::int64_t value) { return static_cast<std::int32_t>(value); }
+  static bool legal(std::int32_t) { return true; }
 };
 
 template <>

@@ -16,8 +16,9 @@ inline constexpr std::size_t kMostModelTets = std::size_t{1} << 30;
 [[nodiscard]] Result<void> check_tets(std::size_t vertex_count, std::span<const TetVertices> tets);
 
 /// The same; and where an array of the model has neither no values nor one for each tet or point,
-/// or a kind or origin that there is none of; or a link or motion without a slab or contour, of no
-/// evidence or fate, or with a number that is not finite.
+/// or a kind or origin that there is none of; or a link, motion or deviation without a slab, or
+/// without a contour (of a link of voids: an exterior's has none), of no evidence or fate, or with
+/// a number that is not finite.
 [[nodiscard]] Result<void> check_well_formed(const Model& model);
 
 }  // namespace tetloft::internal

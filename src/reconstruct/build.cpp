@@ -17,7 +17,8 @@ SlabBuilds::SlabBuilds(PreparedStack& prepared, Decision& decision, Plan& plan,
       plan_(plan),
       options_(options),
       work_(work),
-      outcome_(prepared.slab_count()) {}
+      outcome_(prepared.slab_count()),
+      may_ask_(prepared.slab_count(), 1) {}
 
 std::optional<Error> SlabBuilds::run() {
   std::vector<SlabId> to_build = all_ids<SlabId>(outcome_.size());
@@ -42,7 +43,8 @@ std::optional<Error> SlabBuilds::build(const std::vector<SlabId>& slabs) {
       slabs, options_.execution.threads, work_, [&](SlabId slab) -> std::optional<Error> {
         Result<SlabOutcome> outcome = build_slab(
             slab, prepared_.sections[lower_section(slab)], prepared_.sections[upper_section(slab)],
-            {plan_.correspondence.links[slab]}, {options_.delaunay, options_.work_limit});
+            {plan_.correspondence.links[slab], plan_.voids ? &plan_.voids->links[slab] : nullptr},
+            {options_.delaunay, options_.work_limit, may_ask_[slab] != 0});
         if (!outcome) return outcome.error();
         outcome_[slab] = std::move(*outcome);
         if (auto* refused = std::get_if<Unrepresentable>(&outcome_[slab])) return refused->error;
@@ -58,17 +60,27 @@ Result<std::vector<SlabId>> SlabBuilds::refine(SlabId slab, const RefineHere& wa
   std::vector<SlabId> touched;
   for (const bool upper : {false, true}) {
     const SectionId s = section_of(slab, upper);
-    const Nesting& nesting = prepared_.nestings[s];
     IdVector<ContourId, bool> gabriel = plan_.gabriel[s];
-    if (gabriel.empty()) gabriel.assign(nesting.region.size(), false);
+    if (gabriel.empty()) gabriel.assign(prepared_.nestings[s].region.size(), false);
     for (const ContourId c : wanted.contours[upper ? 1 : 0]) gabriel[c] = true;
-    if (std::find(gabriel.begin(), gabriel.end(), true) == gabriel.end()) continue;
-    if (gabriel == plan_.gabriel[s]) continue;
-    if (auto error = prepared_.conform_section(s, gabriel)) return *error;
+    if (std::find(gabriel.begin(), gabriel.end(), true) == gabriel.end()) gabriel.clear();
+    std::vector<Point2> apart = plan_.apart[s];
+    for (const Point2& p : wanted.apart) {
+      if (std::find(apart.begin(), apart.end(), p) == apart.end()) apart.push_back(p);
+    }
+    if (gabriel == plan_.gabriel[s] && apart == plan_.apart[s]) continue;
+    if (auto error = prepared_.conform_section(s, gabriel, apart)) {
+      if (!wanted.optional) return *error;
+      may_ask_[slab] = 0;
+      continue;
+    }
     plan_.gabriel[s] = std::move(gabriel);
+    plan_.apart[s] = std::move(apart);
     if (s.index() > 0) touched.emplace_back(s.value() - 1);
     if (s.index() < outcome_.size()) touched.emplace_back(s.value());
   }
+  if (wanted.optional && touched.empty()) may_ask_[slab] = 0;
+  touched.push_back(slab);
   if (decision_.depends_on_triangulations()) {
     if (auto error = adopt(decision_.make(touched, work_), touched)) return *error;
   }

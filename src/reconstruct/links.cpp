@@ -11,6 +11,7 @@
 #include "correspondence/link_report.hpp"
 #include "model/sureness.hpp"
 #include "reconstruct/decide.hpp"
+#include "reconstruct/decide_voids.hpp"
 #include "reconstruct/hints.hpp"
 #include "reconstruct/prepare.hpp"
 #include "reconstruct/stack_errors.hpp"
@@ -39,6 +40,13 @@ Result<StackLinks> links_of(const SectionStack& stack, const ReconstructOptions&
   }
   result.motions = decision.motions();
   for (RegionMotion& motion : result.motions) motion.by = scaled(motion.by, -prepared->exponent);
+  const VoidDecision void_decision(*prepared, options);
+  const Result<std::optional<Correspondence>> voids = void_decision.make(work);
+  if (!voids) return voids.error();
+  if (*voids) {
+    result.void_links = void_decision.links(**voids);
+    result.cavities = cavities(**voids);
+  }
   result.partition = std::move(decided->partition);
   for (const auto& section : result.partition) {
     for (const ComponentId id : section) {
@@ -46,6 +54,13 @@ Result<StackLinks> links_of(const SectionStack& stack, const ReconstructOptions&
     }
   }
   return result;
+}
+
+template <class Links>
+void sort_by_sureness(Links& links) {
+  std::stable_sort(links.begin(), links.end(), [](const RegionLink& a, const RegionLink& b) {
+    return sureness(a) < sureness(b);
+  });
 }
 
 }  // namespace
@@ -59,9 +74,12 @@ Result<StackLinks> find_links(const SectionStack& stack, const LinkOptions& give
 }
 
 std::vector<RegionLink> least_sure_first(std::vector<RegionLink> links) {
-  std::stable_sort(links.begin(), links.end(), [](const RegionLink& a, const RegionLink& b) {
-    return sureness(a) < sureness(b);
-  });
+  sort_by_sureness(links);
+  return links;
+}
+
+std::vector<VoidLink> least_sure_first(std::vector<VoidLink> links) {
+  sort_by_sureness(links);
   return links;
 }
 

@@ -23,7 +23,12 @@ struct Plan {
   std::optional<EndPlanes> ends;
   /// The contours to be refined to Gabriel edges, by section; empty: none.
   IdVector<SectionId, IdVector<ContourId, bool>> gabriel;
+  /// The points that circles of triangles inside a section's region must not hold
+  /// (ConformOptions::apart), by section.
+  IdVector<SectionId, std::vector<Point2>> apart;
   Correspondence correspondence;
+  /// Of voids: as VoidDecision::make().
+  std::optional<Correspondence> voids;
   std::vector<RegionMotion> motions;  ///< that it was decided by; in the plan's unit
 };
 

@@ -10,12 +10,13 @@
 namespace tetloft::internal {
 
 std::optional<Error> PreparedStack::conform_section(SectionId s,
-                                                    const IdVector<ContourId, bool>& gabriel) {
+                                                    const IdVector<ContourId, bool>& gabriel,
+                                                    const std::vector<Point2>& apart) {
   std::size_t vertices = 0;
   for (const Contour& contour : stack.sections[s].contours) vertices += contour.vertices.size();
-  Result<ConformingSection> section =
-      conform(stack.sections[s], s,
-              {.gabriel = gabriel, .most_inserted = most_inserted(work_limit, vertices)});
+  Result<ConformingSection> section = conform(
+      stack.sections[s], s,
+      {.gabriel = gabriel, .apart = apart, .most_inserted = most_inserted(work_limit, vertices)});
   if (!section) return section.error();
   sections[s] = std::move(*section);
   return std::nullopt;

@@ -25,9 +25,11 @@ struct PreparedStack {
   /// Requires a section, as validate() does.
   [[nodiscard]] std::size_t slab_count() const { return section_count() - 1; }
 
-  /// Conforms a section; the edges of the given contours become Gabriel (empty: none).
+  /// Conforms a section; the edges of the given contours become Gabriel (empty: none), and `apart`
+  /// is as in ConformOptions. Leaves it as it was where that fails.
   [[nodiscard]] std::optional<Error> conform_section(SectionId s,
-                                                     const IdVector<ContourId, bool>& gabriel = {});
+                                                     const IdVector<ContourId, bool>& gabriel = {},
+                                                     const std::vector<Point2>& apart = {});
 };
 
 /// Are the sections needed as conforming ones?

@@ -18,11 +18,13 @@
 #include "model/scaling.hpp"
 #include "reconstruct/build.hpp"
 #include "reconstruct/decide.hpp"
+#include "reconstruct/decide_voids.hpp"
 #include "reconstruct/ends.hpp"
 #include "reconstruct/glue.hpp"
 #include "reconstruct/hints.hpp"
 #include "reconstruct/prepare.hpp"
 #include "reconstruct/stack_errors.hpp"
+#include "reconstruct/void_outcome.hpp"
 
 namespace tetloft {
 
@@ -103,6 +105,7 @@ Result<std::optional<Reconstruction>> make(PreparedStack& prepared,
   Plan plan;
   plan.exponent = prepared.exponent;
   plan.gabriel.resize(prepared.section_count());
+  plan.apart.resize(prepared.section_count());
   Result<std::optional<EndPlanes>> ends = place_ends(prepared, options, result.warnings);
   if (!ends) return ends.error();
   plan.ends = *ends;
@@ -111,6 +114,10 @@ Result<std::optional<Reconstruction>> make(PreparedStack& prepared,
   if (!decided) return decided.error();
   plan.correspondence = std::move(*decided);
   plan.motions = decision.motions();
+  const VoidDecision void_decision(prepared, options);
+  Result<std::optional<Correspondence>> voids = void_decision.make(work);
+  if (!voids) return voids.error();
+  plan.voids = std::move(*voids);
   clock.end(Step::correspondence);
 
   SlabBuilds builds(prepared, decision, plan, options, work);
@@ -121,12 +128,15 @@ Result<std::optional<Reconstruction>> make(PreparedStack& prepared,
     if (hint) result.warnings.push_back(*hint);
   }
   std::vector<Part> parts = builds.take_parts();
+  VoidOutcome of_voids = void_outcome(prepared, plan.voids, void_decision, parts);
   add_up(parts, report);
   count(report.rules, Rule::gabriel_refinement, builds.refinements());
   StepClock gluing(report.seconds);
   result.model = glue(prepared.sections, plan.correspondence.component, std::move(parts));
   result.model.links = region_links(plan.correspondence.candidates, prepared.nestings);
   result.model.motions = std::move(plan.motions);
+  result.model.void_links = std::move(of_voids.links);
+  result.model.deviations = std::move(of_voids.deviations);
   gluing.end(Step::assembly);
   if (const auto hint = hint_of_many_tets(prepared, result.model)) result.warnings.push_back(*hint);
   describe(prepared, result.model, report);

@@ -12,8 +12,8 @@ namespace tetloft::internal {
 
 namespace {
 
-constexpr RecordKind kPlan{"plan", 2, "a plan"};
-constexpr RecordKind kSolid{"slab", 1, "the solid of a slab"};
+constexpr RecordKind kPlan{"plan", 3, "a plan"};
+constexpr RecordKind kSolid{"slab", 2, "the solid of a slab"};
 
 // The least that a vector of a vector takes: its count.
 constexpr std::size_t kVector = sizeof(std::uint64_t);
@@ -37,6 +37,29 @@ void get_gabriel(RecordReader& in, Plan& plan) {
   for (auto& section : plan.gabriel) {
     section.resize(in.get_count(1));
     for (const ContourId c : section.ids()) section[c] = in.get<std::uint8_t>() != 0;
+  }
+}
+
+void put_apart(const Plan& plan, RecordWriter& out) {
+  out.put_count(plan.apart.size());
+  for (const std::vector<Point2>& section : plan.apart) {
+    out.put_count(section.size());
+    for (const Point2& p : section) {
+      out.put(p.x);
+      out.put(p.y);
+    }
+  }
+}
+
+void get_apart(RecordReader& in, Plan& plan) {
+  plan.apart.resize(in.get_count(kVector));
+  for (auto& section : plan.apart) {
+    section.resize(in.get_count(2 * sizeof(double)));
+    for (Point2& p : section) {
+      p.x = in.get<double>();
+      p.y = in.get<double>();
+      in.require(std::isfinite(p.x) && std::isfinite(p.y), "has a point that is not finite");
+    }
   }
 }
 
@@ -146,33 +169,46 @@ void get_correspondence(RecordReader& in, Correspondence& correspondence) {
   get_candidates(in, correspondence.candidates);
 }
 
-void check_plan(const Plan& plan, RecordReader& in) {
-  const auto& [links, component, partition, candidates] = plan.correspondence;
-  const std::size_t sections = plan.gabriel.size();
+// `what`: "region" or "void".
+void check_correspondence(const Correspondence& correspondence, std::size_t sections,
+                          const std::string& what, RecordReader& in) {
+  const auto& [links, component, partition, candidates] = correspondence;
   in.require(sections > 0 && links.size() == sections - 1 && component.size() == sections &&
                  partition.size() == sections && candidates.size() == links.size(),
              "plans some of its sections");
   if (in.refused()) return;
-  for (const SectionId s : plan.gabriel.ids()) {
-    in.require(plan.gabriel[s].empty() || plan.gabriel[s].size() == partition[s].size(),
-               "refines some of its contours");
-  }
   for (const SlabId slab : links.ids()) {
     for (const Link& link : links[slab]) {
       in.require(link.lower.index() < component[lower_section(slab)].size() &&
                      link.upper.index() < component[upper_section(slab)].size(),
-                 "links a region it lacks");
+                 "links a " + what + " it lacks");
     }
   }
   for (const SlabId slab : candidates.ids()) {
     for (const LinkCandidate& candidate : candidates[slab]) {
       in.require(candidate.link.lower.index() < component[lower_section(slab)].size() &&
                      candidate.link.upper.index() < component[upper_section(slab)].size(),
-                 "tells of a region it lacks");
+                 "tells of a " + what + " it lacks");
     }
   }
+}
+
+void check_plan(const Plan& plan, RecordReader& in) {
+  const auto& partition = plan.correspondence.partition;
+  check_correspondence(plan.correspondence, plan.gabriel.size(), "region", in);
+  if (plan.voids) check_correspondence(*plan.voids, plan.gabriel.size(), "void", in);
+  if (in.refused()) return;
+  in.require(plan.apart.size() == plan.gabriel.size(), "plans some of its sections");
+  for (const SectionId s : plan.gabriel.ids()) {
+    in.require(plan.gabriel[s].empty() || plan.gabriel[s].size() == partition[s].size(),
+               "refines some of its contours");
+    // The frame of a complement is a contour more, and its exterior a void in every section.
+    in.require(!plan.voids || (plan.voids->partition[s].size() == partition[s].size() + 1 &&
+                               !plan.voids->component[s].empty()),
+               "has other voids than regions");
+  }
   for (const RegionMotion& motion : plan.motions) {
-    in.require(motion.slab.index() < links.size() &&
+    in.require(motion.slab.index() < plan.correspondence.links.size() &&
                    motion.contour.index() < partition[section_of(motion.slab, motion.upper)].size(),
                "moves a contour it lacks");
   }
@@ -231,8 +267,11 @@ std::string to_record(const Plan& plan) {
   out.put(plan.ends ? plan.ends->below : 0);
   out.put(plan.ends ? plan.ends->above : 0);
   put_gabriel(plan, out);
+  put_apart(plan, out);
   put_correspondence(plan.correspondence, out);
   put_motions(plan.motions, out);
+  out.put(static_cast<std::uint8_t>(plan.voids ? 1 : 0));
+  if (plan.voids) put_correspondence(*plan.voids, out);
   return out.take();
 }
 
@@ -247,8 +286,10 @@ Result<Plan> plan_from_record(std::string_view bytes, const std::string& name) {
     if (has_ends) plan.ends = {below, above};
     in.require(std::isfinite(below) && std::isfinite(above), "has an end that is not finite");
     get_gabriel(in, plan);
+    get_apart(in, plan);
     get_correspondence(in, plan.correspondence);
     get_motions(in, plan.motions);
+    if (in.get<std::uint8_t>() != 0) get_correspondence(in, plan.voids.emplace());
     check_plan(plan, in);
     if (Result<void> read = in.end(); !read) return read.error();
     return plan;
@@ -277,6 +318,22 @@ std::string to_record(const SlabSolid& solid) {
   out.put(solid.smallest_lift);
   out.put_all(solid.seconds);
   out.put(solid.work);
+  out.put_count(solid.deviations.size());
+  for (const SlabDeviation& deviation : solid.deviations) {
+    out.put(deviation.region);
+    for (const std::int32_t chi : {deviation.least, deviation.most, deviation.got}) out.put(chi);
+  }
+  out.put_count(solid.unrealised.size());
+  for (const Link& link : solid.unrealised) {
+    out.put(link.slab);
+    out.put(link.lower);
+    out.put(link.upper);
+  }
+  out.put_count(solid.united_voids.size());
+  for (const auto& [a, b] : solid.united_voids) {
+    out.put(a);
+    out.put(b);
+  }
   return out.take();
 }
 
@@ -292,6 +349,25 @@ Result<SlabSolid> solid_from_record(std::string_view bytes, const std::string& n
     solid.smallest_lift = in.get<double>();
     const std::vector<double> seconds = in.get_all<double>();
     solid.work = in.get<std::uint64_t>();
+    solid.deviations.resize(in.get_count(4 * sizeof(std::uint32_t)));
+    for (SlabDeviation& deviation : solid.deviations) {
+      deviation.region = in.get<SlabRegionId>();
+      in.require(deviation.region.index() < solid.regions.size(), "names a region it lacks");
+      for (std::int32_t* const chi : {&deviation.least, &deviation.most, &deviation.got}) {
+        *chi = in.get<std::int32_t>();
+      }
+    }
+    solid.unrealised.resize(in.get_count(3 * sizeof(std::uint32_t)));
+    for (Link& link : solid.unrealised) {
+      link.slab = in.get<SlabId>();
+      link.lower = in.get<RegionId>();
+      link.upper = in.get<RegionId>();
+    }
+    solid.united_voids.resize(in.get_count(2 * sizeof(std::uint32_t)));
+    for (auto& [a, b] : solid.united_voids) {
+      a = in.get<SlabVoidId>();
+      b = in.get<SlabVoidId>();
+    }
     in.require(rules.size() == solid.rules.size() && seconds.size() == solid.seconds.size(),
                "counts rules or steps that there are not");
     if (Result<void> read = in.end(); !read) return read.error();

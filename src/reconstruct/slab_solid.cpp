@@ -97,7 +97,7 @@ class SlabBuilder {
         options_(options),
         vertices_(lower.vertex_count(), upper.vertex_count()),
         pits_(lower, upper),
-        topology_(links, pits_) {}
+        topology_(lower, upper, links, pits_) {}
 
   Result<SlabOutcome> run() {
     // Each round but the last opens a pit at least, or gives all of them up.
@@ -241,6 +241,7 @@ class SlabBuilder {
     count(solid.rules, Rule::opened_pit, pits_.opened());
     count(solid.rules, Rule::opened_face, pits_.pairs());
     solid.united_voids = topology_.united();
+    solid.unrealised = topology_.unrealised();
     solid.seconds = seconds_;
     solid.work = work_;
   }

@@ -15,7 +15,6 @@
 #include <tetloft/result.hpp>
 
 #include "completion/passages.hpp"
-#include "sections/face_overlay.hpp"
 #include "slab/link.hpp"
 #include "slab/rules.hpp"
 #include "subdivision/truncation.hpp"
@@ -27,8 +26,6 @@ struct SlabLinks {
   const std::vector<Link>& regions;
   /// Of voids (sections/complement.hpp numbers them); null where nothing was decided about them.
   const std::vector<Link>* voids = nullptr;
-  /// Of the sections as they were given; null with `voids`.
-  const sections::FaceOverlay* faces = nullptr;
 };
 
 /// What the solid of a slab has in place of the topology that the links imply.
@@ -51,6 +48,8 @@ struct SlabSolid {
   std::uint64_t work = 0;  ///< ReconstructReport::work
   /// By region; none where nothing was decided about voids.
   std::vector<SlabDeviation> deviations;
+  /// Links of voids that are none, since no opening could be had.
+  std::vector<Link> unrealised;
   /// Voids that count as one though no link says so: rule V6 of voids.hpp. Of sections, lower and
   /// upper of the slab or two of one section.
   std::vector<Inseparable> united_voids;
@@ -67,6 +66,8 @@ struct RefineHere {
   /// Of both sections, in the plane: points of faces to be opened that circles of triangles inside
   /// the regions must not hold (ConformOptions::apart).
   std::vector<Point2> apart;
+  /// Is it for the topology alone, which can be gone without?
+  bool optional = false;
 };
 
 /// A class of several regions has no Delaunay edge between its parts though its contours are

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "completion/sealed_faces.hpp"
+#include "sections/conforming_section.hpp"
 #include "sections/inner_point.hpp"
 
 namespace tetloft::internal {
@@ -40,17 +41,27 @@ void add_contours(const Slab& slab, const SlabVoids& voids, SlabVoidId v, Refine
 
 }  // namespace
 
+Topology::Topology(const ConformingSection& lower, const ConformingSection& upper,
+                   const SlabLinks& links, Pits& pits)
+    : links_(links), pits_(pits) {
+  if (links.voids == nullptr) return;
+  faces_.emplace(sections::given_section(lower), lower.nesting, sections::given_section(upper),
+                 upper.nesting);
+}
+
 Topology::Next Topology::make(const SlabView& view, Completion& completion, bool may_ask,
                               RuleCounts& rules) {
   if (links_.voids == nullptr) return Next::go_on;
   SlabVoids voids(view.slab.lower(), view.slab.upper(), *links_.voids);
   if (!part_voids(view, voids, completion, may_ask, rules)) return Next::refine;
-  groups_ = expected_topology(*links_.faces, view.slab.lower(), view.slab.upper(),
+  groups_ = expected_topology(*faces_, view.slab.lower(), view.slab.upper(),
                               {links_.regions, *links_.voids, united_});
   const ChiGroups groups(view.slab, view.classes, view.active, chi_ranges(view));
   count(rules, Rule::filled_handle, fill_handles(groups, voids, completion));
   bridge_faces(view, groups, completion, rules);
-  return open_faces(view, voids, groups, completion, may_ask);
+  const Next next = open_faces(view, voids, groups, completion, may_ask);
+  if (next == Next::go_on) drop_unrealised(view, voids, completion);
+  return next;
 }
 
 // False where contours have to be finer before two voids are taken for one.
@@ -66,6 +77,7 @@ bool Topology::part_voids(const SlabView& view, SlabVoids& voids, Completion& co
     for (const SlabVoidId v : *stuck) add_contours(view.slab, voids, v, here);
     if (may_ask && !is_refined(view.slab, here)) {
       wanted_ = std::move(here);
+      wanted_.optional = true;
       return false;
     }
     count(rules, Rule::united_voids);
@@ -73,6 +85,25 @@ bool Topology::part_voids(const SlabView& view, SlabVoids& voids, Completion& co
     voids.unite((*stuck)[0], (*stuck)[1]);
   }
   return true;
+}
+
+// What is not open is no link; the rest implies another topology then.
+void Topology::drop_unrealised(const SlabView& view, const SlabVoids& voids,
+                               const Completion& completion) {
+  unrealised_.clear();
+  if (voids.void_count() == 2) return;
+  const std::vector<SlabVoidId> joined =
+      joined_voids(view.slab, view.classes, voids, completion.complex());
+  std::vector<Link> realised;
+  for (const Link& link : *links_.voids) {
+    const SlabVoidId below = voids.numbering().in_slab(false, link.lower);
+    const SlabVoidId above = voids.numbering().in_slab(true, link.upper);
+    const bool open = joined[below.index()] == joined[above.index()];
+    (open ? realised : unrealised_).push_back(link);
+  }
+  if (unrealised_.empty()) return;
+  groups_ = expected_topology(*faces_, view.slab.lower(), view.slab.upper(),
+                              {links_.regions, realised, united_});
 }
 
 // Of active classes; what ends in a prism has the topology of its region.
@@ -105,13 +136,13 @@ void Topology::bridge_faces(const SlabView& view, const ChiGroups& groups, Compl
   const VoidSpace space(view.slab, view.classes, voids, completion.complex());
   const auto joined = joined_voids(view.slab, view.classes, voids, completion.complex());
   const SlabRegions& regions = view.classes.regions();
-  for (const sections::FaceId f : links_.faces->faces().ids()) {
-    const sections::OverlayFace& face = links_.faces->faces()[f];
+  for (const sections::FaceId f : faces_->faces().ids()) {
+    const sections::OverlayFace& face = faces_->faces()[f];
     if (!face.lower.solid || !face.upper.solid) continue;
     const ClassId c = view.classes.of_region(regions.in_slab(false, face.lower.id));
     if (view.classes.of_region(regions.in_slab(true, face.upper.id)) != c) continue;
     if (!groups.is_high(c, sums)) continue;
-    const std::optional<Point2> p = sections::inner_point(*links_.faces, f);
+    const std::optional<Point2> p = sections::inner_point(*faces_, f);
     if (!p) continue;
     std::vector<Wall> walls;
     for (const TetId t : tets_over(view.slab, *p)) {
@@ -149,9 +180,10 @@ Topology::Next Topology::open_faces(const SlabView& view, const SlabVoids& voids
   const VoidSpace space(view.slab, view.classes, voids, completion.complex());
   const SlabRegions& regions = view.classes.regions();
   wanted_ = {};
+  wanted_.optional = true;
   bool opened = false;
-  for (const sections::FaceId f : links_.faces->faces().ids()) {
-    const sections::OverlayFace& face = links_.faces->faces()[f];
+  for (const sections::FaceId f : faces_->faces().ids()) {
+    const sections::OverlayFace& face = faces_->faces()[f];
     if (face.lower.solid || face.upper.solid || f == sections::kUnboundedFace) continue;
     const SlabVoidId below = voids.numbering().in_slab(false, face.lower.id);
     const SlabVoidId above = voids.numbering().in_slab(true, face.upper.id);
@@ -161,7 +193,7 @@ Topology::Next Topology::open_faces(const SlabView& view, const SlabVoids& voids
                             sums);
     });
     if (!high) continue;
-    const std::optional<Point2> p = sections::inner_point(*links_.faces, f);
+    const std::optional<Point2> p = sections::inner_point(*faces_, f);
     if (!p || is_open(view.slab, space, tets_over(view.slab, *p), *p)) continue;
     if (pits_.has_room(*p)) {
       opened = pits_.open_at(*p) || opened;

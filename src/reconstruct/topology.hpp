@@ -13,6 +13,7 @@
 #include "completion/pits.hpp"
 #include "reconstruct/slab_solid.hpp"
 #include "reconstruct/slab_topology.hpp"
+#include "sections/face_overlay.hpp"
 
 namespace tetloft::internal {
 
@@ -25,8 +26,9 @@ struct SlabView {
 
 class Topology {
  public:
-  /// Both must outlive this. Does nothing where nothing was decided about voids.
-  Topology(const SlabLinks& links, Pits& pits) : links_(links), pits_(pits) {}
+  /// All must outlive this. Does nothing where nothing was decided about voids.
+  Topology(const ConformingSection& lower, const ConformingSection& upper, const SlabLinks& links,
+           Pits& pits);
 
   enum class Next : std::uint8_t {
     go_on,   ///< nothing can be done better
@@ -39,6 +41,7 @@ class Topology {
 
   [[nodiscard]] const RefineHere& wanted() const { return wanted_; }
   [[nodiscard]] const std::vector<Inseparable>& united() const { return united_; }
+  [[nodiscard]] const std::vector<Link>& unrealised() const { return unrealised_; }
   /// The groups that have another topology than implied, from what each class of the solid has.
   [[nodiscard]] std::vector<SlabDeviation> deviations(
       const SlabClasses& classes, const IdVector<ClassId, std::int32_t>& chi) const;
@@ -49,6 +52,7 @@ class Topology {
 
   [[nodiscard]] bool part_voids(const SlabView& view, SlabVoids& voids, Completion& completion,
                                 bool may_ask, RuleCounts& rules);
+  void drop_unrealised(const SlabView& view, const SlabVoids& voids, const Completion& completion);
   [[nodiscard]] std::vector<ChiRange> chi_ranges(const SlabView& view) const;
   void bridge_faces(const SlabView& view, const ChiGroups& groups, Completion& completion,
                     RuleCounts& rules);
@@ -58,7 +62,9 @@ class Topology {
 
   const SlabLinks& links_;
   Pits& pits_;
+  std::optional<sections::FaceOverlay> faces_;
   std::vector<Inseparable> united_;
+  std::vector<Link> unrealised_;
   std::vector<TopologyGroup> groups_;
   RefineHere wanted_;
   Openings openings_ = Openings::may_help;

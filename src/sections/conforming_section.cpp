@@ -117,6 +117,24 @@ IdVector<PlaneVertexId, PlaneVertexId> sections::adopt(const Triangulation2& tri
   return number;
 }
 
+Section sections::given_section(const ConformingSection& section) {
+  Section given;
+  given.z = section.z;
+  given.contours.resize(section.nesting.region.size());
+  for (const PlaneVertexId first : section.contour.ids()) {
+    const ContourId c = section.contour[first];
+    if (!c.valid() || !given.contours[c].vertices.empty()) continue;
+    PlaneVertexId v = first;
+    do {
+      if (section.input_vertex[v] != ConformingSection::kNotInput) {
+        given.contours[c].vertices.push_back(section.point(v));
+      }
+      v = section.next[v];
+    } while (v != first);
+  }
+  return given;
+}
+
 void sections::classify_edges(ConformingSection& section) {
   for (ConformingSection::Edge& edge : section.edges) {
     if (section.next[edge.a] == edge.b || section.next[edge.b] == edge.a) {

@@ -13,6 +13,10 @@ namespace tetloft::internal::sections {
 IdVector<PlaneVertexId, PlaneVertexId> adopt(const Triangulation2& triangulation,
                                              ConformingSection& section);
 
+/// The contours without what was inserted: the section as it was given, but for where contours
+/// start and which way they run.
+[[nodiscard]] Section given_section(const ConformingSection& section);
+
 /// The kinds of all edges, from `internal` and `next`.
 void classify_edges(ConformingSection& section);
 /// Throws std::invalid_argument unless all ids and sizes are those of one section.

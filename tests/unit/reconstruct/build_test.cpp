@@ -121,10 +121,11 @@ TEST(SlabBuilds, SolidsAreThoseOfTheSectionsAndLinksAsRefined) {
     Phases phases(shielded_in_the_middle(), labelled(criterion, kShieldedLabels));
     ASSERT_FALSE(phases.builds->run());
     for (const Part& part : phases.builds->take_parts()) {
-      Result<SlabOutcome> alone = build_slab(part.slab, phases.prepared.sections[part.lower],
-                                             phases.prepared.sections[part.upper],
-                                             {phases.plan.correspondence.links[part.slab]},
-                                             {DelaunayEngine::automatic, kDefaultWorkLimit});
+      Result<SlabOutcome> alone = build_slab(
+          part.slab, phases.prepared.sections[part.lower], phases.prepared.sections[part.upper],
+          {phases.plan.correspondence.links[part.slab],
+           phases.plan.voids ? &phases.plan.voids->links[part.slab] : nullptr},
+          {DelaunayEngine::automatic, kDefaultWorkLimit});
       ASSERT_TRUE(alone.ok());
       ASSERT_TRUE(std::holds_alternative<SlabSolid>(*alone));
       EXPECT_TRUE(same_solid(part.solid, std::get<SlabSolid>(*alone))) << part.slab.index();

@@ -93,9 +93,11 @@ void build_into(const Folder& folder, SlabId slab) {
   const Plan plan = plan_from_record(folder.read("plan"), "plan").value();
   const ConformingSection lower = section_of_file(folder, lower_section(slab));
   const ConformingSection upper = section_of_file(folder, upper_section(slab));
-  const SlabOutcome outcome = build_slab(slab, lower, upper, {plan.correspondence.links[slab]},
-                                         {DelaunayEngine::automatic, kDefaultWorkLimit})
-                                  .value();
+  const SlabOutcome outcome =
+      build_slab(slab, lower, upper,
+                 {plan.correspondence.links[slab], plan.voids ? &plan.voids->links[slab] : nullptr},
+                 {DelaunayEngine::automatic, kDefaultWorkLimit})
+          .value();
   folder.write(slab_file(slab), to_record(std::get<SlabSolid>(outcome)));
 }
 

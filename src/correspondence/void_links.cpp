@@ -1,0 +1,203 @@
+// Which voids overlap is read off the faces of the overlay: of many holes under one large outline
+// only those are measured that cross it.
+#include "correspondence/void_links.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <tetloft/voids.hpp>
+
+#include "core/sort_distinct.hpp"
+#include "correspondence/overlap_links.hpp"
+#include "sections/complement.hpp"
+
+namespace tetloft::internal {
+
+namespace {
+
+using sections::FaceSide;
+using sections::kExterior;
+using sections::OverlayFace;
+
+// The exterior near a hole, as large as it: its outermost contours that may meet the hole, in a
+// square that surrounds them. Its overlap with the hole is that of the whole exterior.
+class ExteriorNear {
+ public:
+  ExteriorNear(const RegionOutline& exterior, const Box2& hole) {
+    Box2 around = hole;
+    outline_.contours.push_back(&frame_);
+    for (std::size_t c = 1; c < exterior.contours.size(); ++c) {
+      Box2 box;
+      for (const Point2& p : exterior.contours[c]->vertices) box.add(p);
+      if (!box.meets(hole)) continue;
+      around.add(box);
+      outline_.contours.push_back(exterior.contours[c]);
+    }
+    // Contours have a ninth of its area at most.
+    const Box2 box = grown(around, std::max(around.x1 - around.x0, around.y1 - around.y0));
+    frame_.vertices = {{box.x0, box.y0}, {box.x1, box.y0}, {box.x1, box.y1}, {box.x0, box.y1}};
+  }
+  ExteriorNear(const ExteriorNear&) = delete;
+  ExteriorNear& operator=(const ExteriorNear&) = delete;
+
+  [[nodiscard]] const RegionOutline& outline() const { return outline_; }
+
+ private:
+  Contour frame_;
+  RegionOutline outline_;
+};
+
+// Calls with(lower, upper): the outlines of two voids, near each other.
+template <class With>
+auto with_outlines(const SectionRegions& below, RegionId lower, const SectionRegions& above,
+                   RegionId upper, const With& with) {
+  if (lower == kExterior) {
+    const ExteriorNear near(below.outline[lower], above.box[upper]);
+    return with(near.outline(), above.outline[upper]);
+  }
+  if (upper == kExterior) {
+    const ExteriorNear near(above.outline[upper], below.box[lower]);
+    return with(below.outline[lower], near.outline());
+  }
+  return with(below.outline[lower], above.outline[upper]);
+}
+
+// What lies across from each void of a section, if that is one void alone.
+class WhollyWithin {
+ public:
+  explicit WhollyWithin(std::size_t voids) : across_(voids), sole_(voids, 1) {}
+
+  void add(RegionId of_void, const FaceSide& across) {
+    std::optional<FaceSide>& known = across_[of_void];
+    if (known && *known != across) sole_[of_void] = 0;
+    known = across;
+  }
+  [[nodiscard]] bool one(RegionId of_void) const {
+    return of_void != kExterior && sole_[of_void] != 0;
+  }
+
+ private:
+  IdVector<RegionId, std::optional<FaceSide>> across_;
+  IdVector<RegionId, std::uint8_t> sole_;
+};
+
+// Void by void, of one slab.
+class Rims {
+ public:
+  Rims(SlabId slab, const SectionRegions& below, const SectionRegions& above,
+       const SlabCandidates& candidates, const VoidOptions& rule)
+      : slab_(slab), below_(below), above_(above), candidates_(candidates), rule_(rule) {}
+
+  [[nodiscard]] SlabCandidates links() const {
+    IdVector<RegionId, std::uint8_t> linked_below(below_.size(), 0);
+    IdVector<RegionId, std::uint8_t> linked_above(above_.size(), 0);
+    linked_below[kExterior] = linked_above[kExterior] = 1;
+    for (const LinkCandidate& candidate : candidates_) {
+      if (!candidate.made()) continue;
+      linked_below[candidate.link.lower] = linked_above[candidate.link.upper] = 1;
+    }
+    SlabCandidates links;
+    for (const bool upper : {false, true}) {
+      const auto& linked = upper ? linked_above : linked_below;
+      for (const RegionId r : linked.ids()) {
+        if (linked[r] != 0) continue;
+        if (const auto link = nearest(upper, r)) links.push_back(*link);
+      }
+    }
+    return links;
+  }
+
+ private:
+  [[nodiscard]] std::optional<LinkCandidate> nearest(bool upper, RegionId hole) const {
+    const bool near = rule_.rule == VoidRule::near;
+    const double reach = near ? rule_.reach : kRimReach;
+    // Farther than it reaches, so that what was nearest can be told.
+    double lookout = std::max(reach, kVoidChainReach);
+    std::optional<LinkCandidate> best;
+    const auto try_void = [&](RegionId across) {
+      const Link link = upper ? Link{slab_, across, hole} : Link{slab_, hole, across};
+      const auto d = gaps_apart(below_, link.lower, above_, link.upper, lookout);
+      if (!d || (best && !(*d < best->distance))) return;
+      best = LinkCandidate{link, Evidence::rim};
+      best->distance = lookout = *d;
+    };
+    try_void(kExterior);
+    if (near) {
+      const SectionRegions& own = upper ? above_ : below_;
+      const SectionRegions& other = upper ? below_ : above_;
+      const Box2 around = grown(own.box[hole], lookout * (above_.z - below_.z));
+      other.for_each_near(around, [&](RegionId across) {
+        if (across != kExterior) try_void(across);
+      });
+    }
+    if (!best) return std::nullopt;
+    if (best->distance == 0)
+      best->ratio = void_ratio(below_, best->link.lower, above_, best->link.upper);
+    best->moved = best->ratio;
+    best->margin = reach - best->distance;
+    if (!(best->distance < reach)) best->fate = LinkFate::too_weak;
+    return best;
+  }
+
+  SlabId slab_;
+  const SectionRegions& below_;
+  const SectionRegions& above_;
+  const SlabCandidates& candidates_;
+  const VoidOptions& rule_;
+};
+
+}  // namespace
+
+double void_ratio(const SectionRegions& below, RegionId lower, const SectionRegions& above,
+                  RegionId upper) {
+  return with_outlines(
+      below, lower, above, upper,
+      [](const RegionOutline& a, const RegionOutline& b) { return overlap_ratio(a, b); });
+}
+
+SlabCandidates overlapping_voids(SlabId slab, const SectionRegions& below,
+                                 const SectionRegions& above,
+                                 const sections::FaceOverlay& overlay) {
+  std::vector<std::pair<RegionId, RegionId>> pairs;
+  WhollyWithin lower_within(below.size());
+  WhollyWithin upper_within(above.size());
+  for (const OverlayFace& face : overlay.faces()) {
+    if (!face.lower.solid) lower_within.add(face.lower.id, face.upper);
+    if (!face.upper.solid) upper_within.add(face.upper.id, face.lower);
+    if (face.lower.solid || face.upper.solid) continue;
+    if (face.lower.id != kExterior || face.upper.id != kExterior) {
+      pairs.emplace_back(face.lower.id, face.upper.id);
+    }
+  }
+  sort_distinct(pairs);
+  SlabCandidates candidates;
+  for (const auto& [lower, upper] : pairs) {
+    LinkCandidate candidate{{slab, lower, upper}};
+    if (lower_within.one(lower) || upper_within.one(upper)) {
+      candidate.ratio = 1;
+    } else {
+      with_outlines(below, lower, above, upper,
+                    [&](const RegionOutline& a, const RegionOutline& b) {
+                      candidate.ratio = overlap_ratio(a, b);
+                      if (compare_overlap(a, b, kVoidOverlap, candidate.ratio) != Sign::positive) {
+                        candidate.fate = LinkFate::too_weak;
+                      }
+                    });
+    }
+    candidate.moved = candidate.ratio;
+    candidate.margin = candidate.ratio - kVoidOverlap;
+    candidates.push_back(candidate);
+  }
+  return candidates;
+}
+
+SlabCandidates rim_links(SlabId slab, const SectionRegions& below, const SectionRegions& above,
+                         const SlabCandidates& candidates, const VoidOptions& rule) {
+  return Rims(slab, below, above, candidates, rule).links();
+}
+
+}  // namespace tetloft::internal

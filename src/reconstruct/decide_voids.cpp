@@ -1,0 +1,129 @@
+#include "reconstruct/decide_voids.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+#include "correspondence/asked_of_voids.hpp"
+#include "correspondence/chain_links.hpp"
+#include "correspondence/link_report.hpp"
+#include "correspondence/void_links.hpp"
+#include "reconstruct/stack_errors.hpp"
+#include "sections/complement.hpp"
+#include "sections/face_overlay.hpp"
+
+namespace tetloft::internal {
+
+namespace {
+
+bool has_hole(const Nesting& nesting) {
+  return std::any_of(nesting.depth.begin(), nesting.depth.end(),
+                     [](std::uint32_t depth) { return depth % 2 != 0; });
+}
+
+// Of a stack without holes.
+Correspondence exteriors_alone(const PreparedStack& prepared) {
+  Correspondence result;
+  result.links.resize(prepared.slab_count());
+  result.candidates.resize(prepared.slab_count());
+  for (const Nesting& nesting : prepared.nestings) {
+    result.component.push_back(IdVector<RegionId, ComponentId>(1, ComponentId(0)));
+    result.partition.push_back(
+        IdVector<ContourId, ComponentId>(nesting.region.size() + 1, ComponentId(0)));
+  }
+  return result;
+}
+
+}  // namespace
+
+VoidDecision::VoidDecision(const PreparedStack& prepared, const ReconstructOptions& options)
+    : prepared_(prepared), options_(options) {
+  if (options.correspondence.voids.rule == VoidRule::free ||
+      std::none_of(prepared.nestings.begin(), prepared.nestings.end(), has_hole)) {
+    return;
+  }
+  const double half_side = sections::far_outside(prepared.stack);
+  for (const SectionId s : prepared.nestings.ids()) {
+    sections::Complement complement =
+        sections::complement_of(prepared.stack.sections[s], prepared.nestings[s], half_side);
+    stack_.sections.push_back(std::move(complement.section));
+    nestings_.push_back(std::move(complement.nesting));
+  }
+  sections_.reserve(nestings_.size());
+  for (const SectionId s : nestings_.ids()) {
+    sections_.push_back(SectionRegions(stack_.sections[s], nestings_[s]));
+  }
+}
+
+Result<std::optional<Correspondence>> VoidDecision::make(const WatchedWork& work) const {
+  // Names that are none are refused, whatever there is to decide.
+  const Result<Asked> asked = asked_of_voids(prepared_.nestings, options_.correspondence.voids);
+  if (!asked) return asked.error();
+  if (options_.correspondence.voids.rule == VoidRule::free) {
+    return std::optional<Correspondence>();
+  }
+  if (stack_.sections.empty()) return std::optional(exteriors_alone(prepared_));
+  StackCandidates candidates(prepared_.slab_count());
+  if (auto error = find(work, candidates)) return *error;
+  Result<Correspondence> decided =
+      decide_correspondence(stack_, nestings_, sections_, std::move(candidates), *asked);
+  if (!decided) return decided.error();
+  return std::optional(std::move(*decided));
+}
+
+// V1 to V3.
+std::optional<Error> VoidDecision::find(const WatchedWork& work,
+                                        StackCandidates& candidates) const {
+  const auto in_each_slab = [&](const auto& body) {
+    return first_error(all_ids<SlabId>(candidates.size()), options_.execution.threads, work,
+                       [&](SlabId slab) -> std::optional<Error> {
+                         const SectionId below = lower_section(slab);
+                         const SectionId above = upper_section(slab);
+                         // One void is the exterior.
+                         if (sections_[below].size() + sections_[above].size() > 2) {
+                           body(slab, below, above);
+                         }
+                         return std::nullopt;
+                       });
+  };
+  auto error = in_each_slab([&](SlabId slab, SectionId below, SectionId above) {
+    const sections::FaceOverlay overlay(prepared_.stack.sections[below], prepared_.nestings[below],
+                                        prepared_.stack.sections[above], prepared_.nestings[above]);
+    candidates[slab] = overlapping_voids(slab, sections_[below], sections_[above], overlay);
+  });
+  if (error) return error;
+  const StackCandidates overlapping = candidates;
+  return in_each_slab([&](SlabId slab, SectionId below, SectionId above) {
+    SlabCandidates& of_slab = candidates[slab];
+    for (const LinkCandidate& link : chain_links(slab, sections_, overlapping, kVoidChains)) {
+      add_candidate(of_slab, link);
+    }
+    const SlabCandidates rims =
+        rim_links(slab, sections_[below], sections_[above], of_slab, options_.correspondence.voids);
+    for (const LinkCandidate& link : rims) {
+      // What nearly was may be there, with what was measured of it.
+      if (link.made() || find_candidate(of_slab, link.link) == nullptr) {
+        add_candidate(of_slab, link);
+      }
+    }
+  });
+}
+
+std::vector<VoidLink> VoidDecision::links(const Correspondence& correspondence) const {
+  return void_links(correspondence.candidates, nestings_);
+}
+
+std::size_t cavities(const Correspondence& of_voids) {
+  std::size_t components = 0;
+  for (const auto& section : of_voids.component) {
+    for (const ComponentId id : section) components = std::max(components, id.index() + 1);
+  }
+  IdVector<ComponentId, std::uint8_t> open(components, 0);
+  const SectionId last(of_voids.component.size() - 1);
+  for (const SectionId s : {SectionId(0), last}) {
+    for (const ComponentId id : of_voids.component[s]) open[id] = 1;
+  }
+  return static_cast<std::size_t>(std::count(open.begin(), open.end(), 0));
+}
+
+}  // namespace tetloft::internal

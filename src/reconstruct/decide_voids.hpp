@@ -1,0 +1,45 @@
+// Phase 1, decide: which voids belong together, over the whole stack. The rule:
+// include/tetloft/voids.hpp.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <tetloft/voids.hpp>
+
+#include "correspondence/correspondence.hpp"
+#include "reconstruct/prepare.hpp"
+
+namespace tetloft::internal {
+
+class VoidDecision {
+ public:
+  /// Both must outlive this.
+  VoidDecision(const PreparedStack& prepared, const ReconstructOptions& options);
+
+  /// The correspondence of voids, as of the regions of complements: of each section region 0 is the
+  /// exterior, and the last contour the frame of all. Nothing by VoidRule::free.
+  /// Refused: invalid_input for labels and decisions that name no hole, or contradict each other;
+  /// unrepresentable for labels that cannot be realised.
+  [[nodiscard]] Result<std::optional<Correspondence>> make(const WatchedWork& work) const;
+
+  /// The candidates of a correspondence made by this, as their user sees them.
+  [[nodiscard]] std::vector<VoidLink> links(const Correspondence& correspondence) const;
+
+ private:
+  [[nodiscard]] std::optional<Error> find(const WatchedWork& work,
+                                          StackCandidates& candidates) const;
+
+  const PreparedStack& prepared_;
+  const ReconstructOptions& options_;
+  // Complements; none by VoidRule::free, nor of a stack without holes.
+  SectionStack stack_;
+  IdVector<SectionId, Nesting> nestings_;
+  StackSections sections_;
+};
+
+/// Components of voids but those that are open: to the exterior, or, in the first or last section,
+/// at the end of the model.
+[[nodiscard]] std::size_t cavities(const Correspondence& of_voids);
+
+}  // namespace tetloft::internal
