@@ -110,6 +110,7 @@ std::optional<Error> VoidDecision::find(const WatchedWork& work,
 }
 
 std::vector<VoidLink> VoidDecision::links(const Correspondence& correspondence) const {
+  if (stack_.sections.empty()) return {};
   return void_links(correspondence.candidates, nestings_);
 }
 
