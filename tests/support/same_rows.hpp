@@ -1,4 +1,4 @@
-// Equality of a model's links and motions, bit by bit.
+// Equality of the rows of a model's tables, bit by bit.
 #pragma once
 
 #include <algorithm>
@@ -25,6 +25,11 @@ namespace tetloft::test {
 [[nodiscard]] inline bool same_row(const RegionMotion& a, const RegionMotion& b) {
   return a.slab == b.slab && a.upper == b.upper && a.contour == b.contour &&
          same_number(a.by.x, b.by.x) && same_number(a.by.y, b.by.y);
+}
+
+[[nodiscard]] inline bool same_row(const Deviation& a, const Deviation& b) {
+  return a.slab == b.slab && a.upper == b.upper && a.contour == b.contour &&
+         a.expected == b.expected && a.got == b.got;
 }
 
 template <class Row>

@@ -183,8 +183,8 @@ TEST_F(Glue, SolidsOfNeighbouringSlabsAreFaceToFaceAtTheirSection) {
     const SectionId low(k);
     const SectionId high(k + 1);
     std::vector<Link> links{{SlabId(k), RegionId(0), RegionId(0)}};
-    Result<SlabOutcome> built = build_slab(SlabId(k), sections_[low], sections_[high], links, nullptr,
-                                           {DelaunayEngine::automatic, kDefaultWorkLimit});
+    Result<SlabOutcome> built = build_slab(SlabId(k), sections_[low], sections_[high], links,
+                                           nullptr, {DelaunayEngine::automatic, kDefaultWorkLimit});
     ASSERT_TRUE(built.ok());
     parts.push_back({SlabId(k), low, high, std::get<SlabSolid>(std::move(*built))});
   }

@@ -23,8 +23,10 @@
 #include "model/scaling.hpp"
 #include "property/same_model.hpp"
 #include "reconstruct/build.hpp"
+#include "reconstruct/decide_voids.hpp"
 #include "reconstruct/ends.hpp"
 #include "reconstruct/stack_errors.hpp"
+#include "sections/complement.hpp"
 #include "sections/section_record.hpp"
 #include "support/same_rows.hpp"
 #include "support/signed_record.hpp"
@@ -75,6 +77,7 @@ std::optional<Error> plan_into(const Folder& folder, const SectionStack& stack,
   if (!decided) return decided.error();
   plan.correspondence = *decided;
   plan.motions = decision.motions();
+  plan.voids = *VoidDecision(*prepared, options).make(work);
   SlabBuilds builds(*prepared, decision, plan, options, work);
   if (auto error = builds.run()) return error;
   folder.write("plan", to_record(plan));
@@ -98,6 +101,23 @@ void build_into(const Folder& folder, SlabId slab) {
                                          {DelaunayEngine::automatic, kDefaultWorkLimit})
                                   .value();
   folder.write(slab_file(slab), to_record(std::get<SlabSolid>(outcome)));
+}
+
+IdVector<SectionId, Nesting> complements_of(
+    const IdVector<SectionId, ConformingSection>& sections) {
+  IdVector<SectionId, Nesting> nestings;
+  for (const ConformingSection& section : sections) {
+    Section given;
+    for (const ContourId c : section.nesting.depth.ids()) {
+      Contour contour;
+      for (const PlaneVertexId v : IdRange<PlaneVertexId>(section.vertex_count())) {
+        if (section.contour[v] == c) contour.vertices.push_back(section.point(v));
+      }
+      given.contours.push_back(contour);
+    }
+    nestings.push_back(internal::sections::complement_of(given, section.nesting, 1).nesting);
+  }
+  return nestings;
 }
 
 // Phase 3.
@@ -124,13 +144,14 @@ Model glued(const Folder& folder) {
   for (const ConformingSection& section : sections) nestings.push_back(section.nesting);
   model.links = region_links(plan.correspondence.candidates, nestings);
   model.motions = plan.motions;
+  if (plan.voids) model.void_links = void_links(plan.voids->candidates, complements_of(sections));
   EXPECT_TRUE(scale_exactly(model, -plan.exponent));
   return model;
 }
 
 // What went through the files.
 struct Seen {
-  std::size_t models = 0, links = 0, leads = 0, motions = 0;
+  std::size_t models = 0, links = 0, leads = 0, motions = 0, void_links = 0;
   std::set<Evidence> evidences;
   std::set<LinkFate> fates;
 
@@ -138,6 +159,7 @@ struct Seen {
     ++models;
     links += model.links.size();
     motions += model.motions.size();
+    void_links += model.void_links.size();
     for (const RegionLink& link : model.links) {
       leads += link.lead ? 1U : 0U;
       evidences.insert(link.evidence);
@@ -180,6 +202,7 @@ TEST(Records, AStackBuiltThroughFilesInAnyOrderIsThatOfTheDirectRun) {
   EXPECT_GT(seen.links, 500U);
   EXPECT_GT(seen.leads, 100U);
   EXPECT_GT(seen.motions, 100U);
+  EXPECT_GT(seen.void_links, 20U);
   for (const Evidence evidence :
        {Evidence::overlap, Evidence::reverse, Evidence::motion, Evidence::chain, Evidence::lone}) {
     EXPECT_TRUE(seen.evidences.contains(evidence)) << name_of(evidence);
@@ -239,6 +262,14 @@ Plan plan_of_two_sections() {
   }
   plan.motions = {{SlabId(0), false, ContourId(2), {0.1, -0.0}},
                   {SlabId(0), true, ContourId(0), {-1e-310, 3}}};
+  // Voids, of a contour more, the frame.
+  plan.voids = c;
+  for (const SectionId s : c.partition.ids()) {
+    plan.voids->partition[s].push_back(ComponentId(0));
+    plan.voids->component[s].push_back(ComponentId(1));
+  }
+  plan.voids->links[SlabId(0)] = {{SlabId(0), RegionId(0), RegionId(0)},
+                                  {SlabId(0), RegionId(1), RegionId(2)}};
   return plan;
 }
 
@@ -254,6 +285,15 @@ TEST(Records, CandidatesAndMotionsOfAPlanReadBackBitForBit) {
   const IdVector<SectionId, Nesting> nestings({nesting, nesting});
   EXPECT_TRUE(test::same_rows(region_links(read->correspondence.candidates, nestings),
                               region_links(plan.correspondence.candidates, nestings)));
+  ASSERT_TRUE(read->voids);
+  EXPECT_EQ(read->voids->links, plan.voids->links);
+  EXPECT_EQ(read->voids->component, plan.voids->component);
+  EXPECT_EQ(read->voids->partition, plan.voids->partition);
+  EXPECT_TRUE(test::same_rows(void_links(read->voids->candidates, nestings),
+                              void_links(plan.voids->candidates, nestings)));
+  Plan without = plan;
+  without.voids = std::nullopt;
+  EXPECT_FALSE(plan_from_record(to_record(without), "name")->voids);
 }
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -275,6 +315,11 @@ TEST(Records, PlansWithCandidatesOrMotionsThatThereAreNotAreRefused) {
            {"region", [](Plan&, LinkCandidate&c) { c.link.upper = RegionId(); }},
            {"some of its sections",
             [](Plan&p, LinkCandidate&) { p.correspondence.candidates.resize(2); }},
+           {"void", [](Plan&p, LinkCandidate&) { p.voids->candidates[SlabId(0)][2].link.upper = RegionId(3); }},
+           {"void", [](Plan&p, LinkCandidate&) { p.voids->links[SlabId(0)][1].lower = RegionId(3); }},
+           {"evidence", [](Plan&p, LinkCandidate&) { p.voids->candidates[SlabId(0)][2].evidence = static_cast<Evidence>(kEvidences); }},
+           {"some of its sections", [](Plan&p, LinkCandidate&) { p.voids->component.resize(3); }},
+           {"other voids", [](Plan&p, LinkCandidate&) { p.voids->partition[SectionId(1)].resize(3); }},
            {"motion", [](Plan&p, LinkCandidate&) { p.motions[0].by.x = kInfinity; }},
            {"motion", [](Plan&p, LinkCandidate&) { p.motions[1].by.y = -kInfinity; }},
            {"contour", [](Plan&p, LinkCandidate&) { p.motions[0].contour = ContourId(3); }},

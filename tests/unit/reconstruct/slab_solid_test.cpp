@@ -35,7 +35,8 @@ Sections conformed(const SectionStack& stack, bool gabriel = false) {
 
 SlabOutcome outcome_of(const Sections& s, const std::vector<Link>& links,
                        DelaunayEngine engine = DelaunayEngine::automatic) {
-  return build_slab(SlabId(0), s.lower, s.upper, links, nullptr, {engine, kDefaultWorkLimit}).value();
+  return build_slab(SlabId(0), s.lower, s.upper, links, nullptr, {engine, kDefaultWorkLimit})
+      .value();
 }
 
 Link link(std::size_t lower, std::size_t upper) {
