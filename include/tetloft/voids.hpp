@@ -59,7 +59,8 @@ inline constexpr double kRimReach = 0.25;
 
 /// A link between two voids of neighbouring sections, made or nearly, and how surely: `lower` and
 /// `upper` are the contours of holes, invalid for the exterior. The links of exteriors with each
-/// other, which are certain, are left out.
+/// other, which are certain, are left out. `moved` is r, but of chains; `lead` is over other pairs
+/// of the link's holes.
 struct VoidLink : RegionLink {};
 
 /// Where the solid of a slab has not the topology that the links imply (guarantee 5).
