@@ -73,7 +73,8 @@ inline constexpr int kVoidPlanes = 3;
 
 /// A link between two voids of neighbouring sections, made or nearly, and how surely: `lower` and
 /// `upper` are the contours of holes, invalid for the exterior. The links of exteriors with each
-/// other, which are certain, are left out.
+/// other, which are certain, are left out. `moved` is r, but of chains; `lead` is over other pairs
+/// of the link's holes.
 struct VoidLink : RegionLink {
   VoidPlanes planes = VoidPlanes::across;
 };

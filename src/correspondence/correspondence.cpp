@@ -96,6 +96,29 @@ void unite_exteriors(const StackRegions& regions, std::size_t slabs, LabelledSet
   }
 }
 
+// Components, in order of their first contour.
+void number_components(const IdVector<SectionId, Nesting>& nestings, const StackRegions& regions,
+                       const LabelledSets& sets, Correspondence& result) {
+  IdVector<StackRegionId, ComponentId> component_of(regions.size());
+  std::size_t components = 0;
+  result.component.resize(nestings.size());
+  result.partition.resize(nestings.size());
+  for (std::size_t s = 0; s < nestings.size(); ++s) {
+    const Nesting& nesting = nestings[SectionId(s)];
+    auto& of_region = result.component[SectionId(s)];
+    auto& of_contour = result.partition[SectionId(s)];
+    of_region.resize(nesting.outer.size());
+    of_contour.resize(nesting.region.size());
+    for (std::size_t c = 0; c < nesting.region.size(); ++c) {
+      const RegionId region = nesting.region[ContourId(c)];
+      ComponentId& id = component_of[sets.find(regions.of(SectionId(s), region))];
+      if (!id.valid()) id = ComponentId(components++);
+      of_region[region] = id;
+      of_contour[ContourId(c)] = id;
+    }
+  }
+}
+
 }  // namespace
 
 Result<Correspondence> decide_correspondence(const SectionStack& stack,
@@ -144,25 +167,7 @@ Result<Correspondence> decide_correspondence(const SectionStack& stack,
   sort_distinct(accepted);
   for (const Link& link : accepted) result.links[link.slab].push_back(link);
 
-  // Components in order of their first contour.
-  IdVector<StackRegionId, ComponentId> component_of(regions.size());
-  std::size_t components = 0;
-  result.component.resize(nestings.size());
-  result.partition.resize(nestings.size());
-  for (std::size_t s = 0; s < nestings.size(); ++s) {
-    const Nesting& nesting = nestings[SectionId(s)];
-    auto& of_region = result.component[SectionId(s)];
-    auto& of_contour = result.partition[SectionId(s)];
-    of_region.resize(nesting.outer.size());
-    of_contour.resize(nesting.region.size());
-    for (std::size_t c = 0; c < nesting.region.size(); ++c) {
-      const RegionId region = nesting.region[ContourId(c)];
-      ComponentId& id = component_of[sets.find(regions.of(SectionId(s), region))];
-      if (!id.valid()) id = ComponentId(components++);
-      of_region[region] = id;
-      of_contour[ContourId(c)] = id;
-    }
-  }
+  number_components(nestings, regions, sets, result);
   return result;
 }
 

@@ -14,6 +14,7 @@
 #include "core/sort_distinct.hpp"
 #include "correspondence/overlap_links.hpp"
 #include "sections/complement.hpp"
+#include "spatial/box_tree.hpp"
 
 namespace tetloft::internal {
 
@@ -23,21 +24,46 @@ using sections::FaceSide;
 using sections::kExterior;
 using sections::OverlayFace;
 
-// The exterior near a hole, as large as it: its outermost contours that may meet the hole, in a
-// square that surrounds them. Its overlap with the hole is that of the whole exterior.
+// The outermost contours of a section, by their boxes.
+class Outermost {
+ public:
+  explicit Outermost(const RegionOutline& exterior)
+      : contours_(exterior.contours.begin() + 1, exterior.contours.end()),
+        boxes_(boxes_of(contours_)),
+        tree_(boxes_) {}
+
+  // Calls visit(contour, box) for those whose boxes meet this one, in any order.
+  template <class Visit>
+  void for_each_near(const Box2& near, const Visit& visit) const {
+    tree_.query(near, [&](std::size_t c) { visit(contours_[c], boxes_[c]); });
+  }
+
+ private:
+  static std::vector<Box2> boxes_of(const std::vector<const Contour*>& contours) {
+    std::vector<Box2> boxes(contours.size());
+    for (std::size_t c = 0; c < contours.size(); ++c) {
+      for (const Point2& p : contours[c]->vertices) boxes[c].add(p);
+    }
+    return boxes;
+  }
+
+  std::vector<const Contour*> contours_;
+  std::vector<Box2> boxes_;
+  BoxTree2 tree_;
+};
+
+// The exterior near a hole: its contours that may meet the hole, in a square around them that is
+// large enough. Its overlap with the hole is that of the whole exterior.
 class ExteriorNear {
  public:
-  ExteriorNear(const RegionOutline& exterior, const Box2& hole) {
+  ExteriorNear(const Outermost& outermost, const Box2& hole) {
     Box2 around = hole;
     outline_.contours.push_back(&frame_);
-    for (std::size_t c = 1; c < exterior.contours.size(); ++c) {
-      Box2 box;
-      for (const Point2& p : exterior.contours[c]->vertices) box.add(p);
-      if (!box.meets(hole)) continue;
+    outermost.for_each_near(hole, [&](const Contour* contour, const Box2& box) {
       around.add(box);
-      outline_.contours.push_back(exterior.contours[c]);
-    }
-    // Contours have a ninth of its area at most.
+      outline_.contours.push_back(contour);
+    });
+    // Contours have a ninth of its area at most: the rest is more than the hole has.
     const Box2 box = grown(around, std::max(around.x1 - around.x0, around.y1 - around.y0));
     frame_.vertices = {{box.x0, box.y0}, {box.x1, box.y0}, {box.x1, box.y1}, {box.x0, box.y1}};
   }
@@ -51,20 +77,44 @@ class ExteriorNear {
   RegionOutline outline_;
 };
 
-// Calls with(lower, upper): the outlines of two voids, near each other.
-template <class With>
-auto with_outlines(const SectionRegions& below, RegionId lower, const SectionRegions& above,
-                   RegionId upper, const With& with) {
-  if (lower == kExterior) {
-    const ExteriorNear near(below.outline[lower], above.box[upper]);
-    return with(near.outline(), above.outline[upper]);
+// The voids of two sections, to measure pairs of them, of which one is a hole.
+class VoidOutlines {
+ public:
+  VoidOutlines(const SectionRegions& below, const SectionRegions& above)
+      : below_(below), above_(above) {}
+
+  // Calls with(a, b): the outlines of two, of an exterior what is near the hole.
+  template <class With>
+  void for_pair(RegionId lower, RegionId upper, const With& with) {
+    if (lower == kExterior) {
+      const ExteriorNear near(outermost(below_, lower_), above_.box[upper]);
+      with(near.outline(), above_.outline[upper]);
+    } else if (upper == kExterior) {
+      const ExteriorNear near(outermost(above_, upper_), below_.box[lower]);
+      with(below_.outline[lower], near.outline());
+    } else {
+      with(below_.outline[lower], above_.outline[upper]);
+    }
   }
-  if (upper == kExterior) {
-    const ExteriorNear near(above.outline[upper], below.box[lower]);
-    return with(below.outline[lower], near.outline());
+
+  [[nodiscard]] double ratio(RegionId lower, RegionId upper) {
+    double ratio = 0;
+    for_pair(lower, upper,
+             [&](const RegionOutline& a, const RegionOutline& b) { ratio = overlap_ratio(a, b); });
+    return ratio;
   }
-  return with(below.outline[lower], above.outline[upper]);
-}
+
+ private:
+  static const Outermost& outermost(const SectionRegions& section,
+                                    std::optional<Outermost>& known) {
+    if (!known) known.emplace(section.outline[kExterior]);
+    return *known;
+  }
+
+  const SectionRegions& below_;
+  const SectionRegions& above_;
+  std::optional<Outermost> lower_, upper_;  // once asked for
+};
 
 // What lies across from each void of a section, if that is one void alone.
 class WhollyWithin {
@@ -90,9 +140,14 @@ class Rims {
  public:
   Rims(SlabId slab, const SectionRegions& below, const SectionRegions& above,
        const SlabCandidates& candidates, const VoidOptions& rule)
-      : slab_(slab), below_(below), above_(above), candidates_(candidates), rule_(rule) {}
+      : slab_(slab),
+        below_(below),
+        above_(above),
+        candidates_(candidates),
+        rule_(rule),
+        outlines_(below, above) {}
 
-  [[nodiscard]] SlabCandidates links() const {
+  [[nodiscard]] SlabCandidates links() {
     IdVector<RegionId, std::uint8_t> linked_below(below_.size(), 0);
     IdVector<RegionId, std::uint8_t> linked_above(above_.size(), 0);
     linked_below[kExterior] = linked_above[kExterior] = 1;
@@ -112,7 +167,7 @@ class Rims {
   }
 
  private:
-  [[nodiscard]] std::optional<LinkCandidate> nearest(bool upper, RegionId hole) const {
+  [[nodiscard]] std::optional<LinkCandidate> nearest(bool upper, RegionId hole) {
     const bool near = rule_.rule == VoidRule::near;
     const double reach = near ? rule_.reach : kRimReach;
     // Farther than it reaches, so that what was nearest can be told.
@@ -135,8 +190,7 @@ class Rims {
       });
     }
     if (!best) return std::nullopt;
-    if (best->distance == 0)
-      best->ratio = void_ratio(below_, best->link.lower, above_, best->link.upper);
+    if (best->distance == 0) best->ratio = outlines_.ratio(best->link.lower, best->link.upper);
     best->moved = best->ratio;
     best->margin = reach - best->distance;
     if (!(best->distance < reach)) best->fate = LinkFate::too_weak;
@@ -148,15 +202,14 @@ class Rims {
   const SectionRegions& above_;
   const SlabCandidates& candidates_;
   const VoidOptions& rule_;
+  VoidOutlines outlines_;
 };
 
 }  // namespace
 
 double void_ratio(const SectionRegions& below, RegionId lower, const SectionRegions& above,
                   RegionId upper) {
-  return with_outlines(
-      below, lower, above, upper,
-      [](const RegionOutline& a, const RegionOutline& b) { return overlap_ratio(a, b); });
+  return VoidOutlines(below, above).ratio(lower, upper);
 }
 
 SlabCandidates overlapping_voids(SlabId slab, const SectionRegions& below,
@@ -174,19 +227,19 @@ SlabCandidates overlapping_voids(SlabId slab, const SectionRegions& below,
     }
   }
   sort_distinct(pairs);
+  VoidOutlines outlines(below, above);
   SlabCandidates candidates;
   for (const auto& [lower, upper] : pairs) {
     LinkCandidate candidate{{slab, lower, upper}};
     if (lower_within.one(lower) || upper_within.one(upper)) {
       candidate.ratio = 1;
     } else {
-      with_outlines(below, lower, above, upper,
-                    [&](const RegionOutline& a, const RegionOutline& b) {
-                      candidate.ratio = overlap_ratio(a, b);
-                      if (compare_overlap(a, b, kVoidOverlap, candidate.ratio) != Sign::positive) {
-                        candidate.fate = LinkFate::too_weak;
-                      }
-                    });
+      outlines.for_pair(lower, upper, [&](const RegionOutline& a, const RegionOutline& b) {
+        candidate.ratio = overlap_ratio(a, b);
+        if (compare_overlap(a, b, kVoidOverlap, candidate.ratio) != Sign::positive) {
+          candidate.fate = LinkFate::too_weak;
+        }
+      });
     }
     candidate.moved = candidate.ratio;
     candidate.margin = candidate.ratio - kVoidOverlap;

@@ -18,7 +18,8 @@ SlabBuilds::SlabBuilds(PreparedStack& prepared, Decision& decision, Plan& plan,
       options_(options),
       work_(work),
       outcome_(prepared.slab_count()),
-      may_ask_(prepared.slab_count(), 1) {}
+      // What links rest on must not change for what they imply.
+      may_ask_(prepared.slab_count(), decision.depends_on_triangulations() ? 0 : 1) {}
 
 std::optional<Error> SlabBuilds::run() {
   std::vector<SlabId> to_build = all_ids<SlabId>(outcome_.size());

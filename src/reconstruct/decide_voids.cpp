@@ -26,6 +26,9 @@ Correspondence exteriors_alone(const PreparedStack& prepared) {
   Correspondence result;
   result.links.resize(prepared.slab_count());
   result.candidates.resize(prepared.slab_count());
+  for (const SlabId slab : result.links.ids()) {
+    result.links[slab].push_back({slab, sections::kExterior, sections::kExterior});
+  }
   for (const Nesting& nesting : prepared.nestings) {
     result.component.push_back(IdVector<RegionId, ComponentId>(1, ComponentId(0)));
     result.partition.push_back(

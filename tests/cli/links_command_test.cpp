@@ -42,7 +42,8 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return text;
 }
 
-void expect_same_links(const std::vector<RegionLink>& a, const std::vector<RegionLink>& b) {
+template <class Row>
+void expect_same_links(const std::vector<Row>& a, const std::vector<Row>& b) {
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
     EXPECT_EQ(a[i].slab, b[i].slab);
@@ -112,7 +113,9 @@ TEST_F(LinksCommand, IsTakenBackUnchanged) {
         EXPECT_TRUE(link.fate != LinkFate::made || link.evidence == Evidence::decision);
       }
       expect_same_links(before->links, after->links);
+      expect_same_links(before->void_links, after->void_links);
       after->links = before->links;
+      after->void_links = before->void_links;
       test::expect_same(*before, *after);
       EXPECT_EQ(run({"check", model_, stack, "--correspondence", rule, "--labels", labels_}).code,
                 0);

@@ -35,9 +35,9 @@ TEST(Help, IsPrintedByEveryCommand) {
 TEST(Help, NamesEveryOption) {
   const std::string help = run({"reconstruct", "--help"}).out;
   for (const char* option :
-       {"-o", "--surface", "--correspondence", "--overlap", "--no-chain", "--no-lone", "--labels",
-        "--ends", "--thickness", "--repair", "--repair-distance", "--snap", "--threads", "--verify",
-        "--ascii", "--json", "--quiet", "--help"}) {
+       {"-o", "--surface", "--correspondence", "--overlap", "--no-chain", "--no-lone", "--voids",
+        "--labels", "--ends", "--thickness", "--repair", "--repair-distance", "--snap", "--threads",
+        "--verify", "--ascii", "--json", "--quiet", "--help"}) {
     EXPECT_NE(help.find(option), std::string::npos) << option;
   }
   const std::string general = run({"--help"}).out;

@@ -20,7 +20,8 @@ namespace tetloft::testing {
   return a.tets == b.tets && a.component == b.component && a.slab == b.slab && a.kind == b.kind &&
          a.section == b.section && a.contour == b.contour && a.origin == b.origin &&
          a.component_count == b.component_count && test::same_rows(a.links, b.links) &&
-         test::same_rows(a.motions, b.motions);
+         test::same_rows(a.motions, b.motions) && test::same_rows(a.void_links, b.void_links) &&
+         test::same_rows(a.deviations, b.deviations);
 }
 
 }  // namespace tetloft::testing

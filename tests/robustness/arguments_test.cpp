@@ -97,6 +97,15 @@ TEST(CorrespondenceOptions, AreJudgedAlikeByAllWhoTakeThem) {
     EXPECT_TRUE(reconstruct(stack, {.correspondence = {.tau = ratio}})) << ratio;
     EXPECT_TRUE(check(model, stack, {.correspondence = {.tau = ratio}})) << ratio;
   }
+  for (const double reach : {-1e-300, -1.0, kInfinity, std::numeric_limits<double>::quiet_NaN()}) {
+    expect_refused({.voids = {.reach = reach}}, ErrorCode::usage, "reach");
+  }
+  for (const VoidRule rule : strangers(VoidRule::free)) {
+    expect_refused({.voids = {.rule = rule}}, ErrorCode::usage, "rule of voids");
+  }
+  const Label of_hole{SectionId(0), ContourId(0), 1};
+  expect_refused({.voids = {.rule = VoidRule::free, .labels = {of_hole}}}, ErrorCode::usage,
+                 "labels of free voids");
   for (const Label& label :
        {Label{SectionId(2), ContourId(0), 1}, Label{SectionId(0), ContourId(1), 1},
         Label{SectionId(), ContourId(0), 1}, Label{SectionId(0), ContourId(), 1}}) {

@@ -1,4 +1,4 @@
-// Equality of a model's links and motions, bit by bit.
+// Equality of the rows of a model's tables, bit by bit.
 #pragma once
 
 #include <algorithm>
@@ -22,9 +22,19 @@ namespace tetloft::test {
          same_number(a.lead.value_or(0), b.lead.value_or(0));
 }
 
+[[nodiscard]] inline bool same_row(const VoidLink& a, const VoidLink& b) {
+  return same_row(static_cast<const RegionLink&>(a), static_cast<const RegionLink&>(b)) &&
+         a.planes == b.planes;
+}
+
 [[nodiscard]] inline bool same_row(const RegionMotion& a, const RegionMotion& b) {
   return a.slab == b.slab && a.upper == b.upper && a.contour == b.contour &&
          same_number(a.by.x, b.by.x) && same_number(a.by.y, b.by.y);
+}
+
+[[nodiscard]] inline bool same_row(const Deviation& a, const Deviation& b) {
+  return a.slab == b.slab && a.upper == b.upper && a.contour == b.contour &&
+         a.least == b.least && a.most == b.most && a.got == b.got;
 }
 
 template <class Row>

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include <tetloft/links.hpp>
@@ -105,35 +107,45 @@ inline void expect_overlaps_of_all(const Voids& voids, SlabId slab, const StackL
   }
 }
 
-/// V3 of one slab, its links of V1 and V2 given; counts those within reach.
+/// V3 of one slab, its links of V1 and V2 given, by the distances of all pairs; counts its links.
 inline void expect_rims_of_all(const Voids& voids, SlabId slab, const StackLinks& found,
-                               std::size_t& rims) {
-  const auto is_linked_otherwise = [&](bool upper, ContourId hole) {
-    return std::any_of(found.void_links.begin(), found.void_links.end(), [&](const VoidLink& link) {
-      return link.slab == slab && link.fate == LinkFate::made && link.evidence != Evidence::rim &&
-             (upper ? link.upper : link.lower) == hole;
-    });
-  };
-  for (const bool upper : {false, true}) {
-    const SectionId own(slab.index() + (upper ? 1 : 0));
-    const SectionId other(slab.index() + (upper ? 0 : 1));
-    const double gap = voids.complements[SectionId(slab.index() + 1)].section.z -
-                       voids.complements[SectionId(slab.index())].section.z;
-    for (const RegionId r : voids.outline[own].ids()) {
-      const ContourId hole = voids.complements[own].hole(r);
-      if (!hole.valid()) continue;
-      const double d =
-          region_distance(voids.outline[own][r], voids.outline[other][RegionId(0)]) / gap;
-      const VoidLink* const link =
-          find_link(found, slab, upper ? ContourId() : hole, upper ? hole : ContourId());
-      const bool due = !is_linked_otherwise(upper, hole) && d < kRimReach;
-      EXPECT_EQ(link != nullptr && link->evidence == Evidence::rim && link->fate == LinkFate::made,
-                due);
-      if (!due || link == nullptr) continue;
-      ++rims;
-      EXPECT_EQ(link->distance, d);
+                               const VoidOptions& rule, std::size_t& rims) {
+  using Link = std::tuple<std::size_t, std::size_t, double>;  // of holes
+  const bool near = rule.rule == VoidRule::near;
+  const double reach = near ? rule.reach : kRimReach;
+  std::set<Link> rim, due;
+  std::set<ContourId> linked[2];
+  for (const VoidLink& link : found.void_links) {
+    if (link.slab != slab || link.fate != LinkFate::made) continue;
+    if (link.evidence == Evidence::rim) {
+      rim.emplace(link.lower.index(), link.upper.index(), link.distance);
+    } else {
+      linked[0].insert(link.lower);
+      linked[1].insert(link.upper);
     }
   }
+  const double gap = voids.complements[SectionId(slab.index() + 1)].section.z -
+                     voids.complements[SectionId(slab.index())].section.z;
+  for (const std::size_t upper : {std::size_t{0}, std::size_t{1}}) {
+    const SectionId own(slab.index() + upper);
+    const SectionId other(slab.index() + 1 - upper);
+    for (const RegionId r : voids.outline[own].ids()) {
+      const ContourId hole = voids.complements[own].hole(r);
+      if (!hole.valid() || linked[upper].contains(hole)) continue;
+      std::optional<std::pair<double, RegionId>> nearest;
+      for (const RegionId q : voids.outline[other].ids()) {
+        if (!near && q.index() > 0) break;
+        const double d = region_distance(voids.outline[own][r], voids.outline[other][q]) / gap;
+        if (!nearest || d < nearest->first) nearest = std::pair(d, q);
+      }
+      if (!(nearest->first < reach)) continue;
+      const ContourId across = voids.complements[other].hole(nearest->second);
+      due.emplace((upper != 0 ? across : hole).index(), (upper != 0 ? hole : across).index(),
+                  nearest->first);
+    }
+  }
+  EXPECT_EQ(rim, due);
+  rims += due.size();
 }
 
 }  // namespace tetloft::testing

@@ -73,14 +73,7 @@ TEST(VoidLinks, HolesOfTheFirstAndLastSectionAreNoCavities) {
 }
 
 TEST(VoidLinks, KnowNoGuard) {
-  // Each of the two below has a better partner; the weak link is one all the same.
-  const SectionStack stack =
-      block({{box(0, 0, 10, 10), box(20, 0, 30, 10)},
-             {box(0, 0, 10.5, 10), box(10.4, 20, 30, 30), box(9.5, 11, 29, 19)}});
-  EXPECT_EQ(made(stack).size(), 1U);
-  const SectionStack weak =
-      block({{box(0, 0, 10, 10), box(11, 0, 21, 10)}, {box(0, 0, 10, 10.5), box(10.5, 0, 21, 10)}});
-  EXPECT_EQ(made(weak), (Pairs3{{0, 1, 1}, {0, 2, 2}}));
+  // The first hole below and the second above each have a better partner.
   const SectionStack across =
       block({{box(0, 0, 10, 10), box(11, 0, 21, 10)}, {box(0, 0, 8, 10), box(9.5, 0, 21, 10)}});
   EXPECT_EQ(made(across), (Pairs3{{0, 1, 1}, {0, 1, 2}, {0, 2, 2}}));
@@ -262,7 +255,8 @@ SectionStack random_block(Prng& prng) {
   std::vector<std::vector<Contour>> sections(2 + prng.below(3));
   for (std::vector<Contour>& contours : sections) {
     const Box2 outline{pick(-12, 6), pick(-12, 6), pick(34, 52), pick(34, 52)};
-    if (prng.below(8) != 0) contours.push_back(box(outline.x0, outline.y0, outline.x1, outline.y1));
+    if (prng.below(8) != 0 || &contours == &sections.front())
+      contours.push_back(box(outline.x0, outline.y0, outline.x1, outline.y1));
     for (std::uint64_t cell = 0; cell < 16 && !contours.empty(); ++cell) {
       const double x = 10 * static_cast<double>(cell % 4) + pick(0.25, 4);
       const double y = 10 * static_cast<double>(cell / 4) + pick(0.25, 4);
@@ -284,27 +278,34 @@ struct Counts {
   std::size_t overlaps = 0, rims = 0;
 };
 
-void expect_those_of_all(const SectionStack& stack, Counts& counts) {
-  const StackLinks found = found_links(stack);
+void expect_those_of_all(const SectionStack& stack, const CorrespondenceOptions& options,
+                         Counts& counts) {
+  const StackLinks found = found_links(stack, options);
   const Voids voids(stack);
   for (const SlabId slab : IdRange<SlabId>(stack.sections.size() - 1)) {
     expect_overlaps_of_all(voids, slab, found, counts.overlaps);
-    expect_rims_of_all(voids, slab, found, counts.rims);
+    expect_rims_of_all(voids, slab, found, options.voids, counts.rims);
   }
 }
 
 // All ratios and distances against those of whole complements.
 TEST(VoidLinks, AreThoseOfTheWholeComplements) {
   Counts counts;
+  Counts by_near;
   Prng prng(6101);
-  for (int trial = 0; trial < 60; ++trial) expect_those_of_all(random_block(prng), counts);
+  for (int trial = 0; trial < 60; ++trial) {
+    const SectionStack stack = random_block(prng);
+    expect_those_of_all(stack, {}, counts);
+    expect_those_of_all(stack, near(0.125 * static_cast<double>(prng.below(12))), by_near);
+  }
   EXPECT_GT(counts.overlaps, 500U);
   EXPECT_GT(counts.rims, 50U);
+  EXPECT_GT(by_near.rims, 200U);
   for (const StackKind kind : all_kinds()) {
     const SectionStack stack = generate(kind, 6102).stack;
     if (stack.vertex_count() > 3000) continue;
     SCOPED_TRACE(name_of(kind));
-    expect_those_of_all(stack, counts);
+    expect_those_of_all(stack, {}, counts);
   }
 }
 

@@ -89,15 +89,20 @@ inline std::vector<double> hard_doubles() {
           2.2250738585072011e-308};
 }
 
-/// Links and motions of hard numbers, with every evidence and fate.
-inline void add_hard_rows(Model& model) {
+inline double hard_number(int i) {
   const std::vector<double> hard = hard_doubles();
-  const auto number = [&](int i) { return hard[static_cast<std::size_t>(i) % hard.size()]; };
-  for (int i = 0; i < kEvidences; ++i) {
+  return hard[static_cast<std::size_t>(i) % hard.size()];
+}
+
+/// Links of hard numbers, with every evidence and fate.
+inline std::vector<RegionLink> hard_links(int count) {
+  const auto number = [](int i) { return hard_number(i); };
+  std::vector<RegionLink> links;
+  for (int i = 0; i < count; ++i) {
     RegionLink link{SlabId(i),
                     ContourId(3 * i),
                     ContourId(i == 2 ? 0x7FFFFFFF : 1),
-                    static_cast<Evidence>(i),
+                    static_cast<Evidence>(i % kEvidences),
                     static_cast<LinkFate>(i % kLinkFates),
                     number(i),
                     number(i + 5),
@@ -105,14 +110,28 @@ inline void add_hard_rows(Model& model) {
                     number(i + 13),
                     {}};
     if (i % 3 != 1) link.lead = number(i + 1);
-    model.links.push_back(link);
+    links.push_back(link);
   }
+  return links;
+}
+
+/// Rows of all tables, of unequal number, each with the hardest values of its columns.
+inline void add_hard_rows(Model& model) {
+  const auto number = [](int i) { return hard_number(i); };
+  model.links = hard_links(kEvidences);
+  for (const RegionLink& link : hard_links(kEvidences + 1)) model.void_links.push_back({link});
+  model.void_links[0].lower = ContourId();
+  model.void_links[1].upper = ContourId();
+  constexpr std::int32_t kLargest = std::numeric_limits<std::int32_t>::max();
+  model.deviations = {{SlabId(0), false, ContourId(2), -1, kLargest},
+                      {SlabId(0), true, ContourId(0), -kLargest - 1, 0},
+                      {SlabId(9), true, ContourId(0x7FFFFFFF), 3, -7}};
   for (int i = 0; i < 5; ++i) {
     model.motions.push_back({SlabId(i), i % 2 == 1, ContourId(7 - i), {number(i), number(i + 8)}});
   }
 }
 
-/// Two tets on hard points, with every label and both tables.
+/// Two tets on hard points, with every label and all tables.
 inline Model hard_model() {
   Model model;
   const std::vector<double> hard = hard_doubles();
@@ -153,6 +172,8 @@ inline void expect_same(const Model& a, const Model& b) {
   EXPECT_EQ(a.component_count, b.component_count);
   EXPECT_TRUE(same_rows(a.links, b.links));
   EXPECT_TRUE(same_rows(a.motions, b.motions));
+  EXPECT_TRUE(same_rows(a.void_links, b.void_links));
+  EXPECT_TRUE(same_rows(a.deviations, b.deviations));
 }
 
 }  // namespace tetloft::test

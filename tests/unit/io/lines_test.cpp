@@ -43,12 +43,60 @@ TEST(Labels, TakeDecisionsAmongThem) {
   EXPECT_FALSE(parted.join);
 }
 
+TEST(Labels, TakeDecisionsOnVoids) {
+  const auto labels = parse_labels(
+      "hole 3 5 7 # mine\nopen 0 1 2\nclose\t4294967294 outside 2\njoin 0 1 2\nopen 5 3 outside\n"
+      "part 5 0 0\n",
+      "l");
+  ASSERT_TRUE(labels.ok()) << to_string(labels.error());
+  EXPECT_TRUE(labels->labels.empty());
+  EXPECT_EQ(labels->decisions.size(), 2U);
+  ASSERT_EQ(labels->hole_labels.size(), 1U);
+  EXPECT_EQ(labels->hole_labels[0].section, SectionId(3));
+  EXPECT_EQ(labels->hole_labels[0].contour, ContourId(5));
+  EXPECT_EQ(labels->hole_labels[0].label, 7U);
+  ASSERT_EQ(labels->void_decisions.size(), 3U);
+  const LinkDecision& opened = labels->void_decisions[0];
+  EXPECT_EQ(opened.slab, SlabId(0));
+  EXPECT_EQ(opened.lower, ContourId(1));
+  EXPECT_EQ(opened.upper, ContourId(2));
+  EXPECT_TRUE(opened.join);
+  const LinkDecision& closed = labels->void_decisions[1];
+  EXPECT_EQ(closed.slab, SlabId(4294967294U));
+  EXPECT_FALSE(closed.lower.valid());
+  EXPECT_EQ(closed.upper, ContourId(2));
+  EXPECT_FALSE(closed.join);
+  EXPECT_FALSE(labels->void_decisions[2].upper.valid());
+  const auto written = format_labels(*labels);
+  ASSERT_TRUE(written.ok());
+  EXPECT_EQ(*written,
+            "join 0 1 2\npart 5 0 0\nhole 3 5 7\nopen 0 1 2\nclose 4294967294 outside 2\n"
+            "open 5 3 outside\n");
+}
+
 TEST(Labels, NameTheLineOfAnError) {
-  for (const char* text :
-       {"0 0 1\n0 1\n", "0 0 1\n0 1 2 3\n", "0 0 1\n0 -1 2\n", "0 0 1\n0 1.5 2\n", "0 0 1\nx 1 2\n",
-        "0 0 1\n0 0 4294967295\n", "0 0 1\n99999999999999999999 0 0\n", "0 0 1\njoin 0 1\n",
-        "join 0 0 1\npart 0 0 1 2\n", "part 0 0 1\nunite 0 0 1\n", "0 0 1\njoin 0 0 -1\n",
-        "0 0 1\njoin 4294967295 0 0\n", "join 0 0 1\npart 0 0 1\n", "0 0 1\njoin\n"}) {
+  for (const char* text : {"0 0 1\n0 1\n",
+                           "0 0 1\n0 1 2 3\n",
+                           "0 0 1\n0 -1 2\n",
+                           "0 0 1\n0 1.5 2\n",
+                           "0 0 1\nx 1 2\n",
+                           "0 0 1\n0 0 4294967295\n",
+                           "0 0 1\n99999999999999999999 0 0\n",
+                           "0 0 1\njoin 0 1\n",
+                           "join 0 0 1\npart 0 0 1 2\n",
+                           "part 0 0 1\nunite 0 0 1\n",
+                           "0 0 1\njoin 0 0 -1\n",
+                           "0 0 1\njoin 4294967295 0 0\n",
+                           "join 0 0 1\npart 0 0 1\n",
+                           "0 0 1\njoin\n",
+                           "0 0 1\nhole 0 1\n",
+                           "0 0 1\nhole 0 outside 1\n",
+                           "0 0 1\nopen outside 0 0\n",
+                           "0 0 1\nclose 0 1\n",
+                           "0 0 1\nclose 0 -1 outside\n",
+                           "open 0 0 1\nclose 0 0 1\n",
+                           "0 0 1\nopen 0 outside outside\n",
+                           "0 0 1\nopen 0 0 4294967295\n"}) {
     const auto labels = parse_labels(text, "l.txt");
     ASSERT_FALSE(labels.ok()) << text;
     EXPECT_EQ(labels.error().code, ErrorCode::invalid_input) << text;
@@ -60,9 +108,18 @@ TEST(Labels, NameTheLineOfAnError) {
 TEST(Labels, SayWhatWasExpected) {
   const auto message = [](const char* text) { return parse_labels(text, "l").error().message; };
   EXPECT_EQ(message("jion 0 0 1\n"),
-            "'jion' is neither join, part nor a section (did you mean join?)");
+            "'jion' is neither join, part, hole, open, close nor a section (did you mean join?)");
   EXPECT_EQ(message("part 0 0\n"), "expected \"part section contour contour_above\", got 3 fields");
   EXPECT_EQ(message("0 0\n"), "expected \"section contour label\", got 2 fields");
+  EXPECT_EQ(message("hole 0 0\n"), "expected \"hole section contour label\", got 3 fields");
+  EXPECT_EQ(message("open 0 0\n"), "expected \"open section hole hole_above\", got 3 fields");
+  EXPECT_EQ(message("open 0 0 inside\n"),
+            "'inside' is no hole: expected an integer from 0 or outside");
+  EXPECT_EQ(message("join 0 0 outside\n"), "'outside' is no contour: expected an integer from 0");
+  EXPECT_EQ(message("open 0 outside outside\n"),
+            "the outside is the same in all sections: there is nothing to decide");
+  EXPECT_EQ(message("close 1 outside 0\nopen 1 outside 0\n"),
+            "open and close of the same contours: see line 1");
   EXPECT_EQ(message("part 1 0 0\n1 0 1\npart 0 0 0\njoin 1 0 0\n"),
             "join and part of the same contours: see line 1");
 }

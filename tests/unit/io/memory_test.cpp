@@ -196,6 +196,18 @@ std::vector<Family> grids() {
                      *name == 'x' || *name == 'y' ? "Float32" : "Int8", numbers(2 * n, "0"));
   }
   add("motions", grid("<FieldData>" + motions + "</FieldData>" + piece(0, 0, "")));
+  std::string voids, deviations;
+  for (const char* name : {"slab", "lower", "upper", "evidence", "fate", "has_lead"}) {
+    voids += array("void_" + std::string(name), "Int8", numbers(n, "0"));
+  }
+  for (const char* name : {"ratio", "moved", "distance", "margin", "lead"}) {
+    voids += array("void_" + std::string(name), "Float32", numbers(n, "0"));
+  }
+  add("links of voids", grid("<FieldData>" + voids + "</FieldData>" + piece(0, 0, "")));
+  for (const char* name : {"slab", "upper", "contour", "expected", "got"}) {
+    deviations += array("deviation_" + std::string(name), "Int8", numbers(2 * n, "0"));
+  }
+  add("deviations", grid("<FieldData>" + deviations + "</FieldData>" + piece(0, 0, "")));
   add("long token",
       grid(piece(1, 0, "<Points>" + array("P", "Int8", std::string(kSize, '1')) + "</Points>")));
   add("huge counts", grid(repeated("<Piece NumberOfPoints=\"9223372036854775807\" "

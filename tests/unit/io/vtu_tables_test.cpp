@@ -1,4 +1,4 @@
-// The tables of a model, its links and motions, in unstructured grids.
+// The tables of a model, its links, motions and deviations, in unstructured grids.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -43,30 +43,47 @@ double random_number(Prng& prng) {
   }
 }
 
+RegionLink random_link(Prng& prng) {
+  const auto index = [&] { return prng.below(4) == 0 ? 0x7FFFFFFFU : prng.below(1000); };
+  RegionLink link{SlabId(index()),
+                  ContourId(index()),
+                  ContourId(index()),
+                  static_cast<Evidence>(prng.below(kEvidences)),
+                  static_cast<LinkFate>(prng.below(kLinkFates)),
+                  random_number(prng),
+                  random_number(prng),
+                  random_number(prng),
+                  random_number(prng),
+                  {}};
+  if (prng.below(2) == 0) link.lead = random_number(prng);
+  return link;
+}
+
 Model random_tables(Prng& prng) {
   Model model = test::hard_model();
   model.links.clear();
   model.motions.clear();
+  model.void_links.clear();
+  model.deviations.clear();
   const auto index = [&] { return prng.below(4) == 0 ? 0x7FFFFFFFU : prng.below(1000); };
-  for (std::uint64_t n = prng.below(40); n > 0; --n) {
-    RegionLink link{SlabId(index()),
-                    ContourId(index()),
-                    ContourId(index()),
-                    static_cast<Evidence>(prng.below(kEvidences)),
-                    static_cast<LinkFate>(prng.below(kLinkFates)),
-                    random_number(prng),
-                    random_number(prng),
-                    random_number(prng),
-                    random_number(prng),
-                    {}};
-    if (prng.below(2) == 0) link.lead = random_number(prng);
-    model.links.push_back(link);
-  }
+  for (std::uint64_t n = prng.below(40); n > 0; --n) model.links.push_back(random_link(prng));
   for (std::uint64_t n = prng.below(40); n > 0; --n) {
     model.motions.push_back({SlabId(index()),
                              prng.below(2) == 0,
                              ContourId(index()),
                              {random_number(prng), random_number(prng)}});
+  }
+  for (std::uint64_t n = prng.below(40); n > 0; --n) {
+    VoidLink link{random_link(prng)};
+    if (prng.below(3) == 0) link.lower = ContourId();
+    if (prng.below(3) == 0) link.upper = ContourId();
+    link.planes = static_cast<VoidPlanes>(prng.below(kVoidPlanes));
+    model.void_links.push_back(link);
+  }
+  for (std::uint64_t n = prng.below(40); n > 0; --n) {
+    const auto chi = [&] { return static_cast<std::int32_t>(prng.below(1U << 31)) - (1 << 30); };
+    model.deviations.push_back(
+        {SlabId(index()), prng.below(2) == 0, ContourId(index()), chi(), chi()});
   }
   return model;
 }
@@ -99,7 +116,11 @@ TEST(VtuTables, AreDataOfTheWholeGridWithTheirCounts) {
               11U);
     EXPECT_EQ(count_of("NumberOfTuples=\"" + std::to_string(model.motions.size()) + '"', inside),
               5U);
-    EXPECT_EQ(count_of("NumberOfTuples", bytes), 16U);
+    EXPECT_EQ(count_of("NumberOfTuples=\"" + std::to_string(model.void_links.size()) + '"', inside),
+              12U);
+    EXPECT_EQ(count_of("NumberOfTuples=\"" + std::to_string(model.deviations.size()) + '"', inside),
+              6U);
+    EXPECT_EQ(count_of("NumberOfTuples", bytes), 34U);
   }
 }
 
@@ -108,12 +129,18 @@ TEST(VtuTables, AreLeftOutWhereEmpty) {
   model.links.clear();
   EXPECT_EQ(count_of("Name=\"link_", written(model, Encoding::binary)), 0U);
   EXPECT_EQ(count_of("Name=\"motion_", written(model, Encoding::binary)), 5U);
+  model.void_links.clear();
+  EXPECT_EQ(count_of("Name=\"void_", written(model, Encoding::binary)), 0U);
+  EXPECT_EQ(count_of("Name=\"deviation_", written(model, Encoding::binary)), 6U);
   model.motions.clear();
+  model.deviations.clear();
   EXPECT_EQ(count_of("FieldData", written(model, Encoding::binary)), 0U);
   const auto read = parse_vtu(written(model, Encoding::binary), "m.vtu");
   ASSERT_TRUE(read.ok()) << to_string(read.error());
   EXPECT_TRUE(read->links.empty());
   EXPECT_TRUE(read->motions.empty());
+  EXPECT_TRUE(read->void_links.empty());
+  EXPECT_TRUE(read->deviations.empty());
 }
 
 // Of text: the DataArray element of a column.
@@ -136,18 +163,35 @@ std::string column(const std::string& type, const std::string& name, const std::
 }
 
 const std::vector<std::string> kColumns{
-    "link_slab",    "link_lower",     "link_upper",  "link_evidence", "link_fate", "link_ratio",
-    "link_moved",   "link_distance",  "link_margin", "link_has_lead", "link_lead", "motion_slab",
-    "motion_upper", "motion_contour", "motion_x",    "motion_y"};
+    "link_slab",          "link_lower",   "link_upper",     "link_evidence",   "link_fate",
+    "link_ratio",         "link_moved",   "link_distance",  "link_margin",     "link_has_lead",
+    "link_lead",          "motion_slab",  "motion_upper",   "motion_contour",  "motion_x",
+    "motion_y",           "void_slab",    "void_lower",     "void_upper",      "void_evidence",
+    "void_fate",          "void_ratio",   "void_moved",     "void_distance",   "void_margin",
+    "void_has_lead",      "void_lead",    "deviation_slab", "deviation_upper", "deviation_contour",
+    "deviation_least",    "deviation_most", "deviation_got", "void_planes"};
 
-bool of_links(const std::string& name) { return name.starts_with("link"); }
 bool is_number(const std::string& name) {
   return name.ends_with("_x") || name.ends_with("_y") || name.ends_with("ratio") ||
          name.ends_with("moved") || name.ends_with("distance") || name.ends_with("margin") ||
-         name == "link_lead";
+         name == "link_lead" || name == "void_lead";
+}
+// Calls with(rows): those of the column's table.
+template <class With>
+auto with_rows(Model& model, const std::string& name, const With& with) {
+  if (name.starts_with("link")) return with(model.links);
+  if (name.starts_with("motion")) return with(model.motions);
+  if (name.starts_with("void")) return with(model.void_links);
+  return with(model.deviations);
 }
 std::size_t rows_of(const std::string& name) {
-  return of_links(name) ? test::hard_model().links.size() : test::hard_model().motions.size();
+  Model model = test::hard_model();
+  return with_rows(model, name, [](const auto& rows) { return rows.size(); });
+}
+// The largest number below those that the column may hold.
+const char* too_low(const std::string& name) {
+  if (name == "deviation_least" || name == "deviation_most" || name == "deviation_got") return "-2147483649";
+  return name == "void_lower" || name == "void_upper" ? "-2" : "-1";
 }
 std::string repeated(const std::string& value, std::size_t times) {
   std::string text;
@@ -155,16 +199,12 @@ std::string repeated(const std::string& value, std::size_t times) {
   return text;
 }
 
-// The table is left out, the other one and the rest are there.
+// The table is left out, the others and the rest are there.
 void expect_without_table(const std::string& bytes, const std::string& name) {
   const auto read = parse_vtu(bytes, "m.vtu");
   ASSERT_TRUE(read.ok()) << name << ": " << to_string(read.error());
   Model rest = test::hard_model();
-  if (of_links(name)) {
-    rest.links.clear();
-  } else {
-    rest.motions.clear();
-  }
+  with_rows(rest, name, [](auto& rows) { rows.clear(); });
   test::expect_same(rest, *read);
 }
 
@@ -181,13 +221,15 @@ TEST(VtuTables, AreIgnoredWhereAColumnIsMissingOrMeansSomethingElse) {
                          name);
     expect_without_table(with(text, name, column("String", name, repeated("0", rows))), name);
     if (is_number(name)) continue;
-    for (const char* value : {"-1", "2147483648"}) {
+    for (const char* value : {too_low(name), "2147483648"}) {
       expect_without_table(with(text, name, column("Int64", name, repeated(value, rows))), name);
     }
   }
   for (const auto& [name, value] :
        {std::pair("link_evidence", kEvidences), std::pair("link_fate", kLinkFates),
-        std::pair("link_has_lead", 2), std::pair("motion_upper", 2)}) {
+        std::pair("link_has_lead", 2), std::pair("motion_upper", 2),
+        std::pair("void_evidence", kEvidences), std::pair("void_fate", kLinkFates),
+        std::pair("void_has_lead", 2), std::pair("deviation_upper", 2)}) {
     expect_without_table(
         with(text, name, column("UInt8", name, repeated(std::to_string(value), rows_of(name)))),
         name);
@@ -255,6 +297,8 @@ TEST(VtuTables, AreReadFromTheGridAlone) {
   ASSERT_TRUE(read.ok()) << to_string(read.error());
   EXPECT_TRUE(read->links.empty());
   EXPECT_TRUE(read->motions.empty());
+  EXPECT_TRUE(read->void_links.empty());
+  EXPECT_TRUE(read->deviations.empty());
 }
 
 TEST(VtuTables, ThatCannotBeReadBackAreNotWritten) {
@@ -282,6 +326,11 @@ TEST(VtuTables, ThatCannotBeReadBackAreNotWritten) {
   refused([](Model& m) { m.motions[0].contour = ContourId(); }, "motion_contour");
   refused([](Model& m) { m.motions[0].by.x = kInfinity; }, "motion_x");
   refused([](Model& m) { m.motions[0].by.y = kInfinity; }, "motion_y");
+  refused([](Model& m) { m.void_links[2].slab = SlabId(); }, "void_slab");
+  refused([](Model& m) { m.void_links[0].ratio = kInfinity; }, "void_ratio");
+  refused([](Model& m) { m.void_links[0].fate = static_cast<LinkFate>(kLinkFates); }, "void_fate");
+  refused([](Model& m) { m.deviations[1].slab = SlabId(); }, "deviation_slab");
+  refused([](Model& m) { m.deviations[0].contour = ContourId(); }, "deviation_contour");
 }
 
 }  // namespace

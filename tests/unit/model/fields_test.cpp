@@ -76,7 +76,7 @@ TEST(ModelTables, HaveColumnsThatAreNamedOnceAfterTheirRows) {
     });
   });
   for_each_field([&](const auto& field) { EXPECT_FALSE(names.contains(field.name)); });
-  EXPECT_EQ(names.size(), 11U + 5U);
+  EXPECT_EQ(names.size(), 11U + 5U + 12U + 6U);
 }
 
 // A row set column by column from another is that other.
@@ -101,6 +101,14 @@ TEST(ModelTables, CarryWholeRows) {
   const RegionMotion motion{SlabId(4), true, ContourId(5), {0.25, -0.0}};
   EXPECT_TRUE(
       test::same_row(copied(ModelTable<RegionMotion>{"motion", &Model::motions}, motion), motion));
+  link.lead = 0.5;
+  VoidLink of_voids{link};
+  of_voids.upper = ContourId();
+  EXPECT_TRUE(
+      test::same_row(copied(ModelTable<VoidLink>{"void", &Model::void_links}, of_voids), of_voids));
+  const Deviation deviation{SlabId(4), true, ContourId(5), -3, 2};
+  EXPECT_TRUE(test::same_row(
+      copied(ModelTable<Deviation>{"deviation", &Model::deviations}, deviation), deviation));
 }
 
 TEST(ModelTables, AreCheckedRowByRow) {
@@ -115,6 +123,15 @@ TEST(ModelTables, AreCheckedRowByRow) {
             "the model's link 1 has a value in link_lead that there is not");
   model.links.clear();
   model.motions[1].contour = ContourId();
+  EXPECT_FALSE(check_well_formed(model).ok());
+  model.motions.clear();
+  model.void_links.resize(2);
+  model.void_links[0].slab = model.void_links[1].slab = SlabId(0);
+  EXPECT_TRUE(check_well_formed(model).ok());  // of the exteriors
+  model.void_links[1].slab = SlabId();
+  EXPECT_FALSE(check_well_formed(model).ok());
+  model.void_links.clear();
+  model.deviations.push_back({SlabId(0), false, ContourId(), 1, 2});
   EXPECT_FALSE(check_well_formed(model).ok());
 }
 

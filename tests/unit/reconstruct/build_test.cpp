@@ -30,6 +30,7 @@ struct Phases {
   Phases(const SectionStack& stack, ReconstructOptions given) : options(std::move(given)) {
     prepared = prepare(stack, Unit::as_given, options, work).value();
     plan.gabriel.resize(prepared.section_count());
+    plan.apart.resize(prepared.section_count());
     decision = std::make_unique<Decision>(prepared, options);
     plan.correspondence = decision->make(all_ids<SlabId>(prepared.slab_count()), work).value();
     builds = std::make_unique<SlabBuilds>(prepared, *decision, plan, options, work);

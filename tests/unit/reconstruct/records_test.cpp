@@ -23,8 +23,10 @@
 #include "model/scaling.hpp"
 #include "property/same_model.hpp"
 #include "reconstruct/build.hpp"
+#include "reconstruct/decide_voids.hpp"
 #include "reconstruct/ends.hpp"
 #include "reconstruct/stack_errors.hpp"
+#include "sections/complement.hpp"
 #include "sections/section_record.hpp"
 #include "support/same_rows.hpp"
 #include "support/signed_record.hpp"
@@ -68,6 +70,7 @@ std::optional<Error> plan_into(const Folder& folder, const SectionStack& stack,
   Plan plan;
   plan.exponent = prepared->exponent;
   plan.gabriel.resize(prepared->section_count());
+  plan.apart.resize(prepared->section_count());
   std::vector<Warning> warnings;
   plan.ends = *place_ends(*prepared, options, warnings);
   Decision decision(*prepared, options);
@@ -75,6 +78,7 @@ std::optional<Error> plan_into(const Folder& folder, const SectionStack& stack,
   if (!decided) return decided.error();
   plan.correspondence = *decided;
   plan.motions = decision.motions();
+  plan.voids = *VoidDecision(*prepared, options).make(work);
   SlabBuilds builds(*prepared, decision, plan, options, work);
   if (auto error = builds.run()) return error;
   folder.write("plan", to_record(plan));
@@ -101,6 +105,23 @@ void build_into(const Folder& folder, SlabId slab) {
   folder.write(slab_file(slab), to_record(std::get<SlabSolid>(outcome)));
 }
 
+IdVector<SectionId, Nesting> complements_of(
+    const IdVector<SectionId, ConformingSection>& sections) {
+  IdVector<SectionId, Nesting> nestings;
+  for (const ConformingSection& section : sections) {
+    Section given;
+    for (const ContourId c : section.nesting.depth.ids()) {
+      Contour contour;
+      for (const PlaneVertexId v : IdRange<PlaneVertexId>(section.vertex_count())) {
+        if (section.contour[v] == c) contour.vertices.push_back(section.point(v));
+      }
+      given.contours.push_back(contour);
+    }
+    nestings.push_back(internal::sections::complement_of(given, section.nesting, 1).nesting);
+  }
+  return nestings;
+}
+
 // Phase 3.
 Model glued(const Folder& folder) {
   const Plan plan = plan_from_record(folder.read("plan"), "plan").value();
@@ -125,13 +146,14 @@ Model glued(const Folder& folder) {
   for (const ConformingSection& section : sections) nestings.push_back(section.nesting);
   model.links = region_links(plan.correspondence.candidates, nestings);
   model.motions = plan.motions;
+  if (plan.voids) model.void_links = void_links(plan.voids->candidates, complements_of(sections));
   EXPECT_TRUE(scale_exactly(model, -plan.exponent));
   return model;
 }
 
 // What went through the files.
 struct Seen {
-  std::size_t models = 0, links = 0, leads = 0, motions = 0;
+  std::size_t models = 0, links = 0, leads = 0, motions = 0, void_links = 0;
   std::set<Evidence> evidences;
   std::set<LinkFate> fates;
 
@@ -139,6 +161,7 @@ struct Seen {
     ++models;
     links += model.links.size();
     motions += model.motions.size();
+    void_links += model.void_links.size();
     for (const RegionLink& link : model.links) {
       leads += link.lead ? 1U : 0U;
       evidences.insert(link.evidence);
@@ -181,6 +204,7 @@ TEST(Records, AStackBuiltThroughFilesInAnyOrderIsThatOfTheDirectRun) {
   EXPECT_GT(seen.links, 500U);
   EXPECT_GT(seen.leads, 100U);
   EXPECT_GT(seen.motions, 100U);
+  EXPECT_GT(seen.void_links, 20U);
   for (const Evidence evidence :
        {Evidence::overlap, Evidence::reverse, Evidence::motion, Evidence::chain, Evidence::lone}) {
     EXPECT_TRUE(seen.evidences.contains(evidence)) << name_of(evidence);
@@ -217,6 +241,8 @@ Plan plan_of_two_sections() {
   Plan plan;
   plan.exponent = -7;
   plan.gabriel.resize(2);
+  plan.apart.resize(2);
+  plan.apart[SectionId(0)] = {{0.5, -0.25}, {-0.0, 3}};
   Correspondence& c = plan.correspondence;
   c.links.resize(1);
   c.component.resize(2);
@@ -240,6 +266,14 @@ Plan plan_of_two_sections() {
   }
   plan.motions = {{SlabId(0), false, ContourId(2), {0.1, -0.0}},
                   {SlabId(0), true, ContourId(0), {-1e-310, 3}}};
+  // Voids, of a contour more, the frame.
+  plan.voids = c;
+  for (const SectionId s : c.partition.ids()) {
+    plan.voids->partition[s].push_back(ComponentId(0));
+    plan.voids->component[s].push_back(ComponentId(1));
+  }
+  plan.voids->links[SlabId(0)] = {{SlabId(0), RegionId(0), RegionId(0)},
+                                  {SlabId(0), RegionId(1), RegionId(2)}};
   return plan;
 }
 
@@ -255,6 +289,15 @@ TEST(Records, CandidatesAndMotionsOfAPlanReadBackBitForBit) {
   const IdVector<SectionId, Nesting> nestings({nesting, nesting});
   EXPECT_TRUE(test::same_rows(region_links(read->correspondence.candidates, nestings),
                               region_links(plan.correspondence.candidates, nestings)));
+  ASSERT_TRUE(read->voids);
+  EXPECT_EQ(read->voids->links, plan.voids->links);
+  EXPECT_EQ(read->voids->component, plan.voids->component);
+  EXPECT_EQ(read->voids->partition, plan.voids->partition);
+  EXPECT_TRUE(test::same_rows(void_links(read->voids->candidates, nestings),
+                              void_links(plan.voids->candidates, nestings)));
+  Plan without = plan;
+  without.voids = std::nullopt;
+  EXPECT_FALSE(plan_from_record(to_record(without), "name")->voids);
 }
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -276,6 +319,11 @@ TEST(Records, PlansWithCandidatesOrMotionsThatThereAreNotAreRefused) {
            {"region", [](Plan&, LinkCandidate&c) { c.link.upper = RegionId(); }},
            {"some of its sections",
             [](Plan&p, LinkCandidate&) { p.correspondence.candidates.resize(2); }},
+           {"void", [](Plan&p, LinkCandidate&) { p.voids->candidates[SlabId(0)][2].link.upper = RegionId(3); }},
+           {"void", [](Plan&p, LinkCandidate&) { p.voids->links[SlabId(0)][1].lower = RegionId(3); }},
+           {"evidence", [](Plan&p, LinkCandidate&) { p.voids->candidates[SlabId(0)][2].evidence = static_cast<Evidence>(kEvidences); }},
+           {"some of its sections", [](Plan&p, LinkCandidate&) { p.voids->component.resize(3); }},
+           {"other voids", [](Plan&p, LinkCandidate&) { p.voids->partition[SectionId(1)].resize(3); }},
            {"motion", [](Plan&p, LinkCandidate&) { p.motions[0].by.x = kInfinity; }},
            {"motion", [](Plan&p, LinkCandidate&) { p.motions[1].by.y = -kInfinity; }},
            {"contour", [](Plan&p, LinkCandidate&) { p.motions[0].contour = ContourId(3); }},
