@@ -54,16 +54,19 @@ class Failed : public std::exception {
   Error error_;
 };
 
+/// Is such an error an answer, as of a trial? Others say nothing about what was tried: memory
+/// ended, say.
+[[nodiscard]] inline bool is_refusal(ErrorCode code) {
+  return code == ErrorCode::invalid_input || code == ErrorCode::unrepresentable ||
+         code == ErrorCode::work_limit;
+}
+
 /// Where a refusal is an answer, as of a trial: whether `result` is none. Throws Failed where the
 /// error says nothing about what was tried: memory ended, say.
 template <class T>
 [[nodiscard]] bool accepted(const Result<T>& result) {
   if (result) return true;
-  const ErrorCode code = result.error().code;
-  if (code == ErrorCode::invalid_input || code == ErrorCode::unrepresentable ||
-      code == ErrorCode::work_limit) {
-    return false;
-  }
+  if (is_refusal(result.error().code)) return false;
   throw Failed(result.error());
 }
 

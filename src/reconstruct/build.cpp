@@ -17,9 +17,10 @@ SlabBuilds::SlabBuilds(PreparedStack& prepared, Decision& decision, Plan& plan,
       plan_(plan),
       options_(options),
       work_(work),
-      outcome_(prepared.slab_count()),
-      // What links rest on must not change for what they imply.
-      may_ask_(prepared.slab_count(), decision.depends_on_triangulations() ? 0 : 1) {}
+      outcome_(prepared.slab_count()) {
+  // What links rest on must not change for what they imply.
+  plan.may_ask.assign(prepared.slab_count(), decision.depends_on_triangulations() ? 0 : 1);
+}
 
 std::optional<Error> SlabBuilds::run() {
   std::vector<SlabId> to_build = all_ids<SlabId>(outcome_.size());
@@ -45,7 +46,7 @@ std::optional<Error> SlabBuilds::build(const std::vector<SlabId>& slabs) {
         Result<SlabOutcome> outcome = build_slab(
             slab, prepared_.sections[lower_section(slab)], prepared_.sections[upper_section(slab)],
             {plan_.correspondence.links[slab], plan_.voids ? &plan_.voids->links[slab] : nullptr},
-            {options_.delaunay, options_.work_limit, may_ask_[slab] != 0});
+            {options_.delaunay, options_.work_limit, plan_.may_ask[slab] != 0});
         if (!outcome) return outcome.error();
         outcome_[slab] = std::move(*outcome);
         if (auto* refused = std::get_if<Unrepresentable>(&outcome_[slab])) return refused->error;
@@ -71,8 +72,8 @@ Result<std::vector<SlabId>> SlabBuilds::refine(SlabId slab, const RefineHere& wa
     }
     if (gabriel == plan_.gabriel[s] && apart == plan_.apart[s]) continue;
     if (auto error = prepared_.conform_section(s, gabriel, apart)) {
-      if (!wanted.optional) return *error;
-      may_ask_[slab] = 0;
+      if (!wanted.optional || !is_refusal(error->code)) return *error;
+      plan_.may_ask[slab] = 0;
       continue;
     }
     plan_.gabriel[s] = std::move(gabriel);
@@ -80,7 +81,7 @@ Result<std::vector<SlabId>> SlabBuilds::refine(SlabId slab, const RefineHere& wa
     if (s.index() > 0) touched.emplace_back(s.value() - 1);
     if (s.index() < outcome_.size()) touched.emplace_back(s.value());
   }
-  if (wanted.optional && touched.empty()) may_ask_[slab] = 0;
+  if (wanted.optional && touched.empty()) plan_.may_ask[slab] = 0;
   touched.push_back(slab);
   if (decision_.depends_on_triangulations()) {
     if (auto error = adopt(decision_.make(touched, work_), touched)) return *error;

@@ -49,7 +49,6 @@ class SlabBuilds {
   const ReconstructOptions& options_;
   WatchedWork& work_;
   IdVector<SlabId, SlabOutcome> outcome_;
-  IdVector<SlabId, std::uint8_t> may_ask_;  // SlabOptions::may_ask
   std::size_t built_ = 0;
   std::uint64_t refinements_ = 0;
 };

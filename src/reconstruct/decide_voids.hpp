@@ -23,6 +23,8 @@ class VoidDecision {
   /// unrepresentable for labels that cannot be realised.
   [[nodiscard]] Result<std::optional<Correspondence>> make(const WatchedWork& work) const;
 
+  /// Of the complements; none by VoidRule::free, nor of a stack without holes.
+  [[nodiscard]] const IdVector<SectionId, Nesting>& complements() const { return nestings_; }
   /// The candidates of a correspondence made by this, as their user sees them.
   [[nodiscard]] std::vector<VoidLink> links(const Correspondence& correspondence) const;
 

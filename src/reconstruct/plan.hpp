@@ -26,6 +26,8 @@ struct Plan {
   /// The points that circles of triangles inside a section's region must not hold
   /// (ConformOptions::apart), by section.
   IdVector<SectionId, std::vector<Point2>> apart;
+  /// Which slabs may still ask for finer contours (SlabOptions::may_ask).
+  IdVector<SlabId, std::uint8_t> may_ask;
   Correspondence correspondence;
   /// Of voids: as VoidDecision::make().
   std::optional<Correspondence> voids;

@@ -128,7 +128,8 @@ Result<std::optional<Reconstruction>> make(PreparedStack& prepared,
     if (hint) result.warnings.push_back(*hint);
   }
   std::vector<Part> parts = builds.take_parts();
-  VoidOutcome of_voids = void_outcome(prepared, plan.voids, void_decision, parts);
+  VoidOutcome of_voids =
+      void_outcome(prepared.sections, plan.voids, void_decision.complements(), parts);
   add_up(parts, report);
   count(report.rules, Rule::gabriel_refinement, builds.refinements());
   StepClock gluing(report.seconds);

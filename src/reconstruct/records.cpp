@@ -198,7 +198,9 @@ void check_plan(const Plan& plan, RecordReader& in) {
   check_correspondence(plan.correspondence, plan.gabriel.size(), "region", in);
   if (plan.voids) check_correspondence(*plan.voids, plan.gabriel.size(), "void", in);
   if (in.refused()) return;
-  in.require(plan.apart.size() == plan.gabriel.size(), "plans some of its sections");
+  in.require(
+      plan.apart.size() == plan.gabriel.size() && plan.may_ask.size() + 1 == plan.gabriel.size(),
+      "plans some of its sections");
   for (const SectionId s : plan.gabriel.ids()) {
     in.require(plan.gabriel[s].empty() || plan.gabriel[s].size() == partition[s].size(),
                "refines some of its contours");
@@ -268,6 +270,7 @@ std::string to_record(const Plan& plan) {
   out.put(plan.ends ? plan.ends->above : 0);
   put_gabriel(plan, out);
   put_apart(plan, out);
+  out.put_all(plan.may_ask);
   put_correspondence(plan.correspondence, out);
   put_motions(plan.motions, out);
   out.put(static_cast<std::uint8_t>(plan.voids ? 1 : 0));
@@ -287,6 +290,7 @@ Result<Plan> plan_from_record(std::string_view bytes, const std::string& name) {
     in.require(std::isfinite(below) && std::isfinite(above), "has an end that is not finite");
     get_gabriel(in, plan);
     get_apart(in, plan);
+    plan.may_ask.raw() = in.get_all<std::uint8_t>();
     get_correspondence(in, plan.correspondence);
     get_motions(in, plan.motions);
     if (in.get<std::uint8_t>() != 0) get_correspondence(in, plan.voids.emplace());

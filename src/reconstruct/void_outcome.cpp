@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "completion/slab_voids.hpp"
+#include "correspondence/link_report.hpp"
 
 namespace tetloft::internal {
 
@@ -16,8 +17,9 @@ struct NamedVoid {
 
 class Outcome {
  public:
-  Outcome(const PreparedStack& prepared, Correspondence& decided, const VoidDecision& decision)
-      : prepared_(prepared), decided_(decided), decision_(decision) {}
+  Outcome(const IdVector<SectionId, ConformingSection>& sections, Correspondence& decided,
+          const IdVector<SectionId, Nesting>& complements)
+      : sections_(sections), decided_(decided), complements_(complements) {}
 
   VoidOutcome of(const std::vector<Part>& parts) {
     for (const Part& part : parts) {
@@ -28,7 +30,7 @@ class Outcome {
         if (candidate != nullptr) candidate->fate = LinkFate::unrealisable;
       }
     }
-    result_.links = decision_.links(decided_);
+    if (!complements_.empty()) result_.links = void_links(decided_.candidates, complements_);
     for (const Part& part : parts) {
       if (!part.lower.valid() || !part.upper.valid()) continue;
       for (const Inseparable& pair : part.solid.united_voids) add_forced(part, pair);
@@ -41,8 +43,8 @@ class Outcome {
 
  private:
   [[nodiscard]] NamedVoid named(const Part& part, SlabVoidId v) const {
-    const SectionVoids lower = voids_of(prepared_.sections[part.lower]);
-    const SectionVoids upper = voids_of(prepared_.sections[part.upper]);
+    const SectionVoids lower = voids_of(sections_[part.lower]);
+    const SectionVoids upper = voids_of(sections_[part.upper]);
     const SlabVoidNumbering numbering(lower.hole.size(), upper.hole.size());
     const bool above = numbering.is_upper(v);
     return {above, (above ? upper : lower).hole[numbering.in_section(v).index()]};
@@ -70,24 +72,26 @@ class Outcome {
 
   void add(const Part& part, const SlabDeviation& deviation) {
     const bool upper = part.solid.regions.is_upper(deviation.region);
-    const Nesting& nesting = prepared_.nestings[upper ? part.upper : part.lower];
-    result_.deviations.push_back(
-        {part.slab, upper, nesting.outer[part.solid.regions.in_section(deviation.region)],
-         deviation.least, deviation.most, deviation.got});
+    const Nesting& nesting = sections_[upper ? part.upper : part.lower].nesting;
+    result_.deviations.push_back({part.slab, upper,
+                                  nesting.outer[part.solid.regions.in_section(deviation.region)],
+                                  deviation.least, deviation.most, deviation.got});
   }
 
-  const PreparedStack& prepared_;
+  const IdVector<SectionId, ConformingSection>& sections_;
   Correspondence& decided_;
-  const VoidDecision& decision_;
+  const IdVector<SectionId, Nesting>& complements_;
   VoidOutcome result_;
 };
 
 }  // namespace
 
-VoidOutcome void_outcome(const PreparedStack& prepared, std::optional<Correspondence>& decided,
-                         const VoidDecision& decision, const std::vector<Part>& parts) {
+VoidOutcome void_outcome(const IdVector<SectionId, ConformingSection>& sections,
+                         std::optional<Correspondence>& decided,
+                         const IdVector<SectionId, Nesting>& complements,
+                         const std::vector<Part>& parts) {
   if (!decided) return {};
-  return Outcome(prepared, *decided, decision).of(parts);
+  return Outcome(sections, *decided, complements).of(parts);
 }
 
 }  // namespace tetloft::internal

@@ -1,5 +1,5 @@
-// What became of the voids, as the model tells of it: links made, forced and unrealisable, and slabs
-// of another topology.
+// What became of the voids, as the model tells of it: links made, forced and unrealisable, and
+// slabs of another topology.
 #pragma once
 
 #include <optional>
@@ -7,7 +7,7 @@
 
 #include <tetloft/voids.hpp>
 
-#include "reconstruct/decide_voids.hpp"
+#include "correspondence/correspondence.hpp"
 #include "reconstruct/glue.hpp"
 
 namespace tetloft::internal {
@@ -19,9 +19,10 @@ struct VoidOutcome {
 
 /// From the decision, which learns what was unrealisable, and from the solids of slabs. Nothing
 /// where nothing was decided.
-[[nodiscard]] VoidOutcome void_outcome(const PreparedStack& prepared,
+/// `complements` are those of the decision (VoidDecision::complements()).
+[[nodiscard]] VoidOutcome void_outcome(const IdVector<SectionId, ConformingSection>& sections,
                                        std::optional<Correspondence>& decided,
-                                       const VoidDecision& decision,
+                                       const IdVector<SectionId, Nesting>& complements,
                                        const std::vector<Part>& parts);
 
 }  // namespace tetloft::internal

@@ -41,9 +41,14 @@ TEST(GabrielRefinement, ConnectsRegionsWithoutADelaunayEdgeBetweenThem) {
 // contours D has no tet that could leave the tunnel open.
 TEST(Refinement, OpensATunnelThatCoarseContoursClose) {
   const SectionStack coarse = sample("cases/crossed_bars.cnt");
-  const auto closed = reconstruct_and_check(coarse);
+  ReconstructOptions as_it_comes;
+  as_it_comes.correspondence.voids.rule = VoidRule::free;
+  const auto closed = reconstruct_and_check(coarse, as_it_comes);
   ASSERT_TRUE(closed);
   EXPECT_EQ(closed->report.genus, std::vector<long>{0});
+  const auto asked = reconstruct_and_check(coarse);
+  ASSERT_TRUE(asked);
+  EXPECT_EQ(asked->report.genus, std::vector<long>{1});
   const auto finer = refine(coarse, 2.5);
   ASSERT_TRUE(finer);
   const auto open = reconstruct_and_check(finer->stack);

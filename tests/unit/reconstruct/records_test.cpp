@@ -1,6 +1,7 @@
 // Plans, sections and solids through files: slabs built apart from each other, in any order, make
 // the model of the direct run.
 #include "reconstruct/records.hpp"
+#include "reconstruct/void_outcome.hpp"
 
 #include <gtest/gtest.h>
 
@@ -100,7 +101,7 @@ void build_into(const Folder& folder, SlabId slab) {
   const SlabOutcome outcome =
       build_slab(slab, lower, upper,
                  {plan.correspondence.links[slab], plan.voids ? &plan.voids->links[slab] : nullptr},
-                 {DelaunayEngine::automatic, kDefaultWorkLimit})
+                 {DelaunayEngine::automatic, kDefaultWorkLimit, plan.may_ask[slab] != 0})
           .value();
   folder.write(slab_file(slab), to_record(std::get<SlabSolid>(outcome)));
 }
@@ -124,7 +125,7 @@ IdVector<SectionId, Nesting> complements_of(
 
 // Phase 3.
 Model glued(const Folder& folder) {
-  const Plan plan = plan_from_record(folder.read("plan"), "plan").value();
+  Plan plan = plan_from_record(folder.read("plan"), "plan").value();
   IdVector<SectionId, ConformingSection> sections;
   for (const SectionId s : plan.gabriel.ids()) sections.push_back(section_of_file(folder, s));
   const SectionId last(sections.size() - 1);
@@ -141,12 +142,19 @@ Model glued(const Folder& folder) {
     const SlabId top(sections.size() == 1 ? 0 : last.value() - 1);
     parts.push_back({top, last, SectionId(), build_end(sections[last], plan.ends->above)});
   }
+  const bool holed = std::any_of(sections.begin(), sections.end(), [](const auto& section) {
+    return section.nesting.region.size() > section.nesting.outer.size();
+  });
+  VoidOutcome of_voids =
+      void_outcome(sections, plan.voids,
+                   holed ? complements_of(sections) : IdVector<SectionId, Nesting>(), parts);
   Model model = glue(sections, plan.correspondence.component, std::move(parts));
   IdVector<SectionId, Nesting> nestings;
   for (const ConformingSection& section : sections) nestings.push_back(section.nesting);
   model.links = region_links(plan.correspondence.candidates, nestings);
   model.motions = plan.motions;
-  if (plan.voids) model.void_links = void_links(plan.voids->candidates, complements_of(sections));
+  model.void_links = std::move(of_voids.links);
+  model.deviations = std::move(of_voids.deviations);
   EXPECT_TRUE(scale_exactly(model, -plan.exponent));
   return model;
 }
@@ -242,6 +250,7 @@ Plan plan_of_two_sections() {
   plan.exponent = -7;
   plan.gabriel.resize(2);
   plan.apart.resize(2);
+  plan.may_ask.assign(1, 1);
   plan.apart[SectionId(0)] = {{0.5, -0.25}, {-0.0, 3}};
   Correspondence& c = plan.correspondence;
   c.links.resize(1);
