@@ -77,13 +77,16 @@ class VoidCandidates {
 
   // V3, of a hole without candidate on the side of section `to`.
   void link_to_near(std::size_t hole, std::size_t to) {
-    const Link rim = link_between(hole, voids_.first[to]);
-    const std::optional<double> to_rim = voids_.distance(rim, kRimReach);
-    if (to_rim.has_value() && *to_rim < kRimReach) {
-      found_.emplace(rim, score(rim));
+    if (options_.rule == VoidRule::near) {
+      link_to_nearest(hole, to);
       return;
     }
-    if (options_.rule != VoidRule::near) return;
+    const Link rim = link_between(hole, voids_.first[to]);
+    const std::optional<double> d = voids_.distance(rim, kRimReach);
+    if (d.has_value() && *d < kRimReach) found_.emplace(rim, score(rim));
+  }
+
+  void link_to_nearest(std::size_t hole, std::size_t to) {
     std::set<std::pair<double, std::size_t>> near;
     const double reach = options_.reach * voids_.gap(voids_.section[hole], to);
     voids_.for_each_meeting(to, surroundings(voids_.box[hole], reach), [&](std::size_t v) {
