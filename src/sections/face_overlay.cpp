@@ -183,7 +183,7 @@ void Faces::place_parts(const std::vector<Part>& parts) {
   for (const Part& part : parts) {
     TETLOFT_CHECK(part.around != kNone);
     const std::uint32_t below = ray_.half_below(part.lowest);
-    // What is below belongs to a part of a lower vertex, placed already.
+    // What is below belongs to a part whose lowest vertex is lower: one placed already.
     const std::uint32_t at = below == kNone ? kUnbounded : draft_of_[graph_.cycle(below)];
     TETLOFT_CHECK(at != kNone);
     draft_of_[part.around] = at;
@@ -280,19 +280,10 @@ FaceOverlay::FaceOverlay(const Section& lower, const Nesting& lower_nesting, con
   plane_ = std::move(plane);
 }
 
-FaceId FaceOverlay::unbounded() const {
-  FaceId first(0U);
-  const FaceSide exterior{false, kExterior};
-  while (faces_[first].lower != exterior || faces_[first].upper != exterior) {
-    first = FaceId(first.index() + 1);
-  }
-  return first;
-}
-
 FaceId FaceOverlay::locate(const Point2& p) const {
   if (plane_->ray.meets(p)) return {};
   const std::uint32_t below = plane_->ray.half_below(p);
-  return below == kNone ? unbounded() : plane_->face[plane_->graph.cycle(below)];
+  return below == kNone ? kUnboundedFace : plane_->face[plane_->graph.cycle(below)];
 }
 
 }  // namespace tetloft::internal::sections

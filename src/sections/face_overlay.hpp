@@ -16,6 +16,7 @@
 namespace tetloft::internal::sections {
 
 using FaceId = Id<struct OverlayFaceTag>;
+inline constexpr FaceId kUnboundedFace{0U};
 
 /// What lies in one of the two planes.
 struct FaceSide {
@@ -47,9 +48,8 @@ class FaceOverlay {
 
   /// Numbered by (lower, upper), then by the least node of their outer cycle as the ends of its
   /// edges tell it, or the lowest vertex: whatever the order and direction of contours. The
-  /// unbounded face is the first with both exteriors.
+  /// first is the unbounded one.
   [[nodiscard]] const IdVector<FaceId, OverlayFace>& faces() const { return faces_; }
-  [[nodiscard]] FaceId unbounded() const;
 
   /// The face that contains p; invalid for a point of a contour. Exact; by a search tree.
   [[nodiscard]] FaceId locate(const Point2& p) const;

@@ -1,6 +1,6 @@
 #include "sections/overlay_curves.hpp"
 
-#include <algorithm>
+#include <cmath>
 
 #include <tetloft/predicates.hpp>
 
@@ -8,8 +8,11 @@ namespace tetloft::internal::sections {
 
 namespace {
 
-// A tree over single edges costs more to build than it saves.
+// A tree over single edges costs more to build than it saves. But runs must be short as well: of
+// wide contours around each other, boxes of whole ones would all meet.
 constexpr std::uint32_t kBlockEdges = 8;
+
+double extent(const Box2& box) { return (box.x1 - box.x0) + (box.y1 - box.y0); }
 
 }  // namespace
 
@@ -50,15 +53,24 @@ void OverlayCurves::count_turns() {
 }
 
 void OverlayCurves::make_blocks() {
-  for (std::uint32_t c = 0; c < contour_count(); ++c) {
-    for (std::uint32_t v = first_[c]; v < first_[c + 1]; v += kBlockEdges) {
-      const std::uint32_t last = std::min(v + kBlockEdges, first_[c + 1]);
-      blocks_.push_back({v, last});
-      Box2 box;
-      for (std::uint32_t w = v; w < last; ++w) box.add(at_[w]);
-      box.add(end(last - 1));
-      block_boxes_.push_back(box);
+  Box2 all;
+  for (const Point2& p : at_) all.add(p);
+  const double longest = 4 * extent(all) / std::sqrt(static_cast<double>(at_.size()));
+  blocks_.reserve(at_.size() / 4);
+  block_boxes_.reserve(at_.size() / 4);
+  for (std::uint32_t v = 0; v < edge_count(); ++v) {
+    const Box2 edge = box_of(start(v), end(v));
+    if (v != first_[contour_[v]] && v - blocks_.back().first < kBlockEdges) {
+      Box2 box = block_boxes_.back();
+      box.add(edge);
+      if (extent(box) <= longest) {
+        blocks_.back().last = v + 1;
+        block_boxes_.back() = box;
+        continue;
+      }
     }
+    blocks_.push_back({v, v + 1});
+    block_boxes_.push_back(edge);
   }
   tree_ = BoxTree2(block_boxes_);
 }

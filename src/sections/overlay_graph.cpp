@@ -58,10 +58,6 @@ void OverlayGraph::make_arcs() {
     }
   }
   leaving_.resize(4 * nodes);
-  upper_half_.resize(nodes);
-  for (std::uint32_t k = 0; k < nodes; ++k) {
-    upper_half_[k] = 2 * (static_cast<std::uint32_t>(nodes) + k);
-  }
 }
 
 void OverlayGraph::make_star(std::uint32_t n) {
@@ -90,11 +86,9 @@ void OverlayGraph::make_star(std::uint32_t n) {
       if (at < star.degree && sign == Sign::zero) {
         // The same piece: both sections have its next node.
         const std::uint32_t kept = out[at].half;
-        const std::uint32_t merged = w == 0 ? pass : before;
         OverlayArc& arc = arcs_[kept / 2];
         arc.contour[1] = curves.contour(edge);
         arc.along[1] = (w == 0) == (kept % 2 == 0);
-        upper_half_[merged] = w == 0 ? kept : kept ^ 1U;
         continue;
       }
       for (std::uint32_t k = star.degree; k > at; --k) out[k] = out[k - 1];

@@ -36,7 +36,7 @@ class OverlayGraph {
   [[nodiscard]] const OverlayNodes& nodes() const { return nodes_; }
   [[nodiscard]] const std::vector<OverlayArc>& arcs() const { return arcs_; }
   [[nodiscard]] const std::vector<OverlayCycle>& cycles() const { return cycles_; }
-  /// Invalid for half-arcs of pieces that are those of the other section.
+  /// kNone for the upper section's half-arcs of pieces that are the lower one's as well.
   [[nodiscard]] std::uint32_t cycle(std::uint32_t half) const { return cycle_[half]; }
   [[nodiscard]] bool is_loop(std::uint32_t half) const { return half / 2 >= first_loop_; }
   /// The next half-arc of the cycle.
@@ -56,9 +56,10 @@ class OverlayGraph {
   /// The half-arc, the same or one before it clockwise about its node, that follows section s:
   /// what is on the left of it by that section is on the left of `half`. Not of loops.
   [[nodiscard]] std::uint32_t clockwise_on(std::uint32_t half, std::size_t s) const;
-  /// The half-arc that follows the contour of section s from its k-th pass of a node on.
+  /// The half-arc that follows the contour of section s from its k-th pass of a node on. Requires
+  /// that it is no piece of both, or s the lower section.
   [[nodiscard]] std::uint32_t half_from(std::size_t s, std::uint32_t pass) const {
-    return s == 0 ? 2 * pass : upper_half_[pass];
+    return static_cast<std::uint32_t>(2 * (pass + (s == 0 ? 0 : nodes_.nodes.size())));
   }
   /// The half-arc along a contour without nodes.
   [[nodiscard]] std::uint32_t loop(std::size_t s, std::uint32_t contour) const {
@@ -81,10 +82,9 @@ class OverlayGraph {
   OverlayNodes nodes_;
   std::vector<OverlayArc> arcs_;  // of the lower section, of the upper one, loops
   std::uint32_t first_loop_ = 0;
-  std::vector<Star> stars_;                // of nodes
-  std::vector<Leaving> leaving_;           // of half-arcs
-  std::vector<std::int32_t> turns_;        // of arcs: half turns on the way, as half-arc 2k goes
-  std::vector<std::uint32_t> upper_half_;  // of passes of the upper section
+  std::vector<Star> stars_;          // of nodes
+  std::vector<Leaving> leaving_;     // of half-arcs
+  std::vector<std::int32_t> turns_;  // of arcs: half turns on the way, as half-arc 2k goes
   std::array<std::vector<std::uint32_t>, 2> loop_;  // of contours
   std::vector<std::uint32_t> cycle_;                // of half-arcs
   std::vector<OverlayCycle> cycles_;

@@ -92,26 +92,16 @@ bool passes_first(const TwoCurves& curves, std::size_t s, const OverlayNode& p,
   const OverlayCurves& others = *curves[1 - s];
   const std::uint32_t f = p.edge[1 - s];
   const std::uint32_t g = q.edge[1 - s];
-  const bool p_stored = p.at_start[1 - s];
-  const bool q_stored = q.at_start[1 - s];
-  if (p_stored && q_stored) {
+  if (p.at_start[1 - s] && q.at_start[1 - s]) {
     return curves[s]->rises(p.edge[s]) ? canonical_less(others.start(f), others.start(g))
                                        : canonical_less(others.start(g), others.start(f));
   }
-  // The line of f passes through p alone, if f crosses: q lies beyond it, or p comes later.
-  const auto beyond = [&](std::uint32_t crossing, const Sign side) {
-    return orient2d(others.start(crossing), others.end(crossing), a) != side;
-  };
-  if (q_stored) {
-    return beyond(f, orient2d(others.start(f), others.end(f), others.start(g)));
-  }
-  if (p_stored) {
-    return !beyond(g, orient2d(others.start(g), others.end(g), others.start(f)));
-  }
+  // f and g do not cross: the line of one of them, which meets e in that one's node alone, does not
+  // part the other one. That is on the side of e's start iff its node is.
   const Sign side_g = common_side(others.start(f), others.end(f), others.start(g), others.end(g));
-  if (side_g != Sign::zero) return beyond(f, side_g);
-  // f and g do not cross: if f parts g, f lies on one side of g.
-  return !beyond(g, common_side(others.start(g), others.end(g), others.start(f), others.end(f)));
+  if (side_g != Sign::zero) return orient2d(others.start(f), others.end(f), a) != side_g;
+  return orient2d(others.start(g), others.end(g), a) ==
+         common_side(others.start(g), others.end(g), others.start(f), others.end(f));
 }
 
 }  // namespace

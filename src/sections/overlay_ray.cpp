@@ -31,7 +31,8 @@ Number height(const Number& x, const std::array<Number, 4>& ab, const std::array
 // Intervals neither over- nor underflow in three factors of two such coordinates.
 constexpr double kIntervalLimit = 0x1p300;
 
-// The sign of it. Requires a.x < b.x, c.x < d.x.
+// The sign of it. Requires a.x < b.x, and c lower than d in canonical order: a line straight up
+// rises from below all, to its left, to above all.
 int height_sign(double x, const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
   const std::array<double, 9> all = {x, a.x, a.y, b.x, b.y, c.x, c.y, d.x, d.y};
   const bool moderate =
@@ -97,6 +98,7 @@ OverlayRay::Edge OverlayRay::edge_below(const Point2& p) const {
         const Point2& low = curves.low(k);
         const Point2& high = curves.high(k);
         if (!(low.x <= p.x && p.x < high.x) || orient2d(low, high, p) != Sign::positive) continue;
+        // Of edges that run together the lower section's stays.
         if (best.edge != kNone && !is_above({s, k}, best, p.x)) continue;
         best = {s, k};
         within = std::min(within, p.y - std::min(low.y, high.y));
@@ -112,15 +114,14 @@ bool OverlayRay::is_left(const OverlayNode& node, const Edge& e, double x) const
   for (std::size_t s = 0; s < 2; ++s) {
     if (node.at_start[s]) return curves_[s]->start(node.edge[s]).x <= x;
   }
-  const Edge f{1 - e.section, node.edge[1 - e.section]};
-  const OverlayCurves& others = *curves_[f.section];
-  if (others.high(f.edge).x <= x) return true;
-  if (others.low(f.edge).x > x) return false;
-  // To the right of the crossing f is on the side of its higher end.
-  const bool ends_above =
-      orient2d(curves_[e.section]->low(e.edge), curves_[e.section]->high(e.edge),
-               others.high(f.edge)) == Sign::positive;
-  return is_above(f, e, x) == ends_above;
+  const Point2& a = curves_[e.section]->low(e.edge);
+  const Point2& b = curves_[e.section]->high(e.edge);
+  const OverlayCurves& others = *curves_[1 - e.section];
+  const std::uint32_t f = node.edge[1 - e.section];
+  // The line of f is, to the right of the crossing, on the side of f's higher end.
+  const int e_over_f = height_sign(x, a, b, others.low(f), others.high(f));
+  const bool ends_above = orient2d(a, b, others.high(f)) == Sign::positive;
+  return e_over_f == 0 || (e_over_f < 0) == ends_above;
 }
 
 std::uint32_t OverlayRay::half_of(const Edge& e, double x) const {

@@ -124,7 +124,7 @@ void expect_faces_of_oracle(Prng& prng, const Section& lower, const Section& upp
     ASSERT_EQ(plain(overlay.faces()[face]), cells.faces()[*cell]);
   }
   ASSERT_EQ(cells.locate({-0x1p500, 1}), cells.locate({0x1p500, 1}));
-  ASSERT_EQ(overlay.locate({0x1p500, 1}), overlay.unbounded());
+  ASSERT_EQ(overlay.locate({0x1p500, 1}), kUnboundedFace);
   expect_canonical(prng, lower, upper, overlay, points);
 }
 
@@ -164,7 +164,7 @@ TEST(FaceOverlay, AgreesWithTrapezoidsOnRandomStacks) {
   Prng prng(7);
   std::size_t compared = 0;
   for (const StackKind kind : all_kinds()) {
-    for (std::uint64_t seed = 0; seed < 3; ++seed) {
+    for (std::uint64_t seed = 0; seed < 2; ++seed) {
       const SectionStack stack = generate(kind, seed).stack;
       for (std::size_t k = 0; k + 1 < stack.sections.size(); ++k) {
         const Section& lower = stack.sections[SectionId(k)];
@@ -176,7 +176,7 @@ TEST(FaceOverlay, AgreesWithTrapezoidsOnRandomStacks) {
       }
     }
   }
-  EXPECT_GT(compared, 60U);
+  EXPECT_GT(compared, 40U);
 }
 
 TEST(FaceOverlay, AgreesWithTrapezoidsOnCrowdedGrids) {
@@ -197,7 +197,7 @@ TEST(FaceOverlay, AgreesWithTrapezoidsOnCrowdedGrids) {
 
 TEST(FaceOverlay, AgreesWithTrapezoidsInTheLastBits) {
   std::size_t compared = 0;
-  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+  for (std::uint64_t seed = 0; seed < 120; ++seed) {
     Prng prng(seed);
     const bool of_ulps = prng.below(2) == 0;
     const auto jitter = [&] { return static_cast<double>(prng.below(3)) - 1; };
@@ -214,7 +214,7 @@ TEST(FaceOverlay, AgreesWithTrapezoidsInTheLastBits) {
     if (HasFatalFailure()) FAIL() << "seed " << seed;
     ++compared;
   }
-  EXPECT_GT(compared, 150U);
+  EXPECT_GT(compared, 60U);
 }
 
 TEST(FaceOverlay, IsTheSameAtAnyScale) {
@@ -222,13 +222,20 @@ TEST(FaceOverlay, IsTheSameAtAnyScale) {
     Prng prng(seed);
     const Section lower = crowded(prng, 0);
     const Section upper = crowded(prng, 1);
-    const std::vector<CellOverlay::Face> expected =
-        plain(FaceOverlay(lower, nest(lower), upper, nest(upper)));
-    for (const double factor : {0x1p-1074, 0x1p-700, 0x1p300, 0x1p990}) {
+    const FaceOverlay overlay(lower, nest(lower), upper, nest(upper));
+    // Points of a finer grid, so that they do not round at the smallest scale.
+    std::vector<Point2> points;
+    for (int k = 0; k < 100; ++k) {
+      points.push_back({static_cast<double>(prng.below(64)) / 4 - 4,
+                        static_cast<double>(prng.below(64)) / 4 - 4});
+    }
+    for (const double factor : {0x1p-1072, 0x1p-700, 0x1p300, 0x1p990}) {
       const auto map = [&](const Point2& p) { return Point2{p.x * factor, p.y * factor}; };
       const Section a = mapped(lower, map);
       const Section b = mapped(upper, map);
-      ASSERT_EQ(plain(FaceOverlay(a, nest(a), b, nest(b))), expected) << seed << " " << factor;
+      const FaceOverlay scaled(a, nest(a), b, nest(b));
+      ASSERT_EQ(plain(scaled), plain(overlay)) << seed << " " << factor;
+      for (const Point2& p : points) ASSERT_EQ(scaled.locate(map(p)), overlay.locate(p));
     }
   }
 }

@@ -130,6 +130,14 @@ TEST(FaceOverlay, OfAFacePinchedAtBothEndsIsTwo) {
   EXPECT_EQ(texts(overlay({rectangle(0, 0, 4, 4)}, {lozenge})),
             (Lines{"V0 V0 chi 0 by 0.0", "S0 V0 chi 1 by 0.0 1.0", "S0 V0 chi 1 by 0.0 1.0",
                    "S0 S0 chi 1 by 1.0"}));
+  // Both faces have their least node in common: ways out of it tell which is first.
+  for (int k = 0; k < 4; ++k) {
+    const Contour square = rectangle(0, 0, 4, 4);
+    const FaceOverlay turned = overlay({k % 2 == 0 ? square : reversed(square)},
+                                       {k / 2 == 0 ? lozenge : reversed(lozenge)});
+    EXPECT_EQ(turned.locate({2, 3.5}), FaceId(1U)) << k;
+    EXPECT_EQ(turned.locate({2, 0.5}), FaceId(2U)) << k;
+  }
 }
 
 TEST(FaceOverlay, OfARingOverADiscWithIsland) {
@@ -144,9 +152,9 @@ TEST(FaceOverlay, LocatesPointsOffContours) {
   const FaceOverlay bars = overlay({contour({{0, 1}, {1, 0}, {9, 8}, {8, 9}})},
                                    {contour({{0, 8}, {8, 0}, {9, 1}, {1, 9}})});
   EXPECT_EQ(bars.locate({4.5, 4.5}), FaceId(5U));
-  EXPECT_EQ(bars.locate({-5, 4}), bars.unbounded());
-  EXPECT_EQ(bars.locate({4.5, 1}), bars.unbounded());
-  EXPECT_EQ(bars.locate({4.5, 100}), bars.unbounded());
+  EXPECT_EQ(bars.locate({-5, 4}), kUnboundedFace);
+  EXPECT_EQ(bars.locate({4.5, 1}), kUnboundedFace);
+  EXPECT_EQ(bars.locate({4.5, 100}), kUnboundedFace);
   EXPECT_FALSE(bars.locate({1, 0}).valid());
   EXPECT_FALSE(bars.locate({4.5, 3.5}).valid());
   EXPECT_EQ(bars.faces()[bars.locate({1, 1})].lower.solid, true);
@@ -159,8 +167,8 @@ TEST(FaceOverlay, LooksDownOnCrossingsExactly) {
                                      {contour({{0, 0.5}, {1, 0}, {1, -8}, {0, -8}})});
   const FaceId left = thirds.locate({1.0 / 3, 0.34});  // 1/3 rounds down
   const FaceId right = thirds.locate({std::nextafter(1.0 / 3, 1), 0.34});
-  EXPECT_EQ(left, thirds.unbounded());
-  EXPECT_EQ(right, thirds.unbounded());
+  EXPECT_EQ(left, kUnboundedFace);
+  EXPECT_EQ(right, kUnboundedFace);
   EXPECT_EQ(text(thirds.faces()[thirds.locate({0.25, 0.3})].upper), "S0");
   EXPECT_EQ(text(thirds.faces()[thirds.locate({0.25, 0.3})].lower), "V0");
   EXPECT_EQ(text(thirds.faces()[thirds.locate({0.5, 0.3})].lower), "S0");
