@@ -97,7 +97,6 @@ class Checks {
   }
 
   void expect_cavities(const checking::Components::Expected& components) {
-    report_.deviations = model_.deviations.size();
     const VoidOptions& voids = options_.correspondence.voids;
     if (voids.rule == VoidRule::free) return;
     auto expected = checking::expected_cavities(*stack_voids_, voids, view_, components);
@@ -132,6 +131,7 @@ class Checks {
 
   void measure() {
     report_.components = view_.component_count;
+    report_.deviations = model_.deviations.size();
     for (const SurfaceTopology& topology : surface_.topology) {
       report_.genus.push_back(topology.genus());
     }
