@@ -1,8 +1,9 @@
-// The four guarantees, checked exactly on any model: shares predicates with the
+// The five guarantees, checked exactly on any model: shares predicates with the
 // reconstruction and none of its construction.
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,11 +24,14 @@ struct CheckFailure {
   std::vector<std::string> places;  ///< the first few
 };
 
-/// One guarantee: 1 manifold, 2 re-sampling, 3 embedded, 4 components.
+/// One guarantee: 1 manifold, 2 re-sampling, 3 embedded, 4 components, 5 cavities and tunnels.
 struct GuaranteeVerdict {
   int number = 0;
   std::string name;
   bool pass = true;
+  /// Why it was not asked; empty if it was. 5 is not, and does not pass, while 1, 2 or 4 fail. By
+  /// VoidRule::free it asks nothing, and passes.
+  std::string not_asked;
   std::vector<CheckFailure> failures;
 };
 
@@ -40,11 +44,14 @@ struct CheckOptions {
   /// By correspondence `moved`: estimate motions anew, too, and ask that the model's are the same,
   /// bit for bit. Otherwise they are taken from the model, where the rule has any.
   bool recompute_motions = false;
+  /// Guarantee 5 without exceptions: deviations that the model lists, links of voids that it says
+  /// were forced or unrealisable, fail, too.
+  bool strict = false;
   Execution execution = {};  ///< threads share the guarantees
 };
 
 struct TETLOFT_API CheckReport {
-  std::vector<GuaranteeVerdict> guarantees;  ///< the four, in order
+  std::vector<GuaranteeVerdict> guarantees;  ///< the five, in order
   [[nodiscard]] bool pass() const;
   // Figures beside the guarantees.
   std::size_t components = 0;
@@ -62,6 +69,18 @@ struct TETLOFT_API CheckReport {
   /// Links of the correspondence that the model says no tets could realise (rule 8): they are left
   /// out where guarantee 4 is decided.
   std::size_t dropped_links = 0;
+  /// Of the model; none while guarantee 1 or 2 fails.
+  std::optional<std::size_t> cavities = std::nullopt;
+  /// By the links of regions and voids, the genus summed over all boundary surfaces; none where
+  /// they cannot be recomputed, and by VoidRule::free.
+  std::optional<std::size_t> expected_cavities = std::nullopt;
+  std::optional<long> expected_genus = std::nullopt;
+  /// What the model lists of them (guarantee 5), right or wrong.
+  std::size_t deviations = 0;
+  /// Links of voids that the model says were forced, or unrealisable (rule V6), as far as that may
+  /// be.
+  std::size_t forced_voids = 0;
+  std::size_t unrealisable_voids = 0;
 };
 
 /// Checks points and tets of `model` (not its labels and provenance) against the input.
@@ -71,6 +90,12 @@ struct TETLOFT_API CheckReport {
 /// dropped. It fails where the rule has no such motion or candidate. A model that has neither links
 /// nor motions, as when a mesher refined it and left them out, is checked with motions estimated
 /// anew, and fails if links had been dropped.
+///
+/// Guarantee 5, with the rule of voids.hpp: links of voids, and the Euler characteristic of what
+/// each slab holds, are computed anew, from the input, the options and the links of guarantee 4.
+/// Taken from the model: which links of voids were forced or unrealisable, and where the topology
+/// deviates, which is a failure where it does not. So the model of a mesher that left them out
+/// fails where there were any.
 ///
 /// Guarantee 2: cutting the solid with a section plane gives back the section's region as a set,
 /// on each side on which the stack goes on; the input's vertices are vertices of the model, bit for

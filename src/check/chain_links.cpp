@@ -10,18 +10,18 @@ namespace {
 
 class ChainFinder {
  public:
-  ChainFinder(const Regions& regions, const std::vector<Link>& by_criterion)
-      : regions_(regions), linked_(regions.size(), by_criterion) {}
+  ChainFinder(const Regions& regions, const std::vector<Link>& by_criterion, const ChainRule& rule)
+      : regions_(regions), linked_(regions.size(), by_criterion), rule_(rule) {}
 
   std::vector<Candidate> run() {
     for (std::size_t r = 0; r < regions_.size(); ++r) {
       const std::size_t s = regions_.section[r];
-      if (s + 1 == regions_.section_count()) continue;
+      if (s + 1 == regions_.section_count() || is_exterior(r)) continue;
       if (s > 0 && linked_.up[r].empty()) move_on(r, s - 1, s + 1);
     }
     for (std::size_t r = 0; r < regions_.size(); ++r) {
       const std::size_t s = regions_.section[r];
-      if (s == 0) continue;
+      if (s == 0 || is_exterior(r)) continue;
       if (s + 1 < regions_.section_count() && linked_.down[r].empty()) move_on(r, s + 1, s - 1);
     }
     std::vector<Candidate> candidates;
@@ -38,6 +38,10 @@ class ChainFinder {
     bool far_enough = false;  // either is above the threshold
   };
 
+  [[nodiscard]] bool is_exterior(std::size_t r) const {
+    return rule_.exteriors && r == regions_.first[regions_.section[r]];
+  }
+
   [[nodiscard]] const std::vector<std::size_t>& partners(std::size_t r, std::size_t s) const {
     return s > regions_.section[r] ? linked_.up[r] : linked_.down[r];
   }
@@ -45,7 +49,7 @@ class ChainFinder {
   // Where region r came from in section s.
   [[nodiscard]] std::optional<std::size_t> origin(std::size_t r, std::size_t s) const {
     const std::vector<std::size_t>& known = partners(r, s);
-    if (known.size() == 1) return known.front();
+    if (known.size() == 1 && !is_exterior(known.front())) return known.front();
     if (!known.empty()) return std::nullopt;
     std::vector<std::pair<double, std::size_t>> near;
     for_each_within_reach(r, s, [&](std::size_t q, double d) { near.emplace_back(d, q); });
@@ -53,13 +57,14 @@ class ChainFinder {
     return std::min_element(near.begin(), near.end())->second;
   }
 
-  // Calls visit(q, d) for the regions of section s in a neighbourhood of r.
+  // Calls visit(q, d) for the regions of section s in a neighbourhood of r, no exterior.
   template <class Visit>
   void for_each_within_reach(std::size_t r, std::size_t s, Visit&& visit) const {
-    const double reach = kChainReach * regions_.gap(regions_.section[r], s);
+    const double reach = rule_.reach * regions_.gap(regions_.section[r], s);
     const Box2 around = surroundings(regions_.box[r], reach);
     regions_.for_each_meeting(s, around, [&](std::size_t q) {
-      const auto d = regions_.distance(link_between(r, q), kChainReach);
+      if (is_exterior(q)) return;
+      const auto d = regions_.distance(link_between(r, q), rule_.reach);
       if (d.has_value()) visit(q, *d);
     });
   }
@@ -97,13 +102,15 @@ class ChainFinder {
 
   const Regions& regions_;
   LinkedRegions linked_;
+  ChainRule rule_;
   std::map<Link, Met> met_;
 };
 
 }  // namespace
 
-std::vector<Candidate> chain_links(const Regions& regions, const std::vector<Link>& by_criterion) {
-  return ChainFinder(regions, by_criterion).run();
+std::vector<Candidate> chain_links(const Regions& regions, const std::vector<Link>& by_criterion,
+                                   const ChainRule& rule) {
+  return ChainFinder(regions, by_criterion, rule).run();
 }
 
 }  // namespace tetloft::internal::checking

@@ -1,4 +1,4 @@
-// Checks a model against the stack it claims to fill: the four guarantees and figures.
+// Checks a model against the stack it claims to fill: the five guarantees and figures.
 #include <tetloft/check.hpp>
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 
 #include <tetloft/predicates.hpp>
 
+#include "check/cavities.hpp"
 #include "check/components.hpp"
 #include "check/embedded.hpp"
 #include "check/figures.hpp"
@@ -62,33 +63,75 @@ class Checks {
       work_.step_done();
     });
     if (refused_) return *std::move(refused_);
+    work_.go_on();
+    GuaranteeVerdict cavities = cavities_verdict();
+    work_.step_done();
     report_.guarantees = {std::move(manifold_), std::move(resampling_), std::move(embedded_),
-                          std::move(components_)};
+                          std::move(components_), std::move(cavities)};
     return std::move(report_);
   }
 
  private:
   static constexpr std::size_t kParts = 4;
-  // Arguments checked, the view made, the parts; components are one more.
-  static constexpr std::size_t kSteps = 2 + kParts + 1;
+  // Arguments checked, the view made, the parts; components, and what is expected of cavities, are
+  // two more; cavities.
+  static constexpr std::size_t kSteps = 2 + kParts + 3;
 
   void check_sections() {
-    const checking::Resampling resampling = checking::check_resampling(view_, stack_, options_);
+    checking::Resampling resampling = checking::check_resampling(view_, stack_, options_);
     resampling_ = resampling.findings.verdict();
     report_.largest_split_ulps = resampling.on_contours.largest_split_ulps;
     report_.inner_vertices = resampling.on_contours.off_contours;
     work_.step_done_go_on();
     const auto components = checking::check_components(view_, stack_, resampling, options_);
-    if (components.ok()) {
-      components_ = components->findings.verdict();
-      report_.dropped_links = components->dropped_links;
-    } else {
+    on_contours_ = std::move(resampling.on_contours);
+    if (!components.ok()) {
       refused_ = components.error();
+      return;
     }
+    components_ = components->findings.verdict();
+    report_.dropped_links = components->dropped_links;
+    work_.step_done_go_on();
+    stack_voids_.emplace(stack_);
+    if (components->expected.has_value()) expect_cavities(*components->expected);
+  }
+
+  void expect_cavities(const checking::Components::Expected& components) {
+    const VoidOptions& voids = options_.correspondence.voids;
+    if (voids.rule == VoidRule::free) return;
+    auto expected = checking::expected_cavities(*stack_voids_, voids, view_, components);
+    if (!expected.ok()) {
+      refused_ = expected.error();
+      return;
+    }
+    report_.expected_cavities = expected->cavities;
+    report_.expected_genus = expected->genus;
+    report_.forced_voids = expected->voids.forced;
+    report_.unrealisable_voids = expected->voids.unrealisable;
+    expected_ = *std::move(expected);
+  }
+
+  GuaranteeVerdict cavities_verdict() {
+    const checking::Findings none = checking::no_cavities_asked();
+    std::optional<checking::ModelVoids> voids;
+    if (manifold_.pass && resampling_.pass) {
+      voids = checking::model_voids(view_, surface_, on_contours_, stack_voids_->voids());
+      report_.cavities = voids->cavities;
+    }
+    if (options_.correspondence.voids.rule == VoidRule::free) {
+      return none.not_asked("cavities and tunnels are as they come", true);
+    }
+    if (!voids.has_value() || !components_.pass || !expected_.has_value()) {
+      return none.not_asked("it needs guarantees 1, 2 and 4", false);
+    }
+    return checking::check_cavities(view_, on_contours_, *stack_voids_, *voids, *expected_,
+                                    options_)
+        .verdict();
   }
 
   void measure() {
     report_.components = view_.component_count;
+    report_.deviations = model_.deviations.size();
     for (const SurfaceTopology& topology : surface_.topology) {
       report_.genus.push_back(topology.genus());
     }
@@ -107,6 +150,9 @@ class Checks {
   checking::ModelView view_;
   SurfaceComponents surface_;
   GuaranteeVerdict manifold_, resampling_, embedded_, components_;
+  checking::OnContours on_contours_;
+  std::optional<checking::StackVoids> stack_voids_;
+  std::optional<checking::ExpectedCavities> expected_;
   std::optional<Error> refused_;
   CheckReport report_;
 };

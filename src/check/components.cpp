@@ -9,6 +9,7 @@
 
 #include "check/partition.hpp"
 #include "core/guard.hpp"
+#include "core/sort_distinct.hpp"
 
 namespace tetloft::internal::checking {
 
@@ -104,6 +105,9 @@ Result<Components> check_components(const ModelView& view, const SectionStack& s
       return "label " + std::to_string(*partition->unrealised) + " cannot be realised";
     });
   }
+  std::vector<std::size_t> sets = partition->set;
+  sort_distinct(sets);
+  result.expected = {std::move(partition->links), sets.size()};
   report_claims(*partition, findings);
   result.dropped_links = partition->dropped;
   const auto pair_text = [&](std::size_t a, std::size_t b) {

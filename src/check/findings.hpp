@@ -30,6 +30,16 @@ class Findings {
   [[nodiscard]] bool pass() const { return failures_.empty(); }
   [[nodiscard]] bool failed(int condition) const { return failures_.count(condition) != 0; }
 
+  /// That nothing was asked, and why: of a guarantee that then does or does not hold.
+  [[nodiscard]] GuaranteeVerdict not_asked(std::string why, bool pass) const {
+    GuaranteeVerdict result;
+    result.number = number_;
+    result.name = name_;
+    result.pass = pass;
+    result.not_asked = std::move(why);
+    return result;
+  }
+
   /// Failures by condition.
   [[nodiscard]] GuaranteeVerdict verdict() const {
     GuaranteeVerdict result;

@@ -151,7 +151,8 @@ class PathFinder {
 };
 
 // Rules 5 and 6. Returns a joined pair of different labels, if there is one.
-std::optional<Link> accept_by_evidence(std::vector<Candidate> candidates, LabelledSets& sets) {
+std::optional<Link> accept_by_evidence(std::vector<Candidate> candidates, LabelledSets& sets,
+                                       std::vector<Link>& accepted) {
   std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
     if (a.joined != b.joined) return a.joined;
     if (!a.joined && a.s != b.s) return a.s > b.s;
@@ -160,6 +161,7 @@ std::optional<Link> accept_by_evidence(std::vector<Candidate> candidates, Labell
   for (const auto& [link, s, joined] : candidates) {
     if (sets.may_unite(link.lower, link.upper)) {
       sets.unite(link.lower, link.upper);
+      accepted.push_back(link);
     } else if (joined) {
       return link;
     }
@@ -170,7 +172,7 @@ std::optional<Link> accept_by_evidence(std::vector<Candidate> candidates, Labell
 // Rule 7. Returns a label that cannot be realised, if there is one.
 RegionLabel connect_labels(const SectionStack& stack, const Regions& regions,
                            const std::vector<RegionLabel>& label, const std::set<Link>& closed,
-                           LabelledSets& sets) {
+                           LabelledSets& sets, std::vector<Link>& accepted) {
   std::map<std::uint32_t, std::vector<std::size_t>> regions_of;
   for (std::size_t r = 0; r < label.size(); ++r) {
     if (label[r].has_value()) regions_of[*label[r]].push_back(r);
@@ -184,7 +186,10 @@ RegionLabel connect_labels(const SectionStack& stack, const Regions& regions,
     while (apart()) {
       const auto path = PathFinder(regions, sets, closed, distances).find(members.front(), value);
       if (!path.has_value()) return value;
-      for (const Link& link : path->links) sets.unite(link.lower, link.upper);
+      for (const Link& link : path->links) {
+        sets.unite(link.lower, link.upper);
+        accepted.push_back(link);
+      }
     }
   }
   return std::nullopt;
@@ -197,12 +202,13 @@ RegionSets unite_regions(const SectionStack& stack, const Regions& regions,
                          const std::set<Link>& closed) {
   LabelledSets sets(label);
   RegionSets result;
-  result.contradicted = accept_by_evidence(std::move(candidates), sets);
+  result.contradicted = accept_by_evidence(std::move(candidates), sets, result.accepted);
   const bool labelled =
       std::any_of(label.begin(), label.end(), [](const RegionLabel& l) { return l.has_value(); });
   if (labelled && !result.contradicted.has_value()) {
-    result.unrealised = connect_labels(stack, regions, label, closed, sets);
+    result.unrealised = connect_labels(stack, regions, label, closed, sets, result.accepted);
   }
+  std::sort(result.accepted.begin(), result.accepted.end());
   for (std::size_t r = 0; r < regions.size(); ++r) result.set.push_back(sets.find(r));
   return result;
 }

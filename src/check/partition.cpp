@@ -163,9 +163,10 @@ Result<ExpectedPartition> expected_partition(const SectionStack& given, const Se
   std::set<Link> closed = std::move(decided->parted);
   closed.merge(dropped.links);
 
-  const RegionSets sets = unite_regions(stack, regions, *std::move(candidates), *label, closed);
+  RegionSets sets = unite_regions(stack, regions, *std::move(candidates), *label, closed);
   if (sets.contradicted.has_value()) return contradiction(regions, *sets.contradicted);
   expected.unrealised = sets.unrealised;
+  expected.links = std::move(sets.accepted);
   for (std::size_t s = 0; s < stack.sections.size(); ++s) {
     for (std::size_t c = 0; c < stack.sections[SectionId(s)].contours.size(); ++c) {
       expected.set.push_back(sets.set[regions.of(s, c)]);

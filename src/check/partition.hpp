@@ -38,9 +38,15 @@ struct Candidate {
 [[nodiscard]] Result<std::vector<Link>> reverse_links(const SectionStack& refined,
                                                       const Regions& regions);
 
-/// Rule 2 (chain_links.cpp), sorted, from the candidates of rule 1.
+/// Rule 2 (chain_links.cpp), sorted, from the candidates of rule 1. Of voids (rule V2 of voids.hpp)
+/// the first of each section is the exterior, which is no origin and never single.
+struct ChainRule {
+  double reach = kChainReach;
+  bool exteriors = false;
+};
 [[nodiscard]] std::vector<Candidate> chain_links(const Regions& regions,
-                                                 const std::vector<Link>& by_criterion);
+                                                 const std::vector<Link>& by_criterion,
+                                                 const ChainRule& rule = {});
 
 /// Rule 3 (lone_links.cpp), sorted, from the candidates of rules 1 and 2.
 [[nodiscard]] std::vector<Link> lone_links(const Regions& regions, const MovedRatios& m,
@@ -65,10 +71,12 @@ struct DroppedLinks {
 
 /// Rules 5 to 7 (label_links.cpp): sets of regions, by a number for each region that is the
 /// same within a set. label[r]: the label of region r; closed: pairs that no label may use.
+/// `accepted` are the links of rules 5 to 7, sorted, each once;
 /// `unrealised` is the first label that cannot be made one set, if any, `contradicted` a joined
 /// pair of different labels.
 struct RegionSets {
   std::vector<std::size_t> set;
+  std::vector<Link> accepted;
   std::optional<std::uint32_t> unrealised;
   std::optional<Link> contradicted;
 };
@@ -92,6 +100,7 @@ struct Claims {
 
 struct ExpectedPartition {
   std::vector<std::size_t> set;             ///< per contour, all sections in one sequence
+  std::vector<Link> links;                  ///< those accepted, sorted
   std::optional<std::uint32_t> unrealised;  ///< a label that cannot be realised
   std::size_t dropped = 0;                  ///< links left out because the model says so
   // What is wrong with claims, in words.

@@ -1,4 +1,7 @@
-// tetloft check: the four guarantees, exactly.
+// tetloft check: the five guarantees, exactly.
+#include <limits>
+#include <optional>
+
 #include "cli/commands.hpp"
 #include "cli/engine_option.hpp"
 #include "cli/file_formats.hpp"
@@ -21,6 +24,9 @@ Usage check_usage() {
       {"--motions", "",
        "with --correspondence moved: estimate anew how regions move, too; else that is taken from "
        "the model"});
+  usage.options.push_back({"--strict", "",
+                           "no exceptions: cavities and tunnels that are not as defined fail, "
+                           "though the model says so"});
   usage.options.push_back(model_format_option());
   for (const Option& option : {kThreadsOption, kJsonOption, kQuietOption, kHelpOption}) {
     usage.options.push_back(option);
@@ -44,6 +50,16 @@ void write_failures(JsonWriter& json, const GuaranteeVerdict& verdict) {
   json.end_array();
 }
 
+// null where there is none.
+template <class Number>
+void write_known(JsonWriter& json, const char* name, const std::optional<Number>& number) {
+  if (number.has_value()) {
+    json.member(name, *number);
+  } else {
+    json.member(name, std::numeric_limits<double>::quiet_NaN());
+  }
+}
+
 std::string to_json(const CheckReport& report, const StackInput& input, const Console& console) {
   JsonWriter json;
   json.begin_object();
@@ -55,6 +71,7 @@ std::string to_json(const CheckReport& report, const StackInput& input, const Co
     json.member("number", verdict.number);
     json.member("name", verdict.name);
     json.member("pass", verdict.pass);
+    json.member("not_asked", verdict.not_asked);
     write_failures(json, verdict);
     json.end_object();
   }
@@ -70,6 +87,12 @@ std::string to_json(const CheckReport& report, const StackInput& input, const Co
   json.member("largest_split_ulps", report.largest_split_ulps);
   json.member("inner_vertices", report.inner_vertices);
   json.member("dropped_links", report.dropped_links);
+  write_known(json, "cavities", report.cavities);
+  write_known(json, "expected_cavities", report.expected_cavities);
+  write_known(json, "expected_genus", report.expected_genus);
+  json.member("deviations", report.deviations);
+  json.member("forced_voids", report.forced_voids);
+  json.member("unrealisable_voids", report.unrealisable_voids);
   write_preparation(json, input);
   write_warnings(json, console.warnings());
   json.end_object();
@@ -87,12 +110,34 @@ std::string genus_text(const std::vector<long>& genus) {
   return text.empty() ? "none" : text;
 }
 
+std::string cavities_text(const CheckReport& report) {
+  const auto cavities = [](std::size_t n) {
+    return std::to_string(n) + (n == 1 ? " cavity" : " cavities");
+  };
+  std::string text;
+  if (report.cavities.has_value()) text += cavities(*report.cavities) + '\n';
+  if (report.expected_cavities.has_value()) {
+    text += "expected: " + cavities(*report.expected_cavities) + ", genus of all surfaces " +
+            std::to_string(report.expected_genus.value_or(0)) + '\n';
+  }
+  if (report.deviations > 0) {
+    text += counted(report.deviations, "place") + " where topology deviates, as the model says\n";
+  }
+  if (report.forced_voids + report.unrealisable_voids > 0) {
+    text += "links of voids, as the model says: " + std::to_string(report.forced_voids) +
+            " forced, " + std::to_string(report.unrealisable_voids) + " left out\n";
+  }
+  return text;
+}
+
 std::string to_text(const CheckReport& report, const StackInput& input) {
   std::string text;
   text += describe_preparation(input);
   for (const GuaranteeVerdict& verdict : report.guarantees) {
     text += std::to_string(verdict.number) + ' ' + verdict.name + ": " +
-            (verdict.pass ? "PASS" : "FAIL") + '\n';
+            (verdict.pass ? "PASS" : "FAIL");
+    if (!verdict.not_asked.empty()) text += " (not asked: " + verdict.not_asked + ')';
+    text += '\n';
     for (const CheckFailure& failure : verdict.failures) {
       text += "    " + failure.what + ": " + std::to_string(failure.count) + '\n';
       for (const std::string& place : failure.places) text += "        " + place + '\n';
@@ -101,6 +146,7 @@ std::string to_text(const CheckReport& report, const StackInput& input) {
   text += counted(report.components, "component") +
           ", genus of boundary surfaces: " + genus_text(report.genus) + ", volume " +
           readable(report.volume) + '\n';
+  text += cavities_text(report);
   text += "overshoot " + readable(report.overshoot) + " gaps, smallest dihedral angle " +
           readable(report.smallest_dihedral_degrees) + " degrees, inserted vertices at most " +
           readable(report.largest_split_ulps) + " ulps off their edges\n";
@@ -133,6 +179,7 @@ Result<int> run_check(const Arguments& arguments, Console& console) {
   if (!correspondence) return correspondence.error();
   options.correspondence = *std::move(correspondence);
   options.recompute_motions = arguments.has("--motions");
+  options.strict = arguments.has("--strict");
   if (options.recompute_motions && options.correspondence.criterion != Criterion::moved) {
     console.warn({"--motions has no effect but with --correspondence moved", {}});
   }

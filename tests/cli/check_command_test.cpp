@@ -61,13 +61,18 @@ TEST_F(CheckCommand, ReportsInJson) {
   write(cube());
   const JsonValue json = run_json({"check", model_, in_});
   EXPECT_TRUE(json.at("pass").boolean);
-  ASSERT_EQ(json.at("guarantees").array.size(), 4U);
-  for (std::size_t i = 0; i < 4; ++i) {
+  ASSERT_EQ(json.at("guarantees").array.size(), 5U);
+  for (std::size_t i = 0; i < 5; ++i) {
     const JsonValue& guarantee = json.at("guarantees").array[i];
     EXPECT_EQ(guarantee.at("number").number, static_cast<double>(i + 1));
     EXPECT_FALSE(guarantee.at("name").string.empty());
     EXPECT_TRUE(guarantee.at("pass").boolean);
+    EXPECT_EQ(guarantee.at("not_asked").string, "");
     EXPECT_TRUE(guarantee.at("failures").array.empty());
+  }
+  for (const char* none : {"cavities", "expected_cavities", "expected_genus", "deviations",
+                           "forced_voids", "unrealisable_voids"}) {
+    EXPECT_EQ(json.at(none).number, 0) << none;
   }
   EXPECT_EQ(json.at("components").number, 1);
   ASSERT_EQ(json.at("genus").array.size(), 1U);
@@ -77,6 +82,11 @@ TEST_F(CheckCommand, ReportsInJson) {
   EXPECT_GT(json.at("smallest_dihedral_degrees").number, 10);
   EXPECT_EQ(json.at("largest_split_ulps").number, 0);
   EXPECT_EQ(json.at("inner_vertices").number, 0);
+}
+
+TEST_F(CheckCommand, TakesStrict) {
+  write(cube());
+  EXPECT_TRUE(run_json({"check", "--strict", model_, in_}).at("pass").boolean);
 }
 
 // Refined by a mesher: a vertex in the middle of each triangle of its bottom.

@@ -8,25 +8,18 @@
 #include <set>
 #include <utility>
 
-#include "support/region_oracle.hpp"
+#include "support/link_rule.hpp"
 
 namespace tetloft::oracle {
 
 namespace {
 
-using Pair = std::pair<std::size_t, std::size_t>;  // of regions, the lower one first
-using Labelled = std::vector<std::optional<std::uint32_t>>;
+using Pair = RegionPair;
 
-class Rule {
+class Rule : private LinkRule {
  public:
   Rule(const Model& model, const SectionStack& stack, const CorrespondenceOptions& options)
-      : model_(model), stack_(stack), options_(options), regions_(regions_of(stack)) {
-    for (std::size_t a = 0; a < regions_.size(); ++a) {
-      for (std::size_t b = 0; b < regions_.size(); ++b) {
-        if (regions_[b].section == regions_[a].section + 1) pairs_.emplace_back(a, b);
-      }
-    }
-  }
+      : LinkRule(stack, options.labels, options.decisions, {}), model_(model), options_(options) {}
 
   ExpectedSets run() {
     if (options_.criterion == Criterion::moved) {
@@ -39,11 +32,12 @@ class Rule {
     if (options_.lone) by_loneness();
     decide();
     drop();
-    set_.resize(regions_.size());
-    for (std::size_t r = 0; r < set_.size(); ++r) set_[r] = r;
     take_labels();
     accept();
-    if (!options_.labels.empty() && !result_.refused) connect_labels();
+    if (!options_.labels.empty() && !refused_) connect_labels();
+    result_.refused = refused_;
+    result_.realised = realised_;
+    result_.links = links_;
     result_.set.resize(stack_.contour_count());
     for (std::size_t r = 0; r < regions_.size(); ++r) {
       for (const std::size_t c : regions_[r].contours) result_.set[c] = set_[r];
@@ -52,26 +46,6 @@ class Rule {
   }
 
  private:
-  // What is measured.
-  [[nodiscard]] double z(std::size_t section) const {
-    return stack_.sections[SectionId(section)].z;
-  }
-  [[nodiscard]] double gap(std::size_t a, std::size_t b) const {
-    return std::abs(z(regions_[a].section) - z(regions_[b].section));
-  }
-  const Rational& ratio(const Pair& pair) {
-    const auto [at, fresh] = ratio_.try_emplace(pair);
-    if (fresh) at->second = exact_ratio(regions_[pair.first], regions_[pair.second]);
-    return at->second;
-  }
-  double distance(const Pair& pair) {
-    const auto [at, fresh] = distance_.try_emplace(pair);
-    if (fresh) {
-      at->second = rounded_root(squared_distance(regions_[pair.first], regions_[pair.second])) /
-                   gap(pair.first, pair.second);
-    }
-    return at->second;
-  }
   double m(const Pair& pair);
   double half_of_m(std::size_t moving, std::size_t still, bool up);
 
@@ -82,36 +56,13 @@ class Rule {
   bool take_motion(const RegionMotion& motion);
   void by_overlap();
   void by_moved_overlap();
-  // Rules 2 and 3, from the candidates so far.
-  [[nodiscard]] std::vector<std::size_t> partners(std::size_t r, std::size_t section) const;
-  std::optional<std::size_t> origin(std::size_t r, std::size_t section);
-  double ratio_moved_on(std::size_t r, std::size_t from, std::size_t onto, bool& enough);
-  void by_chains();
+  // Rules 3 and 8, from the candidates so far.
   void by_loneness();
-  // Rules 4 and 8.
-  std::optional<Pair> pair_of(SlabId slab, ContourId lower, ContourId upper, bool outer) const;
-  void decide();
   void drop();
-  // Rules 5 to 7.
-  void take_labels();
-  bool unite(const Pair& pair);
-  void accept();
-  void connect_labels();
-  bool connect(std::uint32_t label);
-  double way(const Pair& pair) const;
 
   const Model& model_;
-  const SectionStack& stack_;
   const CorrespondenceOptions& options_;
-  std::vector<Region> regions_;
-  std::vector<Pair> pairs_;
-  std::map<Pair, Rational> ratio_;
-  std::map<Pair, double> distance_;
   std::map<std::pair<std::size_t, bool>, Point2> motion_;  // of a region, upwards or down
-  std::map<Pair, double> candidates_;                      // with s
-  std::set<Pair> joined_, closed_;
-  Labelled label_;                // of a region's set
-  std::vector<std::size_t> set_;  // of regions
   ExpectedSets result_;
 };
 
@@ -213,68 +164,7 @@ void Rule::by_overlap() {
   }
 }
 
-// Rules 2 and 3.
-
-std::vector<std::size_t> Rule::partners(std::size_t r, std::size_t section) const {
-  std::vector<std::size_t> result;
-  for (const auto& [pair, s] : candidates_) {
-    if (pair.first == r && regions_[pair.second].section == section) result.push_back(pair.second);
-    if (pair.second == r && regions_[pair.first].section == section) result.push_back(pair.first);
-  }
-  return result;
-}
-
-std::optional<std::size_t> Rule::origin(std::size_t r, std::size_t section) {
-  const std::vector<std::size_t> known = partners(r, section);
-  if (known.size() == 1) return known[0];
-  std::optional<std::size_t> nearest;
-  if (!known.empty()) return nearest;
-  double least = kChainReach;
-  for (std::size_t q = 0; q < regions_.size(); ++q) {
-    if (regions_[q].section != section) continue;
-    const double d = distance(std::minmax(r, q));
-    if (nearest ? d < least : d <= least) {
-      nearest = q;
-      least = d;
-    }
-  }
-  return nearest;
-}
-
-// The ratio of r, moved on as it came from section `from`, and `onto`.
-double Rule::ratio_moved_on(std::size_t r, std::size_t from, std::size_t onto, bool& enough) {
-  if (from >= stack_.sections.size()) return 0;
-  const std::optional<std::size_t> before = origin(r, from);
-  if (!before) return 0;
-  const double scale = gap(r, onto) / gap(r, *before);
-  const auto centre = [&](std::size_t q) {
-    const Bounds box = bounds(regions_[q]);
-    return Point2{(box.low.x + box.high.x) / 2, (box.low.y + box.high.y) / 2};
-  };
-  const Point2 now = centre(r);
-  const Point2 then = centre(*before);
-  const auto there = moved_by(regions_[r], {(now.x - then.x) * scale, (now.y - then.y) * scale});
-  if (!there) return 0;
-  const Rational met = exact_ratio(*there, regions_[onto]);
-  if (met > Rational::exactly(kChainOverlap)) enough = true;
-  return rounded(met);
-}
-
-void Rule::by_chains() {
-  std::map<Pair, double> chains;
-  for (const Pair& pair : pairs_) {
-    const auto [a, b] = pair;
-    const std::size_t s = regions_[a].section;
-    if (!partners(a, s + 1).empty() || !partners(b, s).empty()) continue;
-    const double d = distance(pair);
-    if (d > kChainReach) continue;
-    bool enough = false;
-    const double from_below = ratio_moved_on(a, s - 1, b, enough);  // none is the last number
-    const double from_above = ratio_moved_on(b, s + 2, a, enough);
-    if (enough) chains[pair] = std::max(from_below, from_above) - d;
-  }
-  candidates_.insert(chains.begin(), chains.end());
-}
+// Rule 3.
 
 void Rule::by_loneness() {
   std::map<Pair, double> chosen;
@@ -301,43 +191,7 @@ void Rule::by_loneness() {
   candidates_.insert(chosen.begin(), chosen.end());
 }
 
-// Rules 4 and 8.
-
-std::optional<Pair> Rule::pair_of(SlabId slab, ContourId lower, ContourId upper, bool outer) const {
-  const auto region = [&](std::size_t section, ContourId contour) {
-    std::size_t number = contour.value();
-    std::size_t first = 0;
-    for (std::size_t s = 0; s < section && s < stack_.sections.size(); ++s) {
-      first += stack_.sections[SectionId(s)].contours.size();
-    }
-    number += first;
-    const auto at = std::find_if(regions_.begin(), regions_.end(), [&](const Region& r) {
-      if (r.section != section) return false;
-      const auto found = std::find(r.contours.begin(), r.contours.end(), number);
-      return outer ? found == r.contours.begin() : found != r.contours.end();
-    });
-    return static_cast<std::size_t>(at - regions_.begin());
-  };
-  const Pair pair{region(slab.value(), lower), region(std::size_t{slab.value()} + 1, upper)};
-  if (pair.first == regions_.size() || pair.second == regions_.size()) return std::nullopt;
-  return pair;
-}
-
-void Rule::decide() {
-  for (const LinkDecision& decision : options_.decisions) {
-    const auto pair = pair_of(decision.slab, decision.lower, decision.upper, false);
-    if (!pair) {
-      result_.refused = true;
-      continue;
-    }
-    (decision.join ? joined_ : closed_).insert(*pair);
-  }
-  for (const Pair& pair : joined_) {
-    if (closed_.count(pair) != 0) result_.refused = true;
-    candidates_.insert({pair, 0});
-  }
-  for (const Pair& pair : closed_) candidates_.erase(pair);
-}
+// Rule 8.
 
 void Rule::drop() {
   std::set<Pair> dropped;
@@ -353,121 +207,6 @@ void Rule::drop() {
   for (const Pair& pair : dropped) {
     candidates_.erase(pair);
     closed_.insert(pair);
-  }
-}
-
-// Rules 5 to 7.
-
-void Rule::take_labels() {
-  label_.resize(regions_.size());
-  for (const Label& label : options_.labels) {
-    std::size_t number = label.contour.value();
-    for (std::size_t s = 0; s < label.section.index(); ++s) {
-      number += stack_.sections[SectionId(s)].contours.size();
-    }
-    for (std::size_t r = 0; r < regions_.size(); ++r) {
-      const auto& contours = regions_[r].contours;
-      if (std::count(contours.begin(), contours.end(), number) == 0) continue;
-      if (label_[r] && *label_[r] != label.label) result_.refused = true;
-      label_[r] = label.label;
-    }
-  }
-}
-
-// False, and nothing done, if their labels differ.
-bool Rule::unite(const Pair& pair) {
-  const auto one = label_[pair.first];
-  const auto other = label_[pair.second];
-  if (one && other && *one != *other) return false;
-  const std::size_t a = set_[pair.first];
-  const std::size_t b = set_[pair.second];
-  for (std::size_t r = 0; r < set_.size(); ++r) {
-    if (set_[r] != a && set_[r] != b) continue;
-    set_[r] = std::min(a, b);
-    label_[r] = one ? one : other;
-  }
-  return true;
-}
-
-void Rule::accept() {
-  for (const Pair& pair : joined_) {
-    if (!unite(pair)) result_.refused = true;
-  }
-  std::vector<std::pair<double, Pair>> others;
-  for (const auto& [pair, s] : candidates_) {
-    if (joined_.count(pair) == 0) others.emplace_back(-s, pair);
-  }
-  std::sort(others.begin(), others.end());
-  for (const auto& [s, pair] : others) unite(pair);
-}
-
-double Rule::way(const Pair& pair) const {
-  double least = std::numeric_limits<double>::infinity();
-  for (const auto& c : regions_[pair.first].shape) {
-    for (const auto& d : regions_[pair.second].shape) {
-      for (const Point2& p : c) {
-        for (const Point2& q : d) least = std::min(least, std::hypot(p.x - q.x, p.y - q.y));
-      }
-    }
-  }
-  return std::hypot(least, gap(pair.first, pair.second));
-}
-
-// Rule 7, one path: all sets that k new links lead to, for k = 0, 1, …
-bool Rule::connect(std::uint32_t label) {
-  const auto first = std::find(label_.begin(), label_.end(), std::optional(label));
-  using Path = std::pair<double, std::vector<Pair>>;
-  std::map<std::size_t, Path> reached{{set_[static_cast<std::size_t>(first - label_.begin())], {}}};
-  std::set<std::size_t> seen;
-  while (!reached.empty()) {
-    std::optional<Path> best;
-    for (const auto& [set, path] : reached) {
-      seen.insert(set);
-      if (!path.second.empty() && label_[set] == std::optional(label) && (!best || path < *best)) {
-        best = path;
-      }
-    }
-    if (best) {
-      for (const Pair& pair : best->second) unite(pair);
-      return true;
-    }
-    std::map<std::size_t, Path> next;
-    for (const Pair& pair : pairs_) {
-      if (closed_.count(pair) != 0) continue;
-      for (const auto& [from, to] : {pair, Pair{pair.second, pair.first}}) {
-        const auto at = reached.find(set_[from]);
-        if (at == reached.end() || seen.count(set_[to]) != 0) continue;
-        if (label_[to] && *label_[to] != label) continue;
-        Path longer = at->second;
-        longer.first += way(pair);
-        longer.second.push_back(pair);
-        const auto [known, fresh] = next.try_emplace(set_[to], longer);
-        if (!fresh && longer < known->second) known->second = longer;
-      }
-    }
-    reached = std::move(next);
-  }
-  return false;
-}
-
-void Rule::connect_labels() {
-  std::set<std::uint32_t> labels;
-  for (const auto& label : label_) {
-    if (label) labels.insert(*label);
-  }
-  for (const std::uint32_t label : labels) {
-    const auto apart = [&] {
-      std::set<std::size_t> sets;
-      for (std::size_t r = 0; r < set_.size(); ++r) {
-        if (label_[r] == std::optional(label)) sets.insert(set_[r]);
-      }
-      return sets.size() > 1;
-    };
-    while (apart()) {
-      if (connect(label)) continue;
-      result_.realised = false;
-      return;
-    }
   }
 }
 

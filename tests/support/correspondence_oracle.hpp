@@ -4,13 +4,14 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
-#include <string>
+#include <set>
 #include <vector>
 
 #include <tetloft/correspondence.hpp>
 #include <tetloft/model.hpp>
 #include <tetloft/section_stack.hpp>
+
+#include "support/link_rule.hpp"
 
 namespace tetloft::oracle {
 
@@ -21,6 +22,8 @@ struct ExpectedSets {
   bool claims_hold = true;  ///< motions and dropped links of the model are such as the rule has
   std::vector<std::size_t> set;  ///< of contours, all sections in one sequence: equal within a set
   std::size_t dropped = 0;
+  /// Accepted, of regions numbered as by regions_of().
+  std::set<RegionPair> links;
 };
 
 /// For `overlap` and `moved`, small stacks, valid labels. Of the model its motions and its dropped

@@ -1,4 +1,4 @@
-// The four guarantees by brute force: sets and rational arithmetic, quadratic, for small
+// Guarantees 1 to 4 by brute force: sets and rational arithmetic, quadratic, for small
 // models. Shares no code with the library but its value types, and tests each guarantee
 // directly where the library proves it: tets are intersected in pairs, areas added up.
 #pragma once

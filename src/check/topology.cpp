@@ -1,0 +1,146 @@
+#include "check/topology.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "core/sort_distinct.hpp"
+#include "core/union_find.hpp"
+
+namespace tetloft::internal::checking {
+
+namespace {
+
+// None of a tet that lies in a plane.
+std::optional<std::int64_t> slab_of(const ModelView& view, const TetVertices& tet) {
+  Level low = view.level[tet[0].index()];
+  Level high = low;
+  for (const VertexId v : tet) {
+    low = std::min(low, view.level[v.index()]);
+    high = std::max(high, view.level[v.index()]);
+  }
+  if (low == high && on_plane(low)) return std::nullopt;
+  return low < 0 ? -1 : low / 2;
+}
+
+// Of contours or voids of all sections in one sequence: which one each contour bounds.
+std::vector<std::size_t> bounded_by(const OnContours& on, const Regions& regions) {
+  std::vector<std::size_t> result;
+  for (std::size_t s = 0; s + 1 < on.first.size(); ++s) {
+    for (std::size_t c = 0; on.first[s] + c < on.first[s + 1]; ++c) {
+      result.push_back(regions.of(s, c));
+    }
+  }
+  return result;
+}
+
+// Some tets of a model, that hang together by faces where they do so at all.
+class PartCount {
+ public:
+  void add(const TetVertices& tet) {
+    ++tets_;
+    for (std::size_t i = 0; i < 4; ++i) {
+      vertices_.push_back(tet[i].value());
+      for (std::size_t j = i + 1; j < 4; ++j) {
+        const std::uint64_t low = std::min(tet[i].value(), tet[j].value());
+        const std::uint64_t high = std::max(tet[i].value(), tet[j].value());
+        edges_.push_back(low << 32U | high);
+      }
+    }
+  }
+  // A face of one of them and another.
+  void add_inner_half_face() { ++inner_half_faces_; }
+
+  [[nodiscard]] long chi() {
+    sort_distinct(vertices_);
+    sort_distinct(edges_);
+    return static_cast<long>(vertices_.size()) - static_cast<long>(edges_.size()) + 4 * tets_ -
+           inner_half_faces_ / 2 - tets_;
+  }
+
+ private:
+  std::vector<std::uint32_t> vertices_;
+  std::vector<std::uint64_t> edges_;
+  long tets_ = 0;
+  long inner_half_faces_ = 0;
+};
+
+}  // namespace
+
+std::vector<SlabPart> slab_parts(const ModelView& view, const OnContours& on,
+                                 const Regions& regions) {
+  const std::vector<std::size_t> region_at = bounded_by(on, regions);
+  std::vector<std::optional<std::int64_t>> slab;
+  for (const TetVertices& tet : view.tets) slab.push_back(slab_of(view, tet));
+  const auto across = [&](std::size_t half_face) -> std::optional<std::size_t> {
+    const HalfFaceId opposite = view.opposite[half_face];
+    if (!opposite.valid() || slab[opposite.index() / 4] != slab[half_face / 4]) return std::nullopt;
+    return opposite.index() / 4;
+  };
+  UnionFind together(view.tets.size());
+  std::vector<std::size_t> tets;
+  for (std::size_t t = 0; t < view.tets.size(); ++t) {
+    if (!slab[t].has_value()) continue;
+    tets.push_back(t);
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (const auto other = across(4 * t + i)) together.unite(t, *other);
+    }
+  }
+  const auto key = [&](std::size_t t) { return std::pair(*slab[t], together.find(t)); };
+  std::stable_sort(tets.begin(), tets.end(),
+                   [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
+
+  std::vector<SlabPart> parts;
+  for (auto part = tets.begin(); part != tets.end();) {
+    SlabPart& made = parts.emplace_back();
+    made.slab = *slab[*part];
+    made.first = view.id[*part];
+    PartCount count;
+    const std::size_t root = together.find(*part);
+    for (; part != tets.end() && together.find(*part) == root; ++part) {
+      count.add(view.tets[*part]);
+      for (std::size_t i = 0; i < 4; ++i) {
+        if (across(4 * *part + i).has_value()) count.add_inner_half_face();
+      }
+      for (const VertexId v : view.tets[*part]) {
+        const std::uint32_t contour = on.contour[v.index()];
+        if (contour != OnContours::kNone) made.regions.push_back(region_at[contour]);
+      }
+    }
+    made.chi = count.chi();
+    sort_distinct(made.regions);
+  }
+  return parts;
+}
+
+ModelVoids model_voids(const ModelView& view, const SurfaceComponents& surface,
+                       const OnContours& on, const Regions& voids) {
+  const std::vector<std::size_t> void_at = bounded_by(on, voids);
+  const std::size_t surfaces = surface.topology.size();
+  // Voids first, then surfaces.
+  UnionFind joined(voids.size() + surfaces);
+  for (std::size_t s = 0; s < voids.section_count(); ++s) joined.unite(0, voids.first[s]);
+  std::vector<std::uint8_t> meets_contour(surfaces, 0);
+  for (std::size_t f = 0; f < view.boundary.size(); ++f) {
+    for (const VertexId v : view.boundary[f]) {
+      const std::uint32_t contour = on.contour[v.index()];
+      if (contour == OnContours::kNone) continue;
+      meets_contour[surface.component[f]] = 1;
+      joined.unite(void_at[contour], voids.size() + surface.component[f]);
+    }
+  }
+  ModelVoids result;
+  for (std::size_t f = 0; f < view.boundary.size(); ++f) {
+    std::uint8_t& seen = meets_contour[surface.component[f]];
+    if (seen == 0) result.bubbles.push_back(view.boundary[f]);
+    seen = 1;
+  }
+  for (std::size_t v = 0; v < voids.size(); ++v) result.set.push_back(joined.find(v));
+  for (std::size_t i = 1; i < joined.size(); ++i) {
+    if (joined.find(i) == i) ++result.cavities;
+  }
+  return result;
+}
+
+}  // namespace tetloft::internal::checking

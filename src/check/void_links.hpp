@@ -1,0 +1,36 @@
+// Which voids belong together, recomputed by the rule in tetloft/voids.hpp. Written for `check`
+// alone, as partition.hpp.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <tetloft/result.hpp>
+#include <tetloft/voids.hpp>
+
+#include "check/stack_voids.hpp"
+
+namespace tetloft::internal::checking {
+
+struct ExpectedVoids {
+  /// The links of voids, as of StackVoids::voids(), that were accepted or forced, sorted. Those of
+  /// exteriors are among them.
+  std::vector<Link> links;
+  std::optional<std::uint32_t> unrealised;  ///< a label of holes that cannot be realised
+  // What the model says of V6, as far as that may be; and what of it may not, in words.
+  std::size_t forced = 0, unrealisable = 0;
+  std::vector<std::string> wrong;
+};
+
+/// The whole rule, but for VoidRule::free; `faces` are those of the stack. Refused (invalid_input)
+/// where labels or decisions name no void or contradict each other.
+[[nodiscard]] Result<ExpectedVoids> expected_voids(const StackVoids& stack,
+                                                   const std::vector<Faces>& faces,
+                                                   const VoidOptions& options,
+                                                   std::span<const VoidLink> claims);
+
+}  // namespace tetloft::internal::checking

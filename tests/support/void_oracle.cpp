@@ -1,0 +1,303 @@
+#include "support/void_oracle.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "support/overlay_oracle.hpp"
+
+namespace tetloft::oracle {
+
+namespace {
+
+SectionStack complement(SectionStack stack) {
+  double largest = 0x1p-60;
+  for (const Section& section : stack.sections) {
+    for (const Contour& contour : section.contours) {
+      for (const Point2& p : contour.vertices) {
+        largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+      }
+    }
+  }
+  double side = 0x1p-60;
+  while (side < 4 * largest) side *= 2;
+  for (Section& section : stack.sections) {
+    section.contours.push_back({{{-side, -side}, {side, -side}, {side, side}, {-side, side}}});
+  }
+  return stack;
+}
+
+class VoidRuleByWord : private LinkRule {
+ public:
+  VoidRuleByWord(const Model& model, const SectionStack& complement, const VoidOptions& options)
+      : LinkRule(complement, options.labels, options.decisions, {kVoidChainReach, true}),
+        model_(model),
+        options_(options) {}
+
+  void run(ExpectedTopology& result) {
+    by_overlap();
+    by_chains();
+    by_rims();
+    decide();
+    take_labels();
+    drop(result);
+    for (const RegionPair& pair : pairs_) {
+      if (is_exterior(pair.first) && is_exterior(pair.second)) joined_.insert(pair);
+    }
+    accept();
+    if (!options_.labels.empty() && !refused_) connect_labels();
+    result.refused = refused_;
+    result.realised = realised_;
+    if (!refused_) force(result);
+    result.links = links_;
+  }
+
+  // What the stack's voids are: those of the first and last section lead outside.
+  [[nodiscard]] std::vector<std::size_t> sets() const {
+    std::set<RegionPair> together = links_;
+    for (std::size_t r = 0; r < regions_.size(); ++r) {
+      const std::size_t s = regions_[r].section;
+      if (s == 0 || s + 1 == stack_.sections.size()) together.emplace(0, r);
+    }
+    return spread(regions_.size(), together);
+  }
+
+  [[nodiscard]] const std::vector<Region>& voids() const { return regions_; }
+
+  // Numbers that are the same where pairs connect.
+  static std::vector<std::size_t> spread(std::size_t size, const std::set<RegionPair>& pairs) {
+    std::vector<std::size_t> number(size);
+    for (std::size_t r = 0; r < size; ++r) number[r] = r;
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (const auto& [a, b] : pairs) {
+        const std::size_t least = std::min(number[a], number[b]);
+        changed |= number[a] != least || number[b] != least;
+        number[a] = number[b] = least;
+      }
+    }
+    return number;
+  }
+
+ private:
+  // V1.
+  void by_overlap() {
+    for (const RegionPair& pair : pairs_) {
+      if (is_exterior(pair.first) && is_exterior(pair.second)) continue;
+      if (ratio(pair) > Rational::exactly(kVoidOverlap)) candidates_[pair] = s(pair);
+    }
+  }
+
+  double s(const RegionPair& pair) { return rounded(ratio(pair)) - distance(pair); }
+
+  // V3.
+  void by_rims() {
+    std::set<RegionPair> rims;
+    for (std::size_t h = 0; h < regions_.size(); ++h) {
+      if (is_exterior(h)) continue;
+      for (const bool up : {false, true}) {
+        const std::size_t here = regions_[h].section;
+        if (here + (up ? 1 : 0) >= stack_.sections.size() || (!up && here == 0)) continue;
+        const std::size_t there = up ? here + 1 : here - 1;
+        if (!partners(h, there).empty()) continue;
+        std::optional<RegionPair> best;
+        for (const RegionPair& pair : pairs_) {
+          if ((up ? pair.first : pair.second) != h) continue;
+          const bool near = options_.rule == VoidRule::near;
+          if (!near && !is_exterior(up ? pair.second : pair.first)) continue;
+          if (!(distance(pair) < (near ? options_.reach : kRimReach))) continue;
+          if (!best || distance(pair) < distance(*best)) best = pair;
+        }
+        if (best) rims.insert(*best);
+      }
+    }
+    for (const RegionPair& pair : rims) candidates_[pair] = s(pair);
+  }
+
+  // V6.
+  void drop(ExpectedTopology& result) {
+    std::set<RegionPair> dropped;
+    for (const VoidLink& claim : model_.void_links) {
+      if (claim.fate != LinkFate::unrealisable) continue;
+      const auto pair = pair_of(claim.slab, claim.lower, claim.upper, true);
+      if (!pair || candidates_.count(*pair) == 0 || !dropped.insert(*pair).second) {
+        result.claims_hold = false;
+      }
+    }
+    result.unrealisable = dropped.size();
+    for (const RegionPair& pair : dropped) {
+      candidates_.erase(pair);
+      joined_.erase(pair);
+      closed_.insert(pair);
+    }
+  }
+
+  void force(ExpectedTopology& result) {
+    std::set<RegionPair> forced;
+    for (const VoidLink& claim : model_.void_links) {
+      if (claim.fate != LinkFate::forced) continue;
+      const auto pair = pair_of(claim.slab, claim.lower, claim.upper, true);
+      std::set<RegionPair> here;
+      for (const RegionPair& link : links_) {
+        if (regions_[link.first].section == claim.slab.value()) here.insert(link);
+      }
+      const std::vector<std::size_t> classes = spread(regions_.size(), here);
+      if (!pair || classes[pair->first] == classes[pair->second] || !forced.insert(*pair).second) {
+        result.claims_hold = false;
+      }
+    }
+    result.forced = forced.size();
+    links_.insert(forced.begin(), forced.end());
+  }
+
+  const Model& model_;
+  const VoidOptions& options_;
+};
+
+// FACES, for one slab. All regions and voids of the stack are numbered.
+class FacesByWord {
+ public:
+  FacesByWord(const std::vector<Region>& regions, const std::vector<Region>& voids,
+              const std::set<RegionPair>& links, const std::set<RegionPair>& void_links,
+              std::size_t slab)
+      : regions_(regions),
+        voids_(voids),
+        slab_(slab),
+        solid_(VoidRuleByWord::spread(regions.size(), within(links, regions))),
+        hollow_(VoidRuleByWord::spread(voids.size(), within(void_links, voids))) {}
+
+  std::map<std::size_t, long> run(const CellOverlay& overlay) {
+    for (std::size_t r = 0; r < regions_.size(); ++r) {
+      if (!is_here(regions_[r])) continue;
+      chi_[solid_[r]] += 2 - static_cast<long>(regions_[r].contours.size());
+    }
+    for (const CellOverlay::Face& face : overlay.faces()) {
+      if (face.side[0].solid != face.side[1].solid) continue;
+      if (face.side[0].solid) {
+        count_solid(face);
+      } else {
+        count_void(face);
+      }
+    }
+    count_bars();
+    count_tunnels();
+    const std::vector<std::size_t> group = VoidRuleByWord::spread(regions_.size(), grouped_);
+    std::map<std::size_t, long> sums;
+    for (const auto& [of_class, chi] : chi_) sums[group[of_class]] += chi;
+    return sums;
+  }
+
+ private:
+  [[nodiscard]] bool is_here(const Region& region) const {
+    return region.section == slab_ || region.section == slab_ + 1;
+  }
+  [[nodiscard]] std::set<RegionPair> within(const std::set<RegionPair>& links,
+                                            const std::vector<Region>& regions) const {
+    std::set<RegionPair> here;
+    for (const RegionPair& link : links) {
+      if (regions[link.first].section == slab_) here.insert(link);
+    }
+    return here;
+  }
+  static std::size_t number(const std::vector<Region>& regions, std::size_t section,
+                            std::uint32_t id) {
+    std::size_t first = 0;
+    while (regions[first].section < section) ++first;
+    return first + id;
+  }
+
+  void count_solid(const CellOverlay::Face& face) {
+    const std::size_t a = number(regions_, slab_, face.side[0].id);
+    const std::size_t b = number(regions_, slab_ + 1, face.side[1].id);
+    if (solid_[a] != solid_[b]) return;
+    chi_[solid_[a]] -= face.chi;
+    held_.emplace(a, b);
+  }
+
+  void count_void(const CellOverlay::Face& face) {
+    const std::size_t a = number(voids_, slab_, face.side[0].id);
+    const std::size_t b = number(voids_, slab_ + 1, face.side[1].id);
+    if (hollow_[a] == hollow_[b]) {
+      open_.emplace(a, b);
+      return;
+    }
+    std::vector<std::size_t> around;
+    for (const CellOverlay::Border& border : face.border) {
+      around.push_back(number(regions_, slab_ + border.section, border.region));
+    }
+    chi_[solid_[around[0]]] += face.chi;
+    for (const std::size_t r : around) {
+      grouped_.emplace(solid_[around[0]], solid_[r]);
+      for (const std::size_t q : around) {
+        if (solid_[q] == solid_[r]) held_.emplace(q, r);
+      }
+    }
+  }
+
+  void count_bars() {
+    const std::vector<std::size_t> piece = VoidRuleByWord::spread(regions_.size(), held_);
+    std::map<std::size_t, std::set<std::size_t>> pieces;
+    for (std::size_t r = 0; r < regions_.size(); ++r) {
+      if (is_here(regions_[r])) pieces[solid_[r]].insert(piece[r]);
+    }
+    for (const auto& [of_class, all] : pieces) chi_[of_class] -= static_cast<long>(all.size()) - 1;
+  }
+
+  void count_tunnels() {
+    const std::vector<std::size_t> piece = VoidRuleByWord::spread(voids_.size(), open_);
+    std::map<std::size_t, std::set<std::size_t>> pieces;
+    std::map<std::size_t, std::set<std::size_t>> around;
+    for (std::size_t v = 0; v < voids_.size(); ++v) {
+      if (!is_here(voids_[v])) continue;
+      pieces[hollow_[v]].insert(piece[v]);
+      if (const auto r = region_around(v)) around[hollow_[v]].insert(solid_[*r]);
+    }
+    for (const auto& [of_class, all] : pieces) {
+      if (all.size() == 1) continue;
+      const std::set<std::size_t>& solids = around[of_class];
+      chi_[*solids.begin()] -= static_cast<long>(all.size()) - 1;
+      for (const std::size_t solid : solids) grouped_.emplace(*solids.begin(), solid);
+    }
+  }
+
+  // The region of which the void's outline is a hole. Contours of the complement are numbered with
+  // one more in each section.
+  [[nodiscard]] std::optional<std::size_t> region_around(std::size_t v) const {
+    const std::vector<Point2>& outline = voids_[v].shape[0];
+    for (std::size_t r = 0; r < regions_.size(); ++r) {
+      if (regions_[r].section != voids_[v].section) continue;
+      const auto& shape = regions_[r].shape;
+      if (std::find(shape.begin() + 1, shape.end(), outline) != shape.end()) return r;
+    }
+    return std::nullopt;
+  }
+
+  const std::vector<Region>& regions_;
+  const std::vector<Region>& voids_;
+  std::size_t slab_;
+  std::vector<std::size_t> solid_, hollow_;     // classes
+  std::set<RegionPair> held_, open_, grouped_;  // regions by faces, voids by faces, classes
+  std::map<std::size_t, long> chi_;             // of classes
+};
+
+}  // namespace
+
+ExpectedTopology expected_topology(const Model& model, const SectionStack& stack,
+                                   const VoidOptions& options, const std::set<RegionPair>& links) {
+  ExpectedTopology result;
+  const SectionStack around = complement(stack);
+  VoidRuleByWord rule(model, around, options);
+  rule.run(result);
+  if (result.refused) return result;
+  result.set = rule.sets();
+  const std::vector<Region> regions = regions_of(stack);
+  for (std::size_t s = 0; s + 1 < stack.sections.size(); ++s) {
+    const Section& lower = stack.sections[SectionId(s)];
+    const Section& upper = stack.sections[SectionId(s + 1)];
+    const CellOverlay overlay(lower, nest(lower), upper, nest(upper));
+    result.chi.push_back(FacesByWord(regions, rule.voids(), links, result.links, s).run(overlay));
+  }
+  return result;
+}
+
+}  // namespace tetloft::oracle

@@ -1,0 +1,443 @@
+// Links of voids and the Euler characteristics that follow, by the rule of voids.hpp as check
+// recomputes it: case by case, and against rationals on random stacks of plates with holes.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "check/expected_topology.hpp"
+#include "check/partition.hpp"
+#include "check/void_links.hpp"
+#include "core/prng.hpp"
+#include "support/correspondence_oracle.hpp"
+#include "support/void_oracle.hpp"
+#include "unit/check/rule_stacks.hpp"
+
+namespace tetloft {
+
+using namespace internal;
+namespace {
+
+using checking::Link;
+using checking::StackVoids;
+using testing::box;
+using testing::stack_of;
+
+constexpr ContourId kOutside;
+
+Contour plate() { return box(0, 0, 20, 20); }
+
+// Voids of two sections, by (lower, upper): 0 is the exterior, holes go by their lowest vertices.
+using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
+
+Pairs links_of_slab(const SectionStack& stack, const VoidOptions& options = {},
+                    const std::vector<VoidLink>& claims = {}, std::size_t slab = 0) {
+  const StackVoids voids(stack);
+  const auto expected = checking::expected_voids(voids, voids.faces(), options, claims);
+  EXPECT_TRUE(expected.ok());
+  if (!expected.ok()) return {};
+  EXPECT_EQ(expected->wrong, std::vector<std::string>());
+  Pairs pairs;
+  const auto& first = voids.voids().first;
+  for (const Link& link : expected->links) {
+    if (voids.voids().section[link.lower] != slab) continue;
+    pairs.emplace_back(link.lower - first[slab], link.upper - first[slab + 1]);
+  }
+  return pairs;
+}
+
+TEST(VoidLinks, HoleOverHole) {
+  EXPECT_EQ(links_of_slab(stack_of({{plate(), box(5, 5, 9, 9)}, {plate(), box(6, 6, 10, 10)}})),
+            (Pairs{{0, 0}, {1, 1}}));
+  // A corner of 1/64 of either is too little; of a sixteenth it is not, whatever else there is.
+  EXPECT_EQ(
+      links_of_slab(stack_of({{plate(), box(5, 5, 9, 9)}, {plate(), box(8.5, 8.5, 12.5, 12.5)}})),
+      (Pairs{{0, 0}}));
+  EXPECT_EQ(links_of_slab(stack_of({{plate(), box(1, 5, 5, 9), box(6, 5, 10, 9)},
+                                    {plate(), box(1, 5, 5, 9), box(5.5, 5, 9.5, 9)}})),
+            (Pairs{{0, 0}, {1, 1}, {2, 2}}));
+}
+
+TEST(VoidLinks, ExteriorsAlwaysAndHolesByTheirShareOutside) {
+  EXPECT_EQ(links_of_slab(stack_of({{}, {plate()}})), (Pairs{{0, 0}}));
+  // The upper plate covers all of the hole but a quarter, or nothing of it.
+  EXPECT_EQ(links_of_slab(stack_of({{plate(), box(5, 5, 9, 9)}, {box(6, 0, 20, 20)}})),
+            (Pairs{{0, 0}, {1, 0}}));
+  EXPECT_EQ(links_of_slab(stack_of({{plate(), box(5, 5, 9, 9)}, {}})), (Pairs{{0, 0}, {1, 0}}));
+  EXPECT_EQ(links_of_slab(stack_of({{plate(), box(5, 5, 9, 9)}, {plate()}})), (Pairs{{0, 0}}));
+}
+
+TEST(VoidLinks, AnIslandIsNotPartOfTheHole) {
+  const std::vector<Contour> island{plate(), box(4, 4, 16, 16), box(5, 5, 15, 15)};
+  EXPECT_EQ(links_of_slab(stack_of({island, {plate(), box(6, 6, 8, 8)}})), (Pairs{{0, 0}}));
+}
+
+TEST(VoidLinks, ChainsMoveOnFromAHoleButNotFromTheExterior) {
+  const auto at = [](double x) { return std::vector<Contour>{plate(), box(x, 9, x + 2, 11)}; };
+  // Always 2.5 apart: by motion on alone.
+  const SectionStack straight = stack_of({at(2), at(4.5), at(7)}, 1);
+  EXPECT_EQ(links_of_slab(straight, {}, {}, 1), (Pairs{{0, 0}, {1, 1}}));
+  const SectionStack bent = stack_of({at(2), at(4.5), at(2)}, 1);
+  EXPECT_EQ(links_of_slab(bent, {}, {}, 1), (Pairs{{0, 0}}));
+  // More than a gap apart.
+  const SectionStack far = stack_of({at(2), at(5.5), at(9)}, 1);
+  EXPECT_EQ(links_of_slab(far, {}, {}, 1), (Pairs{{0, 0}}));
+  // The middle hole is linked to the exterior beneath, its only partner there.
+  const SectionStack from_outside = stack_of({{box(8, 0, 20, 20)}, at(4.5), at(7)}, 1);
+  EXPECT_EQ(links_of_slab(from_outside, {}, {}, 1), (Pairs{{0, 0}}));
+}
+
+TEST(VoidLinks, RimsAndTheNearest) {
+  // 0.5 from the upper plate's side, under it.
+  const auto stack = [](double gap) {
+    return stack_of({{plate(), box(5, 5, 9, 9)}, {box(4.5, 0, 20, 20)}}, gap);
+  };
+  EXPECT_EQ(links_of_slab(stack(2.25)), (Pairs{{0, 0}, {1, 0}}));
+  EXPECT_EQ(links_of_slab(stack(2)), (Pairs{{0, 0}}));
+  VoidOptions options;
+  options.rule = VoidRule::near;
+  EXPECT_EQ(links_of_slab(stack(2), options), (Pairs{{0, 0}, {1, 0}}));
+  EXPECT_EQ(links_of_slab(stack(1), options), (Pairs{{0, 0}}));
+  options.reach = 0;
+  EXPECT_EQ(links_of_slab(stack(2.25), options), (Pairs{{0, 0}}));
+  // To a hole, and of two to the nearer.
+  const SectionStack holes =
+      stack_of({{plate(), box(5, 5, 9, 9)}, {plate(), box(2, 5, 4, 9), box(9.5, 5, 12, 9)}}, 4);
+  EXPECT_EQ(links_of_slab(holes), (Pairs{{0, 0}}));
+  options.reach = 0.5;
+  EXPECT_EQ(links_of_slab(holes, options), (Pairs{{0, 0}, {1, 1}, {1, 2}}));
+  options.reach = 0.2;
+  EXPECT_EQ(links_of_slab(holes, options), (Pairs{{0, 0}, {1, 2}}));
+}
+
+TEST(VoidLinks, DecisionsAndLabels) {
+  const SectionStack stack = stack_of({{plate(), box(5, 5, 9, 9)}, {plate(), box(6, 6, 10, 10)}});
+  VoidOptions options;
+  options.decisions = {{SlabId(0U), ContourId(1U), ContourId(1U), false},
+                       {SlabId(0U), ContourId(1U), kOutside, true}};
+  EXPECT_EQ(links_of_slab(stack, options), (Pairs{{0, 0}, {1, 0}}));
+  options.decisions.clear();
+  options.labels = {{SectionId(0U), ContourId(1U), 1}, {SectionId(1U), ContourId(1U), 2}};
+  EXPECT_EQ(links_of_slab(stack, options), (Pairs{{0, 0}}));
+  // Two holes of one label, of which nothing else says that they belong together.
+  const SectionStack apart = stack_of({{plate(), box(1, 1, 4, 4)}, {plate(), box(15, 15, 18, 18)}});
+  options.labels[1].label = 1;
+  EXPECT_EQ(links_of_slab(apart, options), (Pairs{{0, 0}, {1, 1}}));
+}
+
+TEST(VoidLinks, RefusesWhatNamesNoHole) {
+  const StackVoids stack(stack_of({{plate(), box(5, 5, 9, 9)}, {plate()}}));
+  const auto refused = [&](const VoidOptions& options) {
+    const auto expected = checking::expected_voids(stack, stack.faces(), options, {});
+    return !expected.ok() && expected.error().code == ErrorCode::invalid_input;
+  };
+  const auto decision = [](ContourId lower, ContourId upper, bool join) {
+    return LinkDecision{SlabId(0U), lower, upper, join};
+  };
+  EXPECT_FALSE(refused({}));
+  for (const std::uint32_t contour : {0U, 2U, 7U}) {
+    EXPECT_TRUE(refused({.labels = {{SectionId(0U), ContourId(contour), 1}}})) << contour;
+    EXPECT_TRUE(refused({.decisions = {decision(ContourId(contour), kOutside, true)}})) << contour;
+  }
+  EXPECT_TRUE(refused({.labels = {{SectionId(2U), ContourId(1U), 1}}}));
+  EXPECT_TRUE(refused({.labels = {{SectionId(0U), kOutside, 1}}}));
+  EXPECT_TRUE(refused({.decisions = {decision(kOutside, kOutside, true)}}));
+  EXPECT_TRUE(refused({.decisions = {decision(ContourId(1U), kOutside, true),
+                                     decision(ContourId(1U), kOutside, false)}}));
+  EXPECT_TRUE(
+      refused({.labels = {{SectionId(0U), ContourId(1U), 1}, {SectionId(0U), ContourId(1U), 2}}}));
+}
+
+VoidLink claim(ContourId lower, ContourId upper, LinkFate fate) {
+  VoidLink link;
+  link.slab = SlabId(0U);
+  link.lower = lower;
+  link.upper = upper;
+  link.fate = fate;
+  return link;
+}
+
+TEST(VoidLinks, BelievesWhatMayBe) {
+  const SectionStack stack =
+      stack_of({{plate(), box(5, 5, 9, 9)}, {plate(), box(6, 6, 10, 10), box(15, 15, 17, 17)}});
+  const ContourId one(1U);
+  const ContourId two(2U);
+  const VoidLink sealed = claim(one, one, LinkFate::unrealisable);
+  const VoidLink forced = claim(one, two, LinkFate::forced);
+  EXPECT_EQ(links_of_slab(stack, {}, {sealed}), (Pairs{{0, 0}}));
+  EXPECT_EQ(links_of_slab(stack, {}, {forced}), (Pairs{{0, 0}, {1, 1}, {1, 2}}));
+  const StackVoids voids(stack);
+  const auto wrong = [&](const std::vector<VoidLink>& claims) {
+    return checking::expected_voids(voids, voids.faces(), {}, claims)->wrong.size();
+  };
+  EXPECT_EQ(wrong({sealed, forced}), 0U);
+  EXPECT_EQ(wrong({sealed, sealed, forced, forced}), 2U);
+  EXPECT_EQ(wrong({claim(one, two, LinkFate::unrealisable)}), 1U);
+  EXPECT_EQ(wrong({claim(one, one, LinkFate::forced)}), 1U);
+  EXPECT_EQ(wrong({claim(kOutside, kOutside, LinkFate::forced)}), 1U);
+  EXPECT_EQ(wrong({claim(kOutside, kOutside, LinkFate::unrealisable)}), 1U);
+  EXPECT_EQ(wrong({claim(ContourId(0U), one, LinkFate::forced)}), 1U);
+  EXPECT_EQ(wrong({claim(one, ContourId(3U), LinkFate::forced)}), 1U);
+  VoidLink nowhere = forced;
+  nowhere.slab = SlabId(1U);
+  EXPECT_EQ(wrong({nowhere}), 1U);
+  EXPECT_EQ(wrong({claim(one, kOutside, LinkFate::too_weak)}), 0U);
+}
+
+// chi of each group of the only slab, by its lowest region.
+using Chi = std::map<std::size_t, long>;
+
+Chi chi_of(const SectionStack& stack, const CorrespondenceOptions& options = testing::plain()) {
+  const StackVoids voids(stack);
+  const auto faces = voids.faces();
+  const auto regions = checking::expected_partition(stack, stack, options);
+  const auto expected = checking::expected_voids(voids, faces, options.voids, {});
+  EXPECT_TRUE(regions.ok() && expected.ok());
+  return checking::expected_topology(voids, faces, regions->links, expected->links)[0].chi;
+}
+
+TEST(ExpectedTopology, FacesOfSolids) {
+  EXPECT_EQ(chi_of(stack_of({{plate()}, {plate()}})), (Chi{{0, 1}}));
+  EXPECT_EQ(chi_of(stack_of({{plate()}, {}})), (Chi{{0, 1}}));
+  EXPECT_EQ(chi_of(stack_of({{box(0, 0, 4, 20), box(6, 0, 10, 20)}, {box(0, 0, 10, 20)}})),
+            (Chi{{0, 1}}));
+  // Two bars over two bars: a ring, with a tunnel to outside; and where it is refused, two plates
+  // more.
+  EXPECT_EQ(chi_of(stack_of(
+                {{box(0, 0, 4, 20), box(6, 0, 10, 20)}, {box(-5, 5, 15, 8), box(-5, 12, 15, 15)}})),
+            (Chi{{0, 0}}));
+  // Two solids, that nothing links.
+  EXPECT_EQ(chi_of(stack_of({{box(0, 0, 4, 4)}, {box(5, 0, 9, 4)}})), (Chi{{0, 1}, {1, 1}}));
+}
+
+TEST(ExpectedTopology, OpenAndClosedVoids) {
+  // A tube; pits, of which each is closed by the other plate.
+  EXPECT_EQ(chi_of(stack_of({{plate(), box(5, 5, 9, 9)}, {plate(), box(5, 5, 9, 9)}})),
+            (Chi{{0, 0}}));
+  EXPECT_EQ(chi_of(stack_of({{plate(), box(5, 5, 9, 9)}, {plate()}})), (Chi{{0, 1}}));
+  EXPECT_EQ(chi_of(stack_of({{plate(), box(5, 5, 9, 9)}, {plate(), box(12, 12, 16, 16)}})),
+            (Chi{{0, 1}}));
+  // Overlapping by too little: a plate.
+  EXPECT_EQ(chi_of(stack_of({{plate(), box(5, 5, 9, 9)}, {plate(), box(8.5, 8.5, 12.5, 12.5)}})),
+            (Chi{{0, 1}}));
+  // A tunnel where nothing overlaps.
+  CorrespondenceOptions options = testing::plain();
+  options.voids.decisions = {{SlabId(0U), ContourId(1U), ContourId(1U), true}};
+  EXPECT_EQ(chi_of(stack_of({{plate(), box(5, 5, 9, 9)}, {plate(), box(12, 12, 16, 16)}}), options),
+            (Chi{{0, 0}}));
+}
+
+TEST(ExpectedTopology, BarsAndDishes) {
+  const auto joined = [](std::uint32_t upper) {
+    CorrespondenceOptions options = testing::plain();
+    options.decisions = {{SlabId(0U), ContourId(0U), ContourId(upper), true}};
+    return options;
+  };
+  EXPECT_EQ(chi_of(stack_of({{box(0, 0, 4, 4)}, {box(5, 0, 9, 4)}}, 10), joined(0)), (Chi{{0, 1}}));
+  // A disc under the hole of a ring, that are one: the face between is closed, and a dish. The
+  // hole is kept apart from outside by a distance of more than a quarter gap.
+  const SectionStack dish = stack_of({{box(8, 8, 12, 12)}, {plate(), box(5, 5, 15, 15)}}, 10);
+  CorrespondenceOptions closed = joined(0);
+  closed.voids.decisions = {{SlabId(0U), kOutside, ContourId(1U), false}};
+  EXPECT_EQ(chi_of(dish, closed), (Chi{{0, 1}}));
+  // The hole open all around the disc, on one bridge.
+  EXPECT_EQ(chi_of(dish, joined(0)), (Chi{{0, 0}}));
+  // The ring and the disc as two solids: a plate between is of both.
+  CorrespondenceOptions two = testing::plain();
+  two.voids.decisions = closed.voids.decisions;
+  EXPECT_EQ(chi_of(dish, two), (Chi{{0, 1}}));
+}
+
+TEST(ExpectedTopology, TunnelsBetweenSolidsMakeAGroup) {
+  const SectionStack stack =
+      stack_of({{box(0, 0, 10, 10), box(4, 4, 6, 6)}, {box(20, 0, 30, 10), box(24, 4, 26, 6)}});
+  CorrespondenceOptions options = testing::plain();
+  // Holes under and over nothing are of the outside; parted from it and joined they are a void that
+  // two plates close and one tunnel goes through.
+  EXPECT_EQ(chi_of(stack, options), (Chi{{0, 0}, {1, 0}}));
+  options.voids.decisions = {{SlabId(0U), ContourId(1U), kOutside, false},
+                             {SlabId(0U), kOutside, ContourId(1U), false},
+                             {SlabId(0U), ContourId(1U), ContourId(1U), true}};
+  EXPECT_EQ(chi_of(stack, options), (Chi{{0, 1}}));
+}
+
+TEST(ExpectedTopology, VoidsOfTheStack) {
+  const auto sets = [](const SectionStack& stack) {
+    const StackVoids voids(stack);
+    const auto expected = checking::expected_voids(voids, voids.faces(), {}, {});
+    return checking::expected_void_sets(voids, expected->links);
+  };
+  const std::vector<Contour> holed{plate(), box(5, 5, 9, 9)};
+  // A cavity; a pit from above, and from below; a hole that only the first section has.
+  EXPECT_EQ(sets(stack_of({{plate()}, holed, {plate()}})), (std::vector<std::size_t>{0, 0, 2, 0}));
+  EXPECT_EQ(sets(stack_of({{plate()}, holed, holed})), (std::vector<std::size_t>{0, 0, 0, 0, 0}));
+  EXPECT_EQ(sets(stack_of({holed, {plate()}})), (std::vector<std::size_t>{0, 0, 0}));
+}
+
+// Plates with holes, islands in them, and plates beside.
+std::vector<Contour> random_plates(Prng& prng) {
+  std::vector<Contour> contours;
+  for (const double x0 : {0.0, 13.0}) {
+    if (prng.chance(0.2)) continue;
+    const double x = x0 + static_cast<double>(prng.below(4));
+    const double width = static_cast<double>(7 + prng.below(4));
+    contours.push_back(box(x, static_cast<double>(prng.below(3)), x + width, 12));
+    for (std::uint64_t k = prng.below(4); k > 0; --k) {
+      const double hx = x + 0.5 + static_cast<double>(prng.below(14)) / 2;
+      const double hy = 3.5 + static_cast<double>(prng.below(12)) / 2;
+      const double w = static_cast<double>(1 + prng.below(5));
+      const double h = static_cast<double>(1 + prng.below(5));
+      contours.push_back(prng.chance(0.7) ? box(hx, hy, hx + w, hy + h)
+                                          : Contour{{{hx, hy}, {hx + w, hy}, {hx, hy + h}}});
+      if (prng.chance(0.3)) contours.push_back(box(hx + 0.25, hy + 0.25, hx + 0.5, hy + 0.5));
+    }
+  }
+  return contours;
+}
+
+SectionStack random_stack(Prng& prng) {
+  for (;;) {
+    SectionStack stack;
+    double z = 0;
+    for (int s = 0; s < 3; ++s) {
+      stack.sections.push_back({z, IdVector<ContourId, Contour>(random_plates(prng))});
+      z += static_cast<double>(1 + prng.below(4));
+    }
+    if (validate(stack).ok()) return stack;
+  }
+}
+
+// A hole or the outside; now and then what is neither.
+ContourId random_void(Prng& prng, const Section& section) {
+  if (prng.chance(0.3) || section.contours.empty()) return kOutside;
+  const Nesting nesting = nest(section);
+  for (int attempt = 0; attempt < 10; ++attempt) {
+    const ContourId c(prng.below(section.contours.size()));
+    if (nesting.depth[c] % 2 == 1) return c;
+  }
+  return prng.chance(0.9) ? kOutside : ContourId(prng.below(section.contours.size() + 1));
+}
+
+CorrespondenceOptions random_options(Prng& prng, const SectionStack& stack) {
+  CorrespondenceOptions options;
+  options.criterion = Criterion::overlap;
+  if (prng.chance(0.3)) {
+    const SlabId slab(prng.below(2));
+    const auto& lower = stack.sections[SectionId(slab.index())].contours;
+    const auto& upper = stack.sections[SectionId(slab.index() + 1)].contours;
+    if (!lower.empty() && !upper.empty()) {
+      options.decisions.push_back({slab, ContourId(prng.below(lower.size())),
+                                   ContourId(prng.below(upper.size())), prng.chance(0.5)});
+    }
+  }
+  VoidOptions& voids = options.voids;
+  if (prng.chance(0.3)) voids.rule = VoidRule::near;
+  voids.reach = 0.25 * static_cast<double>(prng.below(5));
+  for (std::uint64_t k = prng.chance(0.3) ? prng.below(4) : 0; k > 0; --k) {
+    const SlabId slab(prng.below(2));
+    voids.decisions.push_back({slab, random_void(prng, stack.sections[SectionId(slab.index())]),
+                               random_void(prng, stack.sections[SectionId(slab.index() + 1)]),
+                               prng.chance(0.5)});
+  }
+  for (std::uint64_t k = prng.chance(0.4) ? prng.below(5) : 0; k > 0; --k) {
+    const SectionId s(prng.below(3));
+    const ContourId c = random_void(prng, stack.sections[s]);
+    if (c.valid()) voids.labels.push_back({s, c, static_cast<std::uint32_t>(prng.below(3))});
+  }
+  return options;
+}
+
+Model random_claims(Prng& prng, const SectionStack& stack) {
+  Model claims;
+  for (std::uint64_t k = prng.chance(0.5) ? prng.below(4) : 0; k > 0; --k) {
+    const SlabId slab(prng.below(2));
+    VoidLink link = claim(random_void(prng, stack.sections[SectionId(slab.index())]),
+                          random_void(prng, stack.sections[SectionId(slab.index() + 1)]),
+                          prng.chance(0.5) ? LinkFate::forced : LinkFate::unrealisable);
+    link.slab = slab;
+    claims.void_links.push_back(link);
+    if (prng.chance(0.1)) claims.void_links.push_back(link);
+  }
+  return claims;
+}
+
+// How often each answer came.
+struct Answers {
+  std::size_t refused = 0, unrealised = 0, wrong = 0, sets = 0, forced = 0, dropped = 0;
+  std::map<long, std::size_t> chi;
+};
+
+std::vector<oracle::RegionPair> pairs(const std::vector<Link>& links) {
+  std::vector<oracle::RegionPair> result;
+  for (const Link& link : links) result.emplace_back(link.lower, link.upper);
+  return result;
+}
+
+void compare(const SectionStack& stack, const CorrespondenceOptions& options, const Model& claims,
+             const std::string& what, Answers& answers) {
+  const auto regions = checking::expected_partition(stack, stack, options);
+  const oracle::ExpectedSets solids = oracle::expected_sets(claims, stack, options);
+  ASSERT_TRUE(regions.ok() && !solids.refused) << what;
+  ASSERT_EQ(pairs(regions->links),
+            std::vector<oracle::RegionPair>(solids.links.begin(), solids.links.end()))
+      << what;
+  const StackVoids voids(stack);
+  const auto faces = voids.faces();
+  const auto expected = checking::expected_voids(voids, faces, options.voids, claims.void_links);
+  const oracle::ExpectedTopology truth =
+      oracle::expected_topology(claims, stack, options.voids, solids.links);
+  ASSERT_EQ(expected.ok(), !truth.refused) << what;
+  if (truth.refused) {
+    ++answers.refused;
+    return;
+  }
+  EXPECT_EQ(expected->unrealised.has_value(), !truth.realised) << what;
+  EXPECT_EQ(expected->wrong.empty(), truth.claims_hold) << what;
+  answers.wrong += truth.claims_hold ? 0U : 1U;
+  if (!truth.realised) {
+    ++answers.unrealised;
+    return;
+  }
+  EXPECT_EQ(expected->forced, truth.forced) << what;
+  EXPECT_EQ(expected->unrealisable, truth.unrealisable) << what;
+  EXPECT_EQ(pairs(expected->links),
+            std::vector<oracle::RegionPair>(truth.links.begin(), truth.links.end()))
+      << what;
+  EXPECT_EQ(checking::expected_void_sets(voids, expected->links), truth.set) << what;
+  const auto slabs = checking::expected_topology(voids, faces, regions->links, expected->links);
+  ASSERT_EQ(slabs.size(), truth.chi.size());
+  for (std::size_t s = 0; s < slabs.size(); ++s) {
+    EXPECT_EQ(slabs[s].chi, truth.chi[s]) << what << ", slab " << s;
+    for (const auto& [group, chi] : truth.chi[s]) ++answers.chi[chi];
+  }
+  ++answers.sets;
+  answers.forced += truth.forced;
+  answers.dropped += truth.unrealisable;
+}
+
+TEST(VoidRule, IsThatOfTheOracle) {
+  Answers answers;
+  constexpr std::uint64_t kStacks = 600;
+  for (std::uint64_t seed = 1; seed <= kStacks; ++seed) {
+    Prng prng(seed);
+    const SectionStack stack = random_stack(prng);
+    const CorrespondenceOptions options = random_options(prng, stack);
+    compare(stack, options, random_claims(prng, stack), "seed " + std::to_string(seed), answers);
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GT(answers.refused, kStacks / 40);
+  EXPECT_GT(answers.unrealised, 0U);
+  EXPECT_GT(answers.wrong, kStacks / 20);
+  EXPECT_GT(answers.sets, kStacks / 2);
+  EXPECT_GT(answers.forced, kStacks / 40);
+  EXPECT_GT(answers.dropped, kStacks / 100);
+  for (long chi = -2; chi <= 1; ++chi) EXPECT_GT(answers.chi[chi], 5U) << chi;
+}
+
+}  // namespace
+}  // namespace tetloft
