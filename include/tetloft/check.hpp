@@ -71,10 +71,11 @@ struct TETLOFT_API CheckReport {
   std::size_t dropped_links = 0;
   /// Of the model; none while guarantee 1 or 2 fails.
   std::optional<std::size_t> cavities = std::nullopt;
-  /// By the links of regions and voids, the genus summed over all boundary surfaces; none where
-  /// they cannot be recomputed, and by VoidRule::free.
+  /// By the links of regions and voids, the genus summed over all boundary surfaces, between what: a
+  /// range where regions touch; none where they cannot be recomputed, and by VoidRule::free.
   std::optional<std::size_t> expected_cavities = std::nullopt;
-  std::optional<long> expected_genus = std::nullopt;
+  std::optional<long> least_genus = std::nullopt;
+  std::optional<long> most_genus = std::nullopt;
   /// What the model lists of them (guarantee 5), right or wrong.
   std::size_t deviations = 0;
   /// Links of voids that the model says were forced, or unrealisable (rule V6), as far as that may

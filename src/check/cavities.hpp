@@ -18,7 +18,7 @@ struct ExpectedCavities {
   std::vector<SlabTopology> slabs;
   std::vector<std::size_t> void_set;  ///< of each void, over the stack
   std::size_t cavities = 0;
-  long genus = 0;  ///< of all boundary surfaces
+  ChiRange genus;  ///< of all boundary surfaces, in sum: between what
 };
 
 /// Refused (invalid_input) where labels or decisions on voids are.

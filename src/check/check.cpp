@@ -105,8 +105,9 @@ class Checks {
       return;
     }
     report_.expected_cavities = expected->cavities;
-    report_.expected_genus = expected->genus;
-    report_.forced_voids = expected->voids.forced;
+    report_.least_genus = expected->genus.least;
+    report_.most_genus = expected->genus.most;
+    report_.forced_voids = expected->voids.forced.size();
     report_.unrealisable_voids = expected->voids.unrealisable;
     expected_ = *std::move(expected);
   }

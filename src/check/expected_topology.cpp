@@ -19,9 +19,11 @@ class SlabReckoning {
         voids_(stack.voids()),
         solid_(regions_.first[slab + 2] - regions_.first[slab]),
         pieces_(solid_.size()),
+        met_(solid_.size()),
         groups_(solid_.size()),
         hollow_(voids_.first[slab + 2] - voids_.first[slab]),
         hollow_pieces_(hollow_.size()),
+        hollow_met_(hollow_.size()),
         chi_(solid_.size()) {}
 
   void link_regions(const Link& link) {
@@ -33,10 +35,15 @@ class SlabReckoning {
 
   SlabTopology run() {
     for (std::size_t r = 0; r < solid_.size(); ++r) {
-      chi_[solid_.find(r)] += chi_of_region(regions_, first_region() + r);
+      chi_[solid_.find(r)].add(chi_of_region(regions_, first_region() + r));
     }
-    for (const sections::OverlayFace& face : faces_) {
-      if (face.lower.solid && face.upper.solid) count_open_to_solid(face);
+    for (const sections::RegionMeeting& meeting : faces_.meetings) count_solid(meeting);
+    for (const sections::VoidPair& pair : faces_.touching_voids) {
+      const std::size_t lower = number(voids_, false, pair.lower);
+      const std::size_t upper = number(voids_, true, pair.upper);
+      if (hollow_.same(lower, upper)) hollow_met_.unite(lower, upper);
+    }
+    for (const sections::OverlayFace& face : faces_.faces) {
       if (!face.lower.solid && !face.upper.solid) count_void(face);
     }
     count_bars();
@@ -51,12 +58,16 @@ class SlabReckoning {
     return of.first[slab_ + (upper ? 1 : 0)] - of.first[slab_] + id.index();
   }
 
-  void count_open_to_solid(const sections::OverlayFace& face) {
-    const std::size_t lower = number(regions_, false, face.lower.id);
-    const std::size_t upper = number(regions_, true, face.upper.id);
+  void count_solid(const sections::RegionMeeting& meeting) {
+    const std::size_t lower = number(regions_, false, meeting.lower);
+    const std::size_t upper = number(regions_, true, meeting.upper);
     if (!solid_.same(lower, upper)) return;
-    chi_[solid_.find(lower)] -= face.chi;
-    pieces_.unite(lower, upper);
+    ChiRange& chi = chi_[solid_.find(lower)];
+    chi.add(-meeting.chi);
+    chi.least -= meeting.touches;
+    chi.most += meeting.connections;
+    met_.unite(lower, upper);
+    if (meeting.overlap) pieces_.unite(lower, upper);
   }
 
   void count_void(const sections::OverlayFace& face) {
@@ -64,6 +75,7 @@ class SlabReckoning {
     const std::size_t upper = number(voids_, true, face.upper.id);
     if (hollow_.same(lower, upper)) {
       hollow_pieces_.unite(lower, upper);
+      hollow_met_.unite(lower, upper);
       return;
     }
     // A plate hangs on all that is around, and holds together what is of one class there.
@@ -71,31 +83,43 @@ class SlabReckoning {
     for (const sections::BorderRegion& border : face.border) {
       const std::size_t r = number(regions_, border.upper, border.region);
       const auto [first, fresh] = first_of_class.emplace(solid_.find(r), r);
-      if (!fresh) pieces_.unite(first->second, r);
+      if (!fresh) {
+        pieces_.unite(first->second, r);
+        met_.unite(first->second, r);
+      }
       groups_.unite(first_of_class.begin()->first, solid_.find(r));
     }
-    if (!first_of_class.empty()) chi_[first_of_class.begin()->first] += face.chi;
+    if (!first_of_class.empty()) chi_[first_of_class.begin()->first].add(face.chi);
   }
 
+  // Pieces that faces leave apart need bars, but for those that touch.
   void count_bars() {
     for (std::size_t r = 0; r < solid_.size(); ++r) {
-      if (pieces_.find(r) == r) --chi_[solid_.find(r)];
-      if (solid_.find(r) == r) ++chi_[r];
+      if (solid_.find(r) == r) continue;
+      ChiRange& chi = chi_[solid_.find(r)];
+      if (pieces_.find(r) == r) --chi.most;
+      if (met_.find(r) == r) --chi.least;
     }
   }
 
   void count_tunnels() {
-    std::map<std::size_t, long> tunnels;  // by void class
+    std::map<std::size_t, ChiRange> tunnels;  // by void class, where there are any
     for (std::size_t v = 0; v < hollow_.size(); ++v) {
-      if (hollow_pieces_.find(v) == v) ++tunnels[hollow_.find(v)];
+      if (hollow_.find(v) == v || hollow_pieces_.find(v) != v) continue;
+      ChiRange& of_class = tunnels[hollow_.find(v)];
+      --of_class.most;
+      if (hollow_met_.find(v) == v) --of_class.least;
     }
     std::map<std::size_t, std::size_t> around;  // of void classes with tunnels
     for (std::size_t v = 0; v < hollow_.size(); ++v) {
-      const long count = tunnels[hollow_.find(v)] - 1;
-      if (count == 0 || stack_.is_exterior(first_void() + v)) continue;
+      const auto of_class = tunnels.find(hollow_.find(v));
+      if (of_class == tunnels.end() || stack_.is_exterior(first_void() + v)) continue;
       const std::size_t region = stack_.region_around(first_void() + v) - first_region();
       const auto [first, fresh] = around.emplace(hollow_.find(v), solid_.find(region));
-      if (fresh) chi_[first->second] -= count;
+      if (fresh) {
+        chi_[first->second].least += of_class->second.least;
+        chi_[first->second].most += of_class->second.most;
+      }
       groups_.unite(first->second, solid_.find(region));
     }
   }
@@ -108,7 +132,9 @@ class SlabReckoning {
       const std::size_t group = groups_.find(of_class);
       slab.class_of.push_back(slab.first + of_class);
       slab.group_of.push_back(slab.first + group);
-      if (of_class == r) slab.chi[slab.first + group] += chi_[r];
+      if (of_class != r) continue;
+      slab.chi[slab.first + group].least += chi_[r].least;
+      slab.chi[slab.first + group].most += chi_[r].most;
     }
     return slab;
   }
@@ -120,10 +146,12 @@ class SlabReckoning {
   const Regions& voids_;
   UnionFind solid_;   // classes of regions
   UnionFind pieces_;  // of a class, which its faces hold together
+  UnionFind met_;     // the same with what touches
   UnionFind groups_;  // of classes, by their lowest regions
   UnionFind hollow_;  // classes of voids
   UnionFind hollow_pieces_;
-  std::vector<long> chi_;  // of a class, by its lowest region
+  UnionFind hollow_met_;
+  std::vector<ChiRange> chi_;  // of a class, by its lowest region
 };
 
 }  // namespace
@@ -135,43 +163,51 @@ long chi_of_region(const Regions& regions, std::size_t region) {
 std::vector<SlabTopology> expected_topology(const StackVoids& stack,
                                             const std::vector<Faces>& faces,
                                             const std::vector<Link>& links,
-                                            const std::vector<Link>& void_links) {
+                                            const ExpectedVoids& voids) {
   std::vector<SlabTopology> slabs;
   auto link = links.begin();
-  auto void_link = void_links.begin();
+  auto void_link = voids.links.begin();
+  auto forced = voids.forced.begin();
   for (std::size_t s = 0; s + 1 < stack.section_count(); ++s) {
     SlabReckoning slab(stack, faces[s], s);
     for (; link != links.end() && stack.regions().section[link->lower] == s; ++link) {
       slab.link_regions(*link);
     }
-    for (; void_link != void_links.end() && stack.voids().section[void_link->lower] == s;
+    for (; void_link != voids.links.end() && stack.voids().section[void_link->lower] == s;
          ++void_link) {
       slab.link_voids(*void_link);
+    }
+    for (; forced != voids.forced.end() && forced->slab == s; ++forced) {
+      slab.link_voids(forced->voids);
     }
     slabs.push_back(slab.run());
   }
   return slabs;
 }
 
-long expected_chi(const StackVoids& stack, const std::vector<SlabTopology>& slabs) {
+ChiRange expected_chi(const StackVoids& stack, const std::vector<SlabTopology>& slabs) {
   const Regions& regions = stack.regions();
-  long chi = 0;
+  ChiRange chi;
   for (const SlabTopology& slab : slabs) {
-    for (const auto& [group, of_group] : slab.chi) chi += of_group;
+    for (const auto& [group, of_group] : slab.chi) {
+      chi.least += of_group.least;
+      chi.most += of_group.most;
+    }
   }
   for (std::size_t r = 0; r < regions.size(); ++r) {
     const std::size_t s = regions.section[r];
-    if (slabs.empty()) chi += chi_of_region(regions, r);
-    if (s > 0 && s + 1 < regions.section_count()) chi -= chi_of_region(regions, r);
+    if (slabs.empty()) chi.add(chi_of_region(regions, r));
+    if (s > 0 && s + 1 < regions.section_count()) chi.add(-chi_of_region(regions, r));
   }
   return chi;
 }
 
 std::vector<std::size_t> expected_void_sets(const StackVoids& stack,
-                                            const std::vector<Link>& void_links) {
+                                            const ExpectedVoids& links) {
   const Regions& voids = stack.voids();
   UnionFind sets(voids.size());
-  for (const Link& link : void_links) sets.unite(link.lower, link.upper);
+  for (const Link& link : links.links) sets.unite(link.lower, link.upper);
+  for (const SlabVoids& pair : links.forced) sets.unite(pair.voids.lower, pair.voids.upper);
   for (std::size_t v = 0; v < voids.size(); ++v) {
     const std::size_t s = voids.section[v];
     if (s == 0 || s + 1 == voids.section_count()) sets.unite(0, v);

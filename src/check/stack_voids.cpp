@@ -29,7 +29,7 @@ std::vector<Faces> StackVoids::faces() const {
   for (std::size_t s = 0; s + 1 < section_count(); ++s) {
     const sections::FaceOverlay overlay(stack_.sections[SectionId(s)], regions_.nesting[s],
                                         stack_.sections[SectionId(s + 1)], regions_.nesting[s + 1]);
-    faces.push_back(overlay.faces());
+    faces.push_back({overlay.faces(), overlay.meetings(), overlay.touching_voids()});
   }
   return faces;
 }

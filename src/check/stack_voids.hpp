@@ -11,7 +11,12 @@
 
 namespace tetloft::internal::checking {
 
-using Faces = IdVector<sections::FaceId, sections::OverlayFace>;
+/// What an overlay says of one slab.
+struct Faces {
+  IdVector<sections::FaceId, sections::OverlayFace> faces;
+  std::vector<sections::RegionMeeting> meetings;
+  std::vector<sections::VoidPair> touching_voids;
+};
 
 /// Voids are the regions of the complement: of each section with a square around it, whose contour
 /// comes last. The first of a section is its exterior; the others are named by their outer

@@ -1,7 +1,6 @@
 #include "check/void_links.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <map>
 #include <set>
 #include <utility>
@@ -58,7 +57,7 @@ class VoidCandidates {
   [[nodiscard]] std::vector<Link> overlaps() const {
     std::set<Link> common;
     for (std::size_t s = 0; s < faces_.size(); ++s) {
-      for (const sections::OverlayFace& face : faces_[s]) {
+      for (const sections::OverlayFace& face : faces_[s].faces) {
         if (face.lower.solid || face.upper.solid) continue;
         common.insert(
             {voids_.first[s] + face.lower.id.index(), voids_.first[s + 1] + face.upper.id.index()});
@@ -163,31 +162,31 @@ std::string claim_text(const VoidLink& claim) {
 // What a model says of V6: `objection` tells what is wrong with a link of the fate that is asked
 // for, or nothing.
 template <class Objection>
-std::set<Link> claimed_links(const StackVoids& stack, std::span<const VoidLink> claims,
-                             LinkFate fate, std::vector<std::string>& wrong,
-                             Objection&& objection) {
-  std::set<Link> links;
+std::set<SlabVoids> claimed_links(const StackVoids& stack, std::span<const VoidLink> claims,
+                                  LinkFate fate, std::vector<std::string>& wrong,
+                                  Objection&& objection) {
+  std::set<SlabVoids> links;
   for (const VoidLink& claim : claims) {
     if (claim.fate != fate) continue;
     const std::size_t s = claim.slab.index();
     std::optional<std::size_t> lower;
     std::optional<std::size_t> upper;
     if (claim.slab.valid() && s + 1 < stack.section_count()) {
-      lower = stack.find_void(s, claim.lower);
-      upper = stack.find_void(s + 1, claim.upper);
+      lower = stack.find_void(claim.planes == VoidPlanes::upper ? s + 1 : s, claim.lower);
+      upper = stack.find_void(claim.planes == VoidPlanes::lower ? s : s + 1, claim.upper);
     }
     const char* why = nullptr;
     if (!lower.has_value() || !upper.has_value()) {
       why = "no such voids";
-    } else if (links.count({*lower, *upper}) != 0) {
+    } else if (links.count({s, {*lower, *upper}}) != 0) {
       why = "told twice";
     } else {
-      why = objection(Link{*lower, *upper});
+      why = objection(SlabVoids{s, {*lower, *upper}});
     }
     if (why != nullptr) {
       wrong.push_back(claim_text(claim) + why);
     } else {
-      links.insert({*lower, *upper});
+      links.insert({s, {*lower, *upper}});
     }
   }
   return links;
@@ -220,9 +219,13 @@ Result<ExpectedVoids> expected_voids(const StackVoids& stack, const std::vector<
   for (const Link& link : decided->joined) found.emplace(link, finder.score(link));
 
   ExpectedVoids expected;
-  std::set<Link> closed = claimed_links(
-      stack, claims, LinkFate::unrealisable, expected.wrong,
-      [&](const Link& link) { return found.count(link) == 0 ? "it is no candidate" : nullptr; });
+  std::set<Link> closed;
+  for (const SlabVoids& claim : claimed_links(
+           stack, claims, LinkFate::unrealisable, expected.wrong, [&](const SlabVoids& pair) {
+             return found.count(pair.voids) == 0 ? "it is no candidate" : nullptr;
+           })) {
+    closed.insert(claim.voids);
+  }
   expected.unrealisable = closed.size();
   for (const Link& link : closed) found.erase(link);
   closed.merge(decided->parted);
@@ -242,17 +245,13 @@ Result<ExpectedVoids> expected_voids(const StackVoids& stack, const std::vector<
   for (const Link& link : expected.links) {
     of_slab[stack.voids().section[link.lower] % 2].unite(link.lower, link.upper);
   }
-  const std::set<Link> forced =
-      claimed_links(stack, claims, LinkFate::forced, expected.wrong, [&](const Link& link) {
-        return of_slab[stack.voids().section[link.lower] % 2].same(link.lower, link.upper)
+  const std::set<SlabVoids> forced = claimed_links(
+      stack, claims, LinkFate::forced, expected.wrong, [&](const SlabVoids& pair) {
+        return of_slab[pair.slab % 2].same(pair.voids.lower, pair.voids.upper)
                    ? "they are one void anyway"
                    : nullptr;
       });
-  expected.forced = forced.size();
-  std::vector<Link> all;
-  std::set_union(expected.links.begin(), expected.links.end(), forced.begin(), forced.end(),
-                 std::back_inserter(all));
-  expected.links = std::move(all);
+  expected.forced.assign(forced.begin(), forced.end());
   return expected;
 }
 

@@ -16,13 +16,21 @@
 
 namespace tetloft::internal::checking {
 
+/// Two voids of one slab, be it of the same section.
+struct SlabVoids {
+  std::size_t slab = 0;
+  Link voids;
+  friend auto operator<=>(const SlabVoids&, const SlabVoids&) = default;
+};
+
 struct ExpectedVoids {
-  /// The links of voids, as of StackVoids::voids(), that were accepted or forced, sorted. Those of
-  /// exteriors are among them.
+  /// The links of voids, as of StackVoids::voids(), that were accepted, sorted. Those of exteriors
+  /// are among them.
   std::vector<Link> links;
+  std::vector<SlabVoids> forced;  ///< as the model says; sorted
   std::optional<std::uint32_t> unrealised;  ///< a label of holes that cannot be realised
   // What the model says of V6, as far as that may be; and what of it may not, in words.
-  std::size_t forced = 0, unrealisable = 0;
+  std::size_t unrealisable = 0;
   std::vector<std::string> wrong;
 };
 

@@ -89,7 +89,8 @@ std::string to_json(const CheckReport& report, const StackInput& input, const Co
   json.member("dropped_links", report.dropped_links);
   write_known(json, "cavities", report.cavities);
   write_known(json, "expected_cavities", report.expected_cavities);
-  write_known(json, "expected_genus", report.expected_genus);
+  write_known(json, "least_genus", report.least_genus);
+  write_known(json, "most_genus", report.most_genus);
   json.member("deviations", report.deviations);
   json.member("forced_voids", report.forced_voids);
   json.member("unrealisable_voids", report.unrealisable_voids);
@@ -117,8 +118,10 @@ std::string cavities_text(const CheckReport& report) {
   std::string text;
   if (report.cavities.has_value()) text += cavities(*report.cavities) + '\n';
   if (report.expected_cavities.has_value()) {
+    const long least = report.least_genus.value_or(0);
+    const long most = report.most_genus.value_or(0);
     text += "expected: " + cavities(*report.expected_cavities) + ", genus of all surfaces " +
-            std::to_string(report.expected_genus.value_or(0)) + '\n';
+            std::to_string(least) + (most == least ? "" : " to " + std::to_string(most)) + '\n';
   }
   if (report.deviations > 0) {
     text += counted(report.deviations, "place") + " where topology deviates, as the model says\n";

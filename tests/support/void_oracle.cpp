@@ -27,6 +27,30 @@ SectionStack complement(SectionStack stack) {
   return stack;
 }
 
+// The section with a solid that is smaller by some: of axis-parallel boxes and of triangles (x, y),
+// (x + a, y), (x, y + a).
+Section smaller(const Section& section) {
+  constexpr double kBy = 0x1p-7;
+  const Nesting nesting = nest(section);
+  Section result = section;
+  for (const ContourId c : section.contours.ids()) {
+    std::vector<Point2>& v = result.contours[c].vertices;
+    const double by = nesting.depth[c] % 2 == 0 ? -kBy : kBy;
+    const Point2 low = v[0];
+    if (v.size() == 3) {
+      const double a = v[1].x - low.x + 3 * by;  // the oblique side moves by `by` along both axes
+      v = {{low.x - by, low.y - by}, {low.x - by + a, low.y - by}, {low.x - by, low.y - by + a}};
+    } else {
+      const Point2 high = v[2];
+      v = {{low.x - by, low.y - by},
+           {high.x + by, low.y - by},
+           {high.x + by, high.y + by},
+           {low.x - by, high.y + by}};
+    }
+  }
+  return result;
+}
+
 class VoidRuleByWord : private LinkRule {
  public:
   VoidRuleByWord(const Model& model, const SectionStack& complement, const VoidOptions& options)
@@ -166,18 +190,17 @@ class FacesByWord {
         solid_(VoidRuleByWord::spread(regions.size(), within(links, regions))),
         hollow_(VoidRuleByWord::spread(voids.size(), within(void_links, voids))) {}
 
-  std::map<std::size_t, long> run(const CellOverlay& overlay) {
+  // Where voids touch is a VV face, too: the overlay of smaller solids tells.
+  std::map<std::size_t, long> run(const CellOverlay& overlay, const CellOverlay& of_smaller) {
     for (std::size_t r = 0; r < regions_.size(); ++r) {
       if (!is_here(regions_[r])) continue;
       chi_[solid_[r]] += 2 - static_cast<long>(regions_[r].contours.size());
     }
     for (const CellOverlay::Face& face : overlay.faces()) {
-      if (face.side[0].solid != face.side[1].solid) continue;
-      if (face.side[0].solid) {
-        count_solid(face);
-      } else {
-        count_void(face);
-      }
+      if (face.side[0].solid && face.side[1].solid) count_solid(face);
+    }
+    for (const CellOverlay::Face& face : of_smaller.faces()) {
+      if (!face.side[0].solid && !face.side[1].solid) count_void(face);
     }
     count_bars();
     count_tunnels();
@@ -295,7 +318,11 @@ ExpectedTopology expected_topology(const Model& model, const SectionStack& stack
     const Section& lower = stack.sections[SectionId(s)];
     const Section& upper = stack.sections[SectionId(s + 1)];
     const CellOverlay overlay(lower, nest(lower), upper, nest(upper));
-    result.chi.push_back(FacesByWord(regions, rule.voids(), links, result.links, s).run(overlay));
+    const Section below = smaller(lower);
+    const Section above = smaller(upper);
+    const CellOverlay of_smaller(below, nest(below), above, nest(above));
+    result.chi.push_back(
+        FacesByWord(regions, rule.voids(), links, result.links, s).run(overlay, of_smaller));
   }
   return result;
 }

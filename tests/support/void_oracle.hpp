@@ -30,8 +30,9 @@ struct ExpectedTopology {
   std::vector<std::map<std::size_t, long>> chi;
 };
 
-/// For small stacks. Of the model the links of voids count; `links` are those of regions, as the
-/// oracle of correspondence finds them.
+/// For small stacks of axis-parallel boxes, their lowest corners first, and of triangles (x, y),
+/// (x + a, y), (x, y + a). Of the model the links of voids count; `links` are those of regions, as
+/// the oracle of correspondence finds them.
 [[nodiscard]] ExpectedTopology expected_topology(const Model& model, const SectionStack& stack,
                                                  const VoidOptions& options,
                                                  const std::set<RegionPair>& links);
