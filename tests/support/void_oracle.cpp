@@ -27,15 +27,15 @@ SectionStack complement(SectionStack stack) {
   return stack;
 }
 
-// The section with a solid that is smaller by some: of axis-parallel boxes and of triangles (x, y),
+// The section with a solid that is larger by some, or smaller: of axis-parallel boxes and of triangles (x, y),
 // (x + a, y), (x, y + a).
-Section smaller(const Section& section) {
-  constexpr double kBy = 0x1p-7;
+constexpr double kBy = 0x1p-7;
+Section grown(const Section& section, double larger) {
   const Nesting nesting = nest(section);
   Section result = section;
   for (const ContourId c : section.contours.ids()) {
     std::vector<Point2>& v = result.contours[c].vertices;
-    const double by = nesting.depth[c] % 2 == 0 ? -kBy : kBy;
+    const double by = nesting.depth[c] % 2 == 0 ? larger : -larger;
     const Point2 low = v[0];
     if (v.size() == 3) {
       const double a = v[1].x - low.x + 3 * by;  // the oblique side moves by `by` along both axes
@@ -190,16 +190,17 @@ class FacesByWord {
         solid_(VoidRuleByWord::spread(regions.size(), within(links, regions))),
         hollow_(VoidRuleByWord::spread(voids.size(), within(void_links, voids))) {}
 
-  // Where voids touch is a VV face, too: the overlay of smaller solids tells.
-  std::map<std::size_t, long> run(const CellOverlay& overlay, const CellOverlay& of_smaller) {
+  // Where regions touch is an SS face, too, or where voids do a VV face: the overlay of solids that
+  // are larger or smaller tells.
+  std::map<std::size_t, long> run(const CellOverlay& of_solids, const CellOverlay& of_voids) {
     for (std::size_t r = 0; r < regions_.size(); ++r) {
       if (!is_here(regions_[r])) continue;
       chi_[solid_[r]] += 2 - static_cast<long>(regions_[r].contours.size());
     }
-    for (const CellOverlay::Face& face : overlay.faces()) {
+    for (const CellOverlay::Face& face : of_solids.faces()) {
       if (face.side[0].solid && face.side[1].solid) count_solid(face);
     }
-    for (const CellOverlay::Face& face : of_smaller.faces()) {
+    for (const CellOverlay::Face& face : of_voids.faces()) {
       if (!face.side[0].solid && !face.side[1].solid) count_void(face);
     }
     count_bars();
@@ -318,11 +319,16 @@ ExpectedTopology expected_topology(const Model& model, const SectionStack& stack
     const Section& lower = stack.sections[SectionId(s)];
     const Section& upper = stack.sections[SectionId(s + 1)];
     const CellOverlay overlay(lower, nest(lower), upper, nest(upper));
-    const Section below = smaller(lower);
-    const Section above = smaller(upper);
-    const CellOverlay of_smaller(below, nest(below), above, nest(above));
-    result.chi.push_back(
-        FacesByWord(regions, rule.voids(), links, result.links, s).run(overlay, of_smaller));
+    const auto overlay_of = [&](double larger) {
+      const Section below = grown(lower, larger);
+      const Section above = grown(upper, larger);
+      return CellOverlay(below, nest(below), above, nest(above));
+    };
+    const auto chi_of = [&](const CellOverlay& of_solids, const CellOverlay& of_voids) {
+      return FacesByWord(regions, rule.voids(), links, result.links, s).run(of_solids, of_voids);
+    };
+    result.chi.push_back(chi_of(overlay, overlay_of(-kBy)));
+    result.chi_of_touches.push_back(chi_of(overlay_of(kBy), overlay));
   }
   return result;
 }
