@@ -27,8 +27,8 @@ SectionStack complement(SectionStack stack) {
   return stack;
 }
 
-// The section with a solid that is larger by some, or smaller: of axis-parallel boxes and of triangles (x, y),
-// (x + a, y), (x, y + a).
+// The section with a solid that is larger by some, or smaller: of axis-parallel boxes and of
+// triangles (x, y), (x + a, y), (x, y + a).
 constexpr double kBy = 0x1p-7;
 Section grown(const Section& section, double larger) {
   const Nesting nesting = nest(section);
@@ -53,10 +53,13 @@ Section grown(const Section& section, double larger) {
 
 class VoidRuleByWord : private LinkRule {
  public:
-  VoidRuleByWord(const Model& model, const SectionStack& complement, const VoidOptions& options)
+  // Pairs of `walled` are those of V0.
+  VoidRuleByWord(const Model& model, const SectionStack& complement, const VoidOptions& options,
+                 std::set<RegionPair> walled)
       : LinkRule(complement, options.labels, options.decisions, {kVoidChainReach, true}),
         model_(model),
-        options_(options) {}
+        options_(options),
+        walled_(std::move(walled)) {}
 
   void run(ExpectedTopology& result) {
     by_overlap();
@@ -108,6 +111,7 @@ class VoidRuleByWord : private LinkRule {
   void by_overlap() {
     for (const RegionPair& pair : pairs_) {
       if (is_exterior(pair.first) && is_exterior(pair.second)) continue;
+      if (walled_.count(pair) != 0) continue;
       if (ratio(pair) > Rational::exactly(kVoidOverlap)) candidates_[pair] = s(pair);
     }
   }
@@ -127,6 +131,7 @@ class VoidRuleByWord : private LinkRule {
         std::optional<RegionPair> best;
         for (const RegionPair& pair : pairs_) {
           if ((up ? pair.first : pair.second) != h) continue;
+          if (walled_.count(pair) != 0) continue;
           const bool near = options_.rule == VoidRule::near;
           if (!near && !is_exterior(up ? pair.second : pair.first)) continue;
           if (!(distance(pair) < (near ? options_.reach : kRimReach))) continue;
@@ -176,6 +181,7 @@ class VoidRuleByWord : private LinkRule {
 
   const Model& model_;
   const VoidOptions& options_;
+  std::set<RegionPair> walled_;
 };
 
 // FACES, for one slab. All regions and voids of the stack are numbered.
@@ -304,17 +310,50 @@ class FacesByWord {
   std::map<std::size_t, long> chi_;             // of classes
 };
 
+// V0: pairs of voids, as the rule numbers them, all of whose common faces are walled off.
+std::set<RegionPair> walled_pairs(const SectionStack& stack, const std::vector<Region>& regions,
+                                  const std::vector<Region>& voids,
+                                  const std::set<RegionPair>& links) {
+  const auto number = [](const std::vector<Region>& of, std::size_t section, std::uint32_t id) {
+    const auto first =
+        std::find_if(of.begin(), of.end(), [&](const Region& r) { return r.section == section; });
+    return static_cast<std::size_t>(first - of.begin()) + id;
+  };
+  std::set<RegionPair> walled, open;
+  for (std::size_t s = 0; s + 1 < stack.sections.size(); ++s) {
+    const Section& lower = stack.sections[SectionId(s)];
+    const Section& upper = stack.sections[SectionId(s + 1)];
+    const CellOverlay overlay(lower, nest(lower), upper, nest(upper));
+    for (const CellOverlay::Face& face : overlay.faces()) {
+      if (face.side[0].solid || face.side[1].solid) continue;
+      bool wall = face.chi == 0 && face.border.size() == 2 && face.border[0].section == 0 &&
+                  face.border[1].section == 1;
+      if (wall) {
+        const RegionPair pair{number(regions, s, face.border[0].region),
+                              number(regions, s + 1, face.border[1].region)};
+        wall = links.count(pair) != 0 &&
+               squared_distance(regions[pair.first], regions[pair.second]) > Rational::exactly(0);
+      }
+      (wall ? walled : open)
+          .emplace(number(voids, s, face.side[0].id), number(voids, s + 1, face.side[1].id));
+    }
+  }
+  for (const RegionPair& pair : open) walled.erase(pair);
+  return walled;
+}
+
 }  // namespace
 
 ExpectedTopology expected_topology(const Model& model, const SectionStack& stack,
                                    const VoidOptions& options, const std::set<RegionPair>& links) {
   ExpectedTopology result;
   const SectionStack around = complement(stack);
-  VoidRuleByWord rule(model, around, options);
+  const std::vector<Region> regions = regions_of(stack);
+  VoidRuleByWord rule(model, around, options,
+                      walled_pairs(stack, regions, regions_of(around), links));
   rule.run(result);
   if (result.refused) return result;
   result.set = rule.sets();
-  const std::vector<Region> regions = regions_of(stack);
   for (std::size_t s = 0; s + 1 < stack.sections.size(); ++s) {
     const Section& lower = stack.sections[SectionId(s)];
     const Section& upper = stack.sections[SectionId(s + 1)];

@@ -39,7 +39,7 @@ using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
 Pairs links_of_slab(const SectionStack& stack, const VoidOptions& options = {},
                     const std::vector<VoidLink>& claims = {}, std::size_t slab = 0) {
   const StackVoids voids(stack);
-  const auto expected = checking::expected_voids(voids, voids.faces(), options, claims);
+  const auto expected = checking::expected_voids(voids, voids.faces(), {}, options, claims);
   EXPECT_TRUE(expected.ok());
   if (!expected.ok()) return {};
   EXPECT_EQ(expected->wrong, std::vector<std::string>());
@@ -139,7 +139,7 @@ TEST(VoidLinks, DecisionsAndLabels) {
 TEST(VoidLinks, RefusesWhatNamesNoHole) {
   const StackVoids stack(stack_of({{plate(), box(5, 5, 9, 9)}, {plate()}}));
   const auto refused = [&](const VoidOptions& options) {
-    const auto expected = checking::expected_voids(stack, stack.faces(), options, {});
+    const auto expected = checking::expected_voids(stack, stack.faces(), {}, options, {});
     return !expected.ok() && expected.error().code == ErrorCode::invalid_input;
   };
   const auto decision = [](ContourId lower, ContourId upper, bool join) {
@@ -179,7 +179,7 @@ TEST(VoidLinks, BelievesWhatMayBe) {
   EXPECT_EQ(links_of_slab(stack, {}, {forced}), (Pairs{{0, 0}, {1, 1}, {1, 2}}));
   const StackVoids voids(stack);
   const auto wrong = [&](const std::vector<VoidLink>& claims) {
-    return checking::expected_voids(voids, voids.faces(), {}, claims)->wrong.size();
+    return checking::expected_voids(voids, voids.faces(), {}, {}, claims)->wrong.size();
   };
   EXPECT_EQ(wrong({sealed, forced}), 0U);
   EXPECT_EQ(wrong({sealed, sealed, forced, forced}), 2U);
@@ -208,7 +208,7 @@ Chi chi_of(const SectionStack& stack, const CorrespondenceOptions& options = tes
   const StackVoids voids(stack);
   const auto faces = voids.faces();
   const auto regions = checking::expected_partition(stack, stack, options);
-  const auto expected = checking::expected_voids(voids, faces, options.voids, {});
+  const auto expected = checking::expected_voids(voids, faces, regions->links, options.voids, {});
   EXPECT_TRUE(regions.ok() && expected.ok());
   return leasts(checking::expected_topology(voids, faces, regions->links, *expected)[0]);
 }
@@ -281,7 +281,7 @@ TEST(ExpectedTopology, TunnelsBetweenSolidsMakeAGroup) {
 TEST(ExpectedTopology, VoidsOfTheStack) {
   const auto sets = [](const SectionStack& stack) {
     const StackVoids voids(stack);
-    const auto expected = checking::expected_voids(voids, voids.faces(), {}, {});
+    const auto expected = checking::expected_voids(voids, voids.faces(), {}, {}, {});
     return checking::expected_void_sets(voids, *expected);
   };
   const std::vector<Contour> holed{plate(), box(5, 5, 9, 9)};
@@ -408,7 +408,8 @@ void compare(const SectionStack& stack, const CorrespondenceOptions& options, co
       << what;
   const StackVoids voids(stack);
   const auto faces = voids.faces();
-  const auto expected = checking::expected_voids(voids, faces, options.voids, claims.void_links);
+  const auto expected =
+      checking::expected_voids(voids, faces, regions->links, options.voids, claims.void_links);
   const oracle::ExpectedTopology truth =
       oracle::expected_topology(claims, stack, options.voids, solids.links);
   ASSERT_EQ(expected.ok(), !truth.refused) << what;
