@@ -73,6 +73,10 @@ class VoidCandidates {
         if (wall) {
           const Link regions = region_link(s, face.border[0].region, face.border[1].region);
           wall = linked.count(regions) != 0 && meeting.count(regions) == 0;
+          if (!stack_.is_exterior(voids.lower) && !stack_.is_exterior(voids.upper)) {
+            const Link around{stack_.region_around(voids.lower), stack_.region_around(voids.upper)};
+            wall = wall && linked.count(around) == 0;
+          }
         }
         (wall ? walled_ : open).insert(voids);
       }

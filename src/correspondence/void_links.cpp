@@ -138,18 +138,16 @@ class WhollyWithin {
 // V0, of one slab.
 class BetweenRegions {
  public:
-  BetweenRegions(SlabId slab, const sections::FaceOverlay& overlay, const std::vector<Link>& links)
-      : slab_(slab), overlay_(overlay), links_(links) {}
+  BetweenRegions(SlabId slab, const sections::FaceOverlay& overlay, const RegionsAround& regions)
+      : slab_(slab), overlay_(overlay), regions_(regions) {}
 
   [[nodiscard]] bool holds(const OverlayFace& face) const {
     if (face.chi != 0 || face.border.size() != 2) return false;
     const sections::BorderRegion& below = face.border[0];
     const sections::BorderRegion& above = face.border[1];
     if (below.upper || !above.upper) return false;
-    if (!std::binary_search(links_.begin(), links_.end(),
-                            Link{slab_, below.region, above.region})) {
-      return false;
-    }
+    if (!are_linked(below.region, above.region)) return false;
+    if (are_linked(regions_.below[face.lower.id], regions_.above[face.upper.id])) return false;
     return std::none_of(overlay_.meetings().begin(), overlay_.meetings().end(),
                         [&](const auto& meeting) {
                           return meeting.lower == below.region && meeting.upper == above.region;
@@ -157,9 +155,14 @@ class BetweenRegions {
   }
 
  private:
+  [[nodiscard]] bool are_linked(RegionId below, RegionId above) const {
+    return std::binary_search(regions_.links.begin(), regions_.links.end(),
+                              Link{slab_, below, above});
+  }
+
   SlabId slab_;
   const sections::FaceOverlay& overlay_;
-  const std::vector<Link>& links_;
+  const RegionsAround& regions_;
 };
 
 // Void by void, of one slab.
@@ -249,10 +252,10 @@ double void_ratio(const SectionRegions& below, RegionId lower, const SectionRegi
 
 SlabCandidates overlapping_voids(SlabId slab, const SectionRegions& below,
                                  const SectionRegions& above, const sections::FaceOverlay& overlay,
-                                 const std::vector<Link>& links) {
+                                 const RegionsAround& regions) {
   std::vector<std::pair<RegionId, RegionId>> pairs;
   std::vector<std::pair<RegionId, RegionId>> open;  // those with a face that V0 leaves
-  const BetweenRegions between(slab, overlay, links);
+  const BetweenRegions between(slab, overlay, regions);
   WhollyWithin lower_within(below.size());
   WhollyWithin upper_within(above.size());
   for (const OverlayFace& face : overlay.faces()) {

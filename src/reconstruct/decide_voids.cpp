@@ -79,6 +79,14 @@ Result<std::optional<Correspondence>> VoidDecision::make(
 std::optional<Error> VoidDecision::find(const IdVector<SlabId, std::vector<Link>>& of_regions,
                                         const WatchedWork& work,
                                         StackCandidates& candidates) const {
+  const auto around = [&](SectionId s) {
+    IdVector<RegionId, RegionId> regions(nestings_[s].outer.size());
+    for (const RegionId v : regions.ids()) {
+      if (v == sections::kExterior) continue;
+      regions[v] = prepared_.nestings[s].region[nestings_[s].outer[v]];
+    }
+    return regions;
+  };
   const auto in_each_slab = [&](const auto& body) {
     return first_error(all_ids<SlabId>(candidates.size()), options_.execution.threads, work,
                        [&](SlabId slab) -> std::optional<Error> {
@@ -94,8 +102,8 @@ std::optional<Error> VoidDecision::find(const IdVector<SlabId, std::vector<Link>
   auto error = in_each_slab([&](SlabId slab, SectionId below, SectionId above) {
     const sections::FaceOverlay overlay(prepared_.stack.sections[below], prepared_.nestings[below],
                                         prepared_.stack.sections[above], prepared_.nestings[above]);
-    candidates[slab] =
-        overlapping_voids(slab, sections_[below], sections_[above], overlay, of_regions[slab]);
+    candidates[slab] = overlapping_voids(slab, sections_[below], sections_[above], overlay,
+                                         {of_regions[slab], around(below), around(above)});
   });
   if (error) return error;
   const StackCandidates overlapping = candidates;

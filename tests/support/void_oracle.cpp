@@ -310,15 +310,30 @@ class FacesByWord {
   std::map<std::size_t, long> chi_;             // of classes
 };
 
+// The number of the first region of a section, and so on.
+std::size_t number(const std::vector<Region>& of, std::size_t section, std::uint32_t id) {
+  const auto first =
+      std::find_if(of.begin(), of.end(), [&](const Region& r) { return r.section == section; });
+  return static_cast<std::size_t>(first - of.begin()) + id;
+}
+
+// The region around a hole; none around the exterior, void 0. Complements have a contour more than
+// each section.
+std::optional<std::size_t> region_around(const SectionStack& stack,
+                                         const std::vector<Region>& regions,
+                                         const std::vector<Region>& voids, std::size_t s,
+                                         std::uint32_t id) {
+  if (id == 0) return std::nullopt;
+  std::size_t contour = voids[number(voids, s, id)].contours.front();
+  for (std::size_t t = 0; t < s; ++t) contour -= stack.sections[SectionId(t)].contours.size() + 1;
+  const Nesting nesting = nest(stack.sections[SectionId(s)]);
+  return number(regions, s, nesting.region[ContourId(contour)].value());
+}
+
 // V0: pairs of voids, as the rule numbers them, all of whose common faces are walled off.
 std::set<RegionPair> walled_pairs(const SectionStack& stack, const std::vector<Region>& regions,
                                   const std::vector<Region>& voids,
                                   const std::set<RegionPair>& links) {
-  const auto number = [](const std::vector<Region>& of, std::size_t section, std::uint32_t id) {
-    const auto first =
-        std::find_if(of.begin(), of.end(), [&](const Region& r) { return r.section == section; });
-    return static_cast<std::size_t>(first - of.begin()) + id;
-  };
   std::set<RegionPair> walled, open;
   for (std::size_t s = 0; s + 1 < stack.sections.size(); ++s) {
     const Section& lower = stack.sections[SectionId(s)];
@@ -333,6 +348,10 @@ std::set<RegionPair> walled_pairs(const SectionStack& stack, const std::vector<R
                               number(regions, s + 1, face.border[1].region)};
         wall = links.count(pair) != 0 &&
                squared_distance(regions[pair.first], regions[pair.second]) > Rational::exactly(0);
+        const auto around_below = region_around(stack, regions, voids, s, face.side[0].id);
+        const auto around_above = region_around(stack, regions, voids, s + 1, face.side[1].id);
+        wall = wall &&
+               (!around_below || !around_above || links.count({*around_below, *around_above}) == 0);
       }
       (wall ? walled : open)
           .emplace(number(voids, s, face.side[0].id), number(voids, s + 1, face.side[1].id));
