@@ -207,8 +207,7 @@ ChiRange expected_chi(const StackVoids& stack, const std::vector<SlabTopology>& 
   return chi;
 }
 
-std::vector<std::size_t> expected_void_sets(const StackVoids& stack,
-                                            const ExpectedVoids& links) {
+std::vector<std::size_t> expected_void_sets(const StackVoids& stack, const ExpectedVoids& links) {
   const Regions& voids = stack.voids();
   UnionFind sets(voids.size());
   for (const Link& link : links.links) sets.unite(link.lower, link.upper);

@@ -173,7 +173,7 @@ class TopologyCounter {
   std::array<std::vector<ContourId>, 2> holes_;
   SlabRegions regions_;
   SlabVoidNumbering voids_;
-  UnionFind solid_, pieces_, touched_;                 // what touches, too, united
+  UnionFind solid_, pieces_, touched_;  // what touches, too, united
   UnionFind void_, void_pieces_, touched_voids_;
   IdVector<SlabRegionId, Range> chi_;  // at the lowest region of a class
 };

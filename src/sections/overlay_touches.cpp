@@ -32,7 +32,8 @@ class TouchFinder {
 
   OverlayTouches find() {
     for (const OverlayFace& face : faces_) {
-      if (is_solid(face)) result_.meetings.push_back({face.lower.id, face.upper.id, true, face.chi});
+      if (is_solid(face))
+        result_.meetings.push_back({face.lower.id, face.upper.id, true, face.chi});
     }
     for (std::uint32_t half = 0; half < 2 * graph_.arcs().size(); ++half) look_at(half);
     find_pinched_voids();
