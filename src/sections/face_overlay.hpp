@@ -79,7 +79,8 @@ class FaceOverlay {
   /// The face that contains p; invalid for a point of a contour. Exact; by a search tree.
   [[nodiscard]] FaceId locate(const Point2& p) const;
 
-  /// The vertices and nodes on the face's border, in no order of meaning; crossings are rounded.
+  /// The vertices and nodes on the face's border, in no order of meaning, some of them several
+  /// times; crossings are rounded.
   [[nodiscard]] std::vector<Point2> border_points(FaceId face) const;
 
  private:
