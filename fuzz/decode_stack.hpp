@@ -16,7 +16,8 @@ struct DecodedStack {
 
 /// One to four sections of up to seven contours, vertices on a grid of 16 × 16 in steps of one
 /// byte each. A contour's first byte is its number of vertices, or names a rectangle, of which
-/// two bytes tell opposite corners: else few random contours would be simple.
+/// two bytes tell opposite corners: else few random contours would be simple. With a frame around
+/// each section that has contours, which are holes then.
 inline DecodedStack decode_stack(Bytes& bytes) {
   DecodedStack decoded;
   const std::uint8_t flags = bytes.byte();
@@ -45,6 +46,9 @@ inline DecodedStack decode_stack(Bytes& bytes) {
         for (std::size_t k = form - 5; k > 0; --k) contour.vertices.push_back(vertex());
       }
       section.contours.push_back(contour);
+    }
+    if ((flags & 32) != 0 && !section.contours.empty()) {
+      section.contours.push_back({{{-1, -1}, {17, -1}, {17, 17}, {-1, 17}}});
     }
     decoded.stack.sections.push_back(section);
   }

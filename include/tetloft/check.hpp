@@ -71,8 +71,8 @@ struct TETLOFT_API CheckReport {
   std::size_t dropped_links = 0;
   /// Of the model; none while guarantee 1 or 2 fails.
   std::optional<std::size_t> cavities = std::nullopt;
-  /// By the links of regions and voids, the genus summed over all boundary surfaces, between what: a
-  /// range where regions touch; none where they cannot be recomputed, and by VoidRule::free.
+  /// By the links of regions and voids, the genus summed over all boundary surfaces, between what:
+  /// a range where regions touch; none where they cannot be recomputed, and by VoidRule::free.
   std::optional<std::size_t> expected_cavities = std::nullopt;
   std::optional<long> least_genus = std::nullopt;
   std::optional<long> most_genus = std::nullopt;

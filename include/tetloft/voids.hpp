@@ -7,6 +7,12 @@
 // of correspondence.hpp, of voids in place of regions; the area of an exterior is infinite, so that
 // the ratio of a hole with it is the share of the hole that lies in it. In each slab:
 //
+// V0. A VV face lies *between* two regions iff they alone have contours at its border, one region
+// of
+//     either section, they are linked and have no point in common, the face has one hole, and its
+//     voids are not holes of linked regions: a ring over a disc, or around a smaller ring, but no
+//     pore over an island. A wall belongs there. Two voids that have such faces in common and no
+//     others are no candidate of V1 to V3.
 // V1. The two exteriors are linked. Two other voids are a candidate iff r > kVoidOverlap. There is
 //     no guard: weak links between well-connected voids are mostly real openings.
 // V2. Chains. A hole without candidate of V1 in a slab is single there. Two single holes with

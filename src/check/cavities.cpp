@@ -195,7 +195,7 @@ Result<ExpectedCavities> expected_cavities(const StackVoids& stack, const VoidOp
                                            const ModelView& view,
                                            const Components::Expected& components) {
   const std::vector<Faces> faces = stack.faces();
-  auto voids = expected_voids(stack, faces, options, view.void_links);
+  auto voids = expected_voids(stack, faces, components.links, options, view.void_links);
   if (!voids.ok()) return voids.error();
   std::vector<SlabTopology> slabs = expected_topology(stack, faces, components.links, *voids);
   ExpectedCavities expected{*std::move(voids), std::move(slabs), {}, 0, {}};

@@ -38,10 +38,15 @@ class SlabReckoning {
       chi_[solid_.find(r)].add(chi_of_region(regions_, first_region() + r));
     }
     for (const sections::RegionMeeting& meeting : faces_.meetings) count_solid(meeting);
-    for (const sections::VoidPair& pair : faces_.touching_voids) {
-      const std::size_t lower = number(voids_, false, pair.lower);
-      const std::size_t upper = number(voids_, true, pair.upper);
-      if (hollow_.same(lower, upper)) hollow_met_.unite(lower, upper);
+    for (const sections::VoidTouch& touch : faces_.touching_voids) {
+      const std::size_t lower = number(voids_, false, touch.lower);
+      const std::size_t upper = number(voids_, true, touch.upper);
+      if (!hollow_.same(lower, upper)) continue;
+      hollow_met_.unite(lower, upper);
+      // What is of two classes cannot be solid there.
+      const bool void_only = !solid_.same(number(regions_, false, touch.lower_region),
+                                          number(regions_, true, touch.upper_region));
+      if (void_only) hollow_pieces_.unite(lower, upper);
     }
     for (const sections::OverlayFace& face : faces_.faces) {
       if (!face.lower.solid && !face.upper.solid) count_void(face);
@@ -202,8 +207,7 @@ ChiRange expected_chi(const StackVoids& stack, const std::vector<SlabTopology>& 
   return chi;
 }
 
-std::vector<std::size_t> expected_void_sets(const StackVoids& stack,
-                                            const ExpectedVoids& links) {
+std::vector<std::size_t> expected_void_sets(const StackVoids& stack, const ExpectedVoids& links) {
   const Regions& voids = stack.voids();
   UnionFind sets(voids.size());
   for (const Link& link : links.links) sets.unite(link.lower, link.upper);

@@ -24,14 +24,14 @@ struct ChiRange {
 
 /// One slab. Classes, and groups of them, are named by their lowest region.
 struct SlabTopology {
-  std::size_t first = 0;              ///< the lowest region of the slab
-  std::vector<std::size_t> class_of;  ///< of region `first` + i
+  std::size_t first = 0;                ///< the lowest region of the slab
+  std::vector<std::size_t> class_of;    ///< of region `first` + i
   std::map<std::size_t, ChiRange> chi;  ///< expected, of each group
-  std::vector<std::size_t> group_of;  ///< of region `first` + i
+  std::vector<std::size_t> group_of;    ///< of region `first` + i
 };
 
-/// Per slab; `faces` are those of the stack. The links are those accepted, of regions, sorted, and of
-/// voids.
+/// Per slab; `faces` are those of the stack. The links are those accepted, of regions, sorted, and
+/// of voids.
 [[nodiscard]] std::vector<SlabTopology> expected_topology(const StackVoids& stack,
                                                           const std::vector<Faces>& faces,
                                                           const std::vector<Link>& links,
@@ -41,7 +41,8 @@ struct SlabTopology {
 [[nodiscard]] long chi_of_region(const Regions& regions, std::size_t region);
 
 /// Of the whole solid, ends beyond the stack included: they are prisms over regions, or nothing.
-[[nodiscard]] ChiRange expected_chi(const StackVoids& stack, const std::vector<SlabTopology>& slabs);
+[[nodiscard]] ChiRange expected_chi(const StackVoids& stack,
+                                    const std::vector<SlabTopology>& slabs);
 
 /// The void of each void of all sections, over the stack: equal numbers, the same void. That of
 /// section 0's exterior is the outside, to which beyond its ends the stack's holes lead.

@@ -15,7 +15,7 @@ namespace tetloft::internal::checking {
 struct Faces {
   IdVector<sections::FaceId, sections::OverlayFace> faces;
   std::vector<sections::RegionMeeting> meetings;
-  std::vector<sections::VoidPair> touching_voids;
+  std::vector<sections::VoidTouch> touching_voids;
 };
 
 /// Voids are the regions of the complement: of each section with a square around it, whose contour

@@ -21,12 +21,14 @@ Error refused(const char* why, std::size_t section, ContourId contour) {
   return {ErrorCode::invalid_input, why, place};
 }
 
-// Rules V1 to V3.
+// Rules V0 to V3.
 class VoidCandidates {
  public:
   VoidCandidates(const StackVoids& stack, const std::vector<Faces>& faces,
-                 const VoidOptions& options)
-      : stack_(stack), faces_(faces), voids_(stack.voids()), options_(options) {}
+                 const std::vector<Link>& of_regions, const VoidOptions& options)
+      : stack_(stack), faces_(faces), voids_(stack.voids()), options_(options) {
+    find_walls(of_regions);
+  }
 
   // With s, if labels ask for it. The exteriors' links are not among them.
   std::map<Link, double> run() {
@@ -53,6 +55,39 @@ class VoidCandidates {
   }
 
  private:
+  // V0: all faces of the two, if any, have to be walled off.
+  void find_walls(const std::vector<Link>& of_regions) {
+    const std::set<Link> linked(of_regions.begin(), of_regions.end());
+    std::set<Link> open;
+    for (std::size_t s = 0; s < faces_.size(); ++s) {
+      std::set<Link> meeting;
+      for (const sections::RegionMeeting& m : faces_[s].meetings) {
+        meeting.insert(region_link(s, m.lower, m.upper));
+      }
+      for (const sections::OverlayFace& face : faces_[s].faces) {
+        if (face.lower.solid || face.upper.solid) continue;
+        const Link voids{voids_.first[s] + face.lower.id.index(),
+                         voids_.first[s + 1] + face.upper.id.index()};
+        bool wall = face.chi == 0 && face.border.size() == 2 && !face.border[0].upper &&
+                    face.border[1].upper;
+        if (wall) {
+          const Link regions = region_link(s, face.border[0].region, face.border[1].region);
+          wall = linked.count(regions) != 0 && meeting.count(regions) == 0;
+          if (!stack_.is_exterior(voids.lower) && !stack_.is_exterior(voids.upper)) {
+            const Link around{stack_.region_around(voids.lower), stack_.region_around(voids.upper)};
+            wall = wall && linked.count(around) == 0;
+          }
+        }
+        (wall ? walled_ : open).insert(voids);
+      }
+    }
+    for (const Link& link : open) walled_.erase(link);
+  }
+  [[nodiscard]] Link region_link(std::size_t s, RegionId lower, RegionId upper) const {
+    return {stack_.regions().first[s] + lower.index(),
+            stack_.regions().first[s + 1] + upper.index()};
+  }
+
   // V1. Only where the two have a face in common do they overlap at all.
   [[nodiscard]] std::vector<Link> overlaps() const {
     std::set<Link> common;
@@ -66,6 +101,7 @@ class VoidCandidates {
     std::vector<Link> links;
     for (const Link& link : common) {
       if (stack_.is_exterior(link.lower) && stack_.is_exterior(link.upper)) continue;
+      if (walled_.count(link) != 0) continue;
       if (compare_overlap(voids_.shape[link.lower], voids_.shape[link.upper], kVoidOverlap) ==
           Sign::positive) {
         links.push_back(link);
@@ -81,6 +117,7 @@ class VoidCandidates {
       return;
     }
     const Link rim = link_between(hole, voids_.first[to]);
+    if (walled_.count(rim) != 0) return;
     const std::optional<double> d = voids_.distance(rim, kRimReach);
     if (d.has_value() && *d < kRimReach) found_.emplace(rim, score(rim));
   }
@@ -89,6 +126,7 @@ class VoidCandidates {
     std::set<std::pair<double, std::size_t>> near;
     const double reach = options_.reach * voids_.gap(voids_.section[hole], to);
     voids_.for_each_meeting(to, surroundings(voids_.box[hole], reach), [&](std::size_t v) {
+      if (walled_.count(link_between(hole, v)) != 0) return;
       const auto d = voids_.distance(link_between(hole, v), options_.reach);
       if (d.has_value() && *d < options_.reach) near.emplace(*d, v);
     });
@@ -101,6 +139,7 @@ class VoidCandidates {
   const std::vector<Faces>& faces_;
   const Regions& voids_;
   const VoidOptions& options_;
+  std::set<Link> walled_;
   std::map<Link, double> found_;
 };
 
@@ -208,12 +247,13 @@ std::vector<Candidate> as_candidates(const StackVoids& stack, const std::map<Lin
 }  // namespace
 
 Result<ExpectedVoids> expected_voids(const StackVoids& stack, const std::vector<Faces>& faces,
+                                     const std::vector<Link>& of_regions,
                                      const VoidOptions& options, std::span<const VoidLink> claims) {
   auto label = label_voids(stack, options.labels);
   if (!label.ok()) return label.error();
   auto decided = decided_void_links(stack, options.decisions);
   if (!decided.ok()) return decided.error();
-  VoidCandidates finder(stack, faces, options);
+  VoidCandidates finder(stack, faces, of_regions, options);
   std::map<Link, double> found = finder.run();
   for (const Link& link : decided->parted) found.erase(link);
   for (const Link& link : decided->joined) found.emplace(link, finder.score(link));
@@ -245,8 +285,8 @@ Result<ExpectedVoids> expected_voids(const StackVoids& stack, const std::vector<
   for (const Link& link : expected.links) {
     of_slab[stack.voids().section[link.lower] % 2].unite(link.lower, link.upper);
   }
-  const std::set<SlabVoids> forced = claimed_links(
-      stack, claims, LinkFate::forced, expected.wrong, [&](const SlabVoids& pair) {
+  const std::set<SlabVoids> forced =
+      claimed_links(stack, claims, LinkFate::forced, expected.wrong, [&](const SlabVoids& pair) {
         return of_slab[pair.slab % 2].same(pair.voids.lower, pair.voids.upper)
                    ? "they are one void anyway"
                    : nullptr;

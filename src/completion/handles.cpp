@@ -122,6 +122,7 @@ std::uint64_t fill_handles(const ChiGroups& groups, const SlabVoids& voids,
 
 std::vector<SlabVoidId> joined_voids(const Slab& slab, const SlabClasses& classes,
                                      const SlabVoids& voids, const Complex& complex) {
+  if (voids.void_count() == 2) return {voids.exterior(false), voids.exterior(false)};
   const VoidSpace space(slab, classes, voids, complex);
   UnionFind sets(voids.void_count());
   sets.unite(voids.exterior(false).index(), voids.exterior(true).index());

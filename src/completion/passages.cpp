@@ -13,10 +13,10 @@ namespace tetloft::internal {
 
 namespace {
 
-constexpr unsigned kAllCorners = 0xF;
+constexpr unsigned kFourCorners = 0xF;
 constexpr std::uint32_t kNowhere = 0xFFFFFFFFU;
 
-[[nodiscard]] constexpr unsigned corners_of_face(int i) { return kAllCorners & ~(1U << i); }
+[[nodiscard]] constexpr unsigned corners_of_face(int i) { return kFourCorners & ~(1U << i); }
 
 }  // namespace
 
@@ -29,7 +29,7 @@ class PassageCut {
     find_prices();
     for (std::uint32_t k = 0; k < part_.size(); ++k) {
       const TetId t = part_[k];
-      add(in(k), out(k), t, kAllCorners);
+      add(in(k), out(k), t, kFourCorners);
       for (int i = 0; i < 4; ++i) {
         const TetId across = space().next(t, i);
         if (across.valid()) add_face(k, i, passages_.place_[across]);
@@ -269,7 +269,7 @@ double Passages::open_area(TetId t) const {
   }
   space_.for_each_contact(t, [&](const VoidContact& contact) {
     if (std::popcount(unsigned{contact.corners}) != 3) return;
-    area += face_area(t, std::countr_zero(kAllCorners & ~unsigned{contact.corners}));
+    area += face_area(t, std::countr_zero(kFourCorners & ~unsigned{contact.corners}));
   });
   return area / 2;
 }

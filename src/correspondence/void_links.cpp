@@ -135,6 +135,36 @@ class WhollyWithin {
   IdVector<RegionId, std::uint8_t> sole_;
 };
 
+// V0, of one slab.
+class BetweenRegions {
+ public:
+  BetweenRegions(SlabId slab, const sections::FaceOverlay& overlay, const RegionsAround& regions)
+      : slab_(slab), overlay_(overlay), regions_(regions) {}
+
+  [[nodiscard]] bool holds(const OverlayFace& face) const {
+    if (face.chi != 0 || face.border.size() != 2) return false;
+    const sections::BorderRegion& below = face.border[0];
+    const sections::BorderRegion& above = face.border[1];
+    if (below.upper || !above.upper) return false;
+    if (!are_linked(below.region, above.region)) return false;
+    if (are_linked(regions_.below[face.lower.id], regions_.above[face.upper.id])) return false;
+    return std::none_of(overlay_.meetings().begin(), overlay_.meetings().end(),
+                        [&](const auto& meeting) {
+                          return meeting.lower == below.region && meeting.upper == above.region;
+                        });
+  }
+
+ private:
+  [[nodiscard]] bool are_linked(RegionId below, RegionId above) const {
+    return std::binary_search(regions_.links.begin(), regions_.links.end(),
+                              Link{slab_, below, above});
+  }
+
+  SlabId slab_;
+  const sections::FaceOverlay& overlay_;
+  const RegionsAround& regions_;
+};
+
 // Void by void, of one slab.
 class Rims {
  public:
@@ -175,6 +205,7 @@ class Rims {
     std::optional<LinkCandidate> best;
     const auto try_void = [&](RegionId across) {
       const Link link = upper ? Link{slab_, across, hole} : Link{slab_, hole, across};
+      if (is_outruled(link)) return;
       const auto d = gaps_apart(below_, link.lower, above_, link.upper, lookout);
       if (!d || (best && !(*d < best->distance))) return;
       best = LinkCandidate{link, Evidence::rim};
@@ -197,6 +228,13 @@ class Rims {
     return best;
   }
 
+  [[nodiscard]] bool is_outruled(const Link& link) const {
+    const auto at = std::lower_bound(
+        candidates_.begin(), candidates_.end(), link,
+        [](const LinkCandidate& candidate, const Link& other) { return candidate.link < other; });
+    return at != candidates_.end() && at->link == link && at->fate == LinkFate::outruled;
+  }
+
   SlabId slab_;
   const SectionRegions& below_;
   const SectionRegions& above_;
@@ -213,9 +251,11 @@ double void_ratio(const SectionRegions& below, RegionId lower, const SectionRegi
 }
 
 SlabCandidates overlapping_voids(SlabId slab, const SectionRegions& below,
-                                 const SectionRegions& above,
-                                 const sections::FaceOverlay& overlay) {
+                                 const SectionRegions& above, const sections::FaceOverlay& overlay,
+                                 const RegionsAround& regions) {
   std::vector<std::pair<RegionId, RegionId>> pairs;
+  std::vector<std::pair<RegionId, RegionId>> open;  // those with a face that V0 leaves
+  const BetweenRegions between(slab, overlay, regions);
   WhollyWithin lower_within(below.size());
   WhollyWithin upper_within(above.size());
   for (const OverlayFace& face : overlay.faces()) {
@@ -224,9 +264,11 @@ SlabCandidates overlapping_voids(SlabId slab, const SectionRegions& below,
     if (face.lower.solid || face.upper.solid) continue;
     if (face.lower.id != kExterior || face.upper.id != kExterior) {
       pairs.emplace_back(face.lower.id, face.upper.id);
+      if (!between.holds(face)) open.push_back(pairs.back());
     }
   }
   sort_distinct(pairs);
+  sort_distinct(open);
   VoidOutlines outlines(below, above);
   SlabCandidates candidates;
   for (const auto& [lower, upper] : pairs) {
@@ -243,6 +285,9 @@ SlabCandidates overlapping_voids(SlabId slab, const SectionRegions& below,
     }
     candidate.moved = candidate.ratio;
     candidate.margin = candidate.ratio - kVoidOverlap;
+    if (!std::binary_search(open.begin(), open.end(), std::pair(lower, upper))) {
+      candidate.fate = LinkFate::outruled;
+    }
     candidates.push_back(candidate);
   }
   return candidates;

@@ -14,14 +14,23 @@ namespace tetloft::internal {
 [[nodiscard]] double void_ratio(const SectionRegions& below, RegionId lower,
                                 const SectionRegions& above, RegionId upper);
 
-/// All pairs of voids that overlap but the two exteriors: those that V1 takes, and the others.
-/// overlay: of the two sections that below and above are the complements of.
+/// What V0 asks of the regions of a slab.
+struct RegionsAround {
+  const std::vector<Link>& links;  ///< accepted ones, sorted
+  /// The region around a void; invalid for the exterior.
+  IdVector<RegionId, RegionId> below, above;
+};
+
+/// All pairs of voids that overlap but the two exteriors: those that V1 takes, and the others;
+/// those of V0 are outruled. overlay: of the two sections that below and above are the complements
+/// of.
 [[nodiscard]] SlabCandidates overlapping_voids(SlabId slab, const SectionRegions& below,
                                                const SectionRegions& above,
-                                               const sections::FaceOverlay& overlay);
+                                               const sections::FaceOverlay& overlay,
+                                               const RegionsAround& regions);
 
 /// What V3 gives the holes without a candidate among these, of V1 and V2: made, or, where nothing
-/// is within its reach, not. A pair may be there twice.
+/// is within its reach, not; none that is outruled there. A pair may be there twice.
 [[nodiscard]] SlabCandidates rim_links(SlabId slab, const SectionRegions& below,
                                        const SectionRegions& above,
                                        const SlabCandidates& candidates, const VoidOptions& rule);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/sort_distinct.hpp"
+#include "reconstruct/decide_voids.hpp"
 #include "reconstruct/stack_errors.hpp"
 
 namespace tetloft::internal {
@@ -118,6 +119,15 @@ std::optional<Error> SlabBuilds::adopt(Result<Correspondence> anew, std::vector<
     if (anew->links[k] != plan_.correspondence.links[k]) touched.push_back(k);
   }
   plan_.correspondence = std::move(*anew);
+  if (!plan_.voids) return std::nullopt;
+  // Where a wall belongs depends on links of regions.
+  Result<std::optional<Correspondence>> voids =
+      VoidDecision(prepared_, options_).make(plan_.correspondence.links, work_);
+  if (!voids) return voids.error();
+  for (const SlabId k : outcome_.ids()) {
+    if ((*voids)->links[k] != plan_.voids->links[k]) touched.push_back(k);
+  }
+  plan_.voids = std::move(*voids);
   return std::nullopt;
 }
 

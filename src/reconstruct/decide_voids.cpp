@@ -58,7 +58,8 @@ VoidDecision::VoidDecision(const PreparedStack& prepared, const ReconstructOptio
   }
 }
 
-Result<std::optional<Correspondence>> VoidDecision::make(const WatchedWork& work) const {
+Result<std::optional<Correspondence>> VoidDecision::make(
+    const IdVector<SlabId, std::vector<Link>>& of_regions, const WatchedWork& work) const {
   // Names that are none are refused, whatever there is to decide.
   const Result<Asked> asked = asked_of_voids(prepared_.nestings, options_.correspondence.voids);
   if (!asked) return asked.error();
@@ -67,16 +68,25 @@ Result<std::optional<Correspondence>> VoidDecision::make(const WatchedWork& work
   }
   if (stack_.sections.empty()) return std::optional(exteriors_alone(prepared_));
   StackCandidates candidates(prepared_.slab_count());
-  if (auto error = find(work, candidates)) return *error;
+  if (auto error = find(of_regions, work, candidates)) return *error;
   Result<Correspondence> decided =
       decide_correspondence(stack_, nestings_, sections_, std::move(candidates), *asked);
   if (!decided) return decided.error();
   return std::optional(std::move(*decided));
 }
 
-// V1 to V3.
-std::optional<Error> VoidDecision::find(const WatchedWork& work,
+// V0 to V3.
+std::optional<Error> VoidDecision::find(const IdVector<SlabId, std::vector<Link>>& of_regions,
+                                        const WatchedWork& work,
                                         StackCandidates& candidates) const {
+  const auto around = [&](SectionId s) {
+    IdVector<RegionId, RegionId> regions(nestings_[s].outer.size());
+    for (const RegionId v : regions.ids()) {
+      if (v == sections::kExterior) continue;
+      regions[v] = prepared_.nestings[s].region[nestings_[s].outer[v]];
+    }
+    return regions;
+  };
   const auto in_each_slab = [&](const auto& body) {
     return first_error(all_ids<SlabId>(candidates.size()), options_.execution.threads, work,
                        [&](SlabId slab) -> std::optional<Error> {
@@ -92,7 +102,8 @@ std::optional<Error> VoidDecision::find(const WatchedWork& work,
   auto error = in_each_slab([&](SlabId slab, SectionId below, SectionId above) {
     const sections::FaceOverlay overlay(prepared_.stack.sections[below], prepared_.nestings[below],
                                         prepared_.stack.sections[above], prepared_.nestings[above]);
-    candidates[slab] = overlapping_voids(slab, sections_[below], sections_[above], overlay);
+    candidates[slab] = overlapping_voids(slab, sections_[below], sections_[above], overlay,
+                                         {of_regions[slab], around(below), around(above)});
   });
   if (error) return error;
   const StackCandidates overlapping = candidates;

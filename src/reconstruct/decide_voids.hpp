@@ -21,7 +21,9 @@ class VoidDecision {
   /// exterior, and the last contour the frame of all. Nothing by VoidRule::free.
   /// Refused: invalid_input for labels and decisions that name no hole, or contradict each other;
   /// unrepresentable for labels that cannot be realised.
-  [[nodiscard]] Result<std::optional<Correspondence>> make(const WatchedWork& work) const;
+  /// `of_regions`: their accepted links, sorted.
+  [[nodiscard]] Result<std::optional<Correspondence>> make(
+      const IdVector<SlabId, std::vector<Link>>& of_regions, const WatchedWork& work) const;
 
   /// Of the complements; none by VoidRule::free, nor of a stack without holes.
   [[nodiscard]] const IdVector<SectionId, Nesting>& complements() const { return nestings_; }
@@ -29,7 +31,8 @@ class VoidDecision {
   [[nodiscard]] std::vector<VoidLink> links(const Correspondence& correspondence) const;
 
  private:
-  [[nodiscard]] std::optional<Error> find(const WatchedWork& work,
+  [[nodiscard]] std::optional<Error> find(const IdVector<SlabId, std::vector<Link>>& of_regions,
+                                          const WatchedWork& work,
                                           StackCandidates& candidates) const;
 
   const PreparedStack& prepared_;

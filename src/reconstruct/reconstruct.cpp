@@ -115,7 +115,7 @@ Result<std::optional<Reconstruction>> make(PreparedStack& prepared,
   plan.correspondence = std::move(*decided);
   plan.motions = decision.motions();
   const VoidDecision void_decision(prepared, options);
-  Result<std::optional<Correspondence>> voids = void_decision.make(work);
+  Result<std::optional<Correspondence>> voids = void_decision.make(plan.correspondence.links, work);
   if (!voids) return voids.error();
   plan.voids = std::move(*voids);
   clock.end(Step::correspondence);

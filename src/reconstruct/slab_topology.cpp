@@ -52,11 +52,7 @@ class TopologyCounter {
         chi_[class_of(regions_.in_slab(upper, r))].add(2);
       }
     }
-    for (const sections::VoidPair& pair : overlay.touching_voids()) {
-      const std::size_t below = voids_.in_slab(false, pair.lower).index();
-      const std::size_t above = voids_.in_slab(true, pair.upper).index();
-      if (void_.same(below, above)) touched_voids_.unite(below, above);
-    }
+    for (const sections::VoidTouch& touch : overlay.touching_voids()) count_touch(touch);
     UnionFind groups(regions_.size());
     for (const sections::RegionMeeting& meeting : overlay.meetings()) count_meeting(meeting);
     for (const sections::OverlayFace& face : overlay.faces()) count_face(face, groups);
@@ -81,6 +77,17 @@ class TopologyCounter {
     range.most -= meeting.chi - meeting.connections;
     touched_.unite(below.index(), above.index());
     if (meeting.overlap) pieces_.unite(below.index(), above.index());
+  }
+
+  // Regions of different classes cannot be what is there: then it is void.
+  void count_touch(const sections::VoidTouch& touch) {
+    const std::size_t below = voids_.in_slab(false, touch.lower).index();
+    const std::size_t above = voids_.in_slab(true, touch.upper).index();
+    if (!void_.same(below, above)) return;
+    touched_voids_.unite(below, above);
+    const SlabRegionId lower = regions_.in_slab(false, touch.lower_region);
+    const SlabRegionId upper = regions_.in_slab(true, touch.upper_region);
+    if (class_of(lower) != class_of(upper)) void_pieces_.unite(below, above);
   }
 
   void count_face(const sections::OverlayFace& face, UnionFind& groups) {
@@ -166,7 +173,7 @@ class TopologyCounter {
   std::array<std::vector<ContourId>, 2> holes_;
   SlabRegions regions_;
   SlabVoidNumbering voids_;
-  UnionFind solid_, pieces_, touched_;                 // what touches, too, united
+  UnionFind solid_, pieces_, touched_;  // what touches, too, united
   UnionFind void_, void_pieces_, touched_voids_;
   IdVector<SlabRegionId, Range> chi_;  // at the lowest region of a class
 };

@@ -39,6 +39,13 @@ void add_contours(const Slab& slab, const SlabVoids& voids, SlabVoidId v, Refine
   }
 }
 
+// Do its voids hang together?
+bool is_open_link(const SlabVoidNumbering& numbering, const std::vector<SlabVoidId>& joined,
+                  const Link& link) {
+  return joined[numbering.in_slab(false, link.lower).index()] ==
+         joined[numbering.in_slab(true, link.upper).index()];
+}
+
 }  // namespace
 
 Topology::Topology(const ConformingSection& lower, const ConformingSection& upper,
@@ -96,12 +103,18 @@ void Topology::drop_unrealised(const SlabView& view, const SlabVoids& voids,
       joined_voids(view.slab, view.classes, voids, completion.complex());
   std::vector<Link> realised;
   for (const Link& link : *links_.voids) {
-    const SlabVoidId below = voids.numbering().in_slab(false, link.lower);
-    const SlabVoidId above = voids.numbering().in_slab(true, link.upper);
-    const bool open = joined[below.index()] == joined[above.index()];
-    (open ? realised : unrealised_).push_back(link);
+    (is_open_link(voids.numbering(), joined, link) ? realised : unrealised_).push_back(link);
   }
   if (unrealised_.empty()) return;
+  // Voids of one class may hang together though the links between them do not.
+  SlabVoids rest(view.slab.lower(), view.slab.upper(), realised);
+  for (const auto& [a, b] : united_) rest.unite(a, b);
+  for (std::size_t v = 0; v < joined.size(); ++v) {
+    const SlabVoidId here(v);
+    if (rest.class_of(joined[v]) == rest.class_of(here)) continue;
+    united_.push_back({joined[v], here});
+    rest.unite(joined[v], here);
+  }
   groups_ = expected_topology(*faces_, view.slab.lower(), view.slab.upper(),
                               {links_.regions, realised, united_});
 }
@@ -169,14 +182,19 @@ Topology::Next Topology::open_faces(const SlabView& view, const SlabVoids& voids
                                     bool may_ask) {
   if (openings_ == Openings::given_up) return Next::go_on;
   const ChiGroups::Sums sums = groups.sums(completion.complex());
-  const std::int32_t deviation = groups.deviation(sums);
+  const std::vector<SlabVoidId> joined =
+      joined_voids(view.slab, view.classes, voids, completion.complex());
+  const auto sealed = std::count_if(
+      links_.voids->begin(), links_.voids->end(),
+      [&](const Link& link) { return !is_open_link(voids.numbering(), joined, link); });
+  const std::int32_t deviation = groups.deviation(sums) + static_cast<std::int32_t>(sealed);
   if (openings_ == Openings::tried && deviation >= least_deviation_) {
     openings_ = Openings::given_up;
     pits_.close_pairs();
     return Next::again;
   }
   least_deviation_ = deviation;
-  if (!groups.any_high(sums)) return Next::go_on;
+  if (!groups.any_high(sums) && sealed == 0) return Next::go_on;
   const VoidSpace space(view.slab, view.classes, voids, completion.complex());
   const SlabRegions& regions = view.classes.regions();
   wanted_ = {};
@@ -192,7 +210,7 @@ Topology::Next Topology::open_faces(const SlabView& view, const SlabVoids& voids
       return groups.is_high(view.classes.of_region(regions.in_slab(border.upper, border.region)),
                             sums);
     });
-    if (!high) continue;
+    if (!high && joined[below.index()] == joined[above.index()]) continue;
     const std::optional<Point2> p = sections::inner_point(*faces_, f);
     if (!p || is_open(view.slab, space, tets_over(view.slab, *p), *p)) continue;
     if (pits_.has_room(*p)) {

@@ -282,7 +282,7 @@ Point2 position(const std::array<OverlayCurves, 2>& curves, const OverlayNode& n
   return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
 }
 
-// The vertices inside an arc, and the node that it starts at.
+// The vertices of an arc, and the nodes at both ends: a face may lie on either side.
 void append_points(const OverlayGraph& graph, const std::array<OverlayCurves, 2>& curves,
                    std::uint32_t arc, std::vector<Point2>& points) {
   const std::array<std::uint32_t, 2>& contour = graph.arcs()[arc].contour;
@@ -301,10 +301,12 @@ void append_points(const OverlayGraph& graph, const std::array<OverlayCurves, 2>
   const OverlayNode& from = all.nodes[all.passes[s][pass]];
   const OverlayNode& to = all.nodes[all.passes[s][pass + 1 == range.last ? range.first : pass + 1]];
   points.push_back(position(curves, from));
-  // From the vertex after the first node to that before the second, around once if these are one.
+  points.push_back(position(curves, to));
+  // From the vertex after the first node to that before the second: around once, if the last node
+  // of a contour lies on the edge of its first.
   std::uint32_t v = from.edge[s];
   const std::uint32_t end = to.edge[s];
-  bool whole = range.last - range.first == 1;
+  bool whole = pass + 1 == range.last && v == end;
   while (v != end || whole) {
     whole = false;
     v = curves[s].next(v);

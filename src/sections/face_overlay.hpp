@@ -54,10 +54,11 @@ struct RegionMeeting {
   std::int32_t connections = 0;  ///< the sum of those that take from it: between faces
 };
 
-/// A void of the lower section and one of the upper.
-struct VoidPair {
+/// A void of the lower section and one of the upper that touch, and the regions that do so there.
+struct VoidTouch {
   RegionId lower, upper;
-  friend auto operator<=>(const VoidPair&, const VoidPair&) = default;
+  RegionId lower_region, upper_region;
+  friend auto operator<=>(const VoidTouch&, const VoidTouch&) = default;
 };
 
 class FaceOverlay {
@@ -72,20 +73,21 @@ class FaceOverlay {
   [[nodiscard]] const IdVector<FaceId, OverlayFace>& faces() const { return faces_; }
   /// Sorted by (lower, upper).
   [[nodiscard]] const std::vector<RegionMeeting>& meetings() const { return meetings_; }
-  /// The voids that touch, sorted, each once.
-  [[nodiscard]] const std::vector<VoidPair>& touching_voids() const { return touching_voids_; }
+  /// Sorted, each once.
+  [[nodiscard]] const std::vector<VoidTouch>& touching_voids() const { return touching_voids_; }
 
   /// The face that contains p; invalid for a point of a contour. Exact; by a search tree.
   [[nodiscard]] FaceId locate(const Point2& p) const;
 
-  /// The vertices and nodes on the face's border, in no order of meaning; crossings are rounded.
+  /// The vertices and nodes on the face's border, in no order of meaning, some of them several
+  /// times; crossings are rounded.
   [[nodiscard]] std::vector<Point2> border_points(FaceId face) const;
 
  private:
   struct Plane;
   IdVector<FaceId, OverlayFace> faces_;
   std::vector<RegionMeeting> meetings_;
-  std::vector<VoidPair> touching_voids_;
+  std::vector<VoidTouch> touching_voids_;
   std::shared_ptr<const Plane> plane_;  // copies of an overlay share it
 };
 

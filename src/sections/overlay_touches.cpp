@@ -32,7 +32,8 @@ class TouchFinder {
 
   OverlayTouches find() {
     for (const OverlayFace& face : faces_) {
-      if (is_solid(face)) result_.meetings.push_back({face.lower.id, face.upper.id, true, face.chi});
+      if (is_solid(face))
+        result_.meetings.push_back({face.lower.id, face.upper.id, true, face.chi});
     }
     for (std::uint32_t half = 0; half < 2 * graph_.arcs().size(); ++half) look_at(half);
     find_pinched_voids();
@@ -61,13 +62,15 @@ class TouchFinder {
     if (!is_mixed(left) || !is_mixed(right) || left.lower.solid == right.lower.solid) return;
     --twice_[from];
     chains_.unite(from, graph_.leaving(half ^ 1U).node);
-    if (left.lower.solid) result_.voids.push_back({right.lower.id, left.upper.id});
+    if (left.lower.solid) {
+      result_.voids.push_back({right.lower.id, left.upper.id, left.lower.id, right.upper.id});
+    }
   }
 
   // Two SS sectors part the two voids about a node, which have no sector in common.
   void find_pinched_voids() {
     std::vector<std::uint8_t> solids(twice_.size(), 0);
-    std::vector<VoidPair> voids(twice_.size());
+    std::vector<VoidTouch> voids(twice_.size());
     for (std::uint32_t half = 0; half < 2 * graph_.arcs().size(); ++half) {
       if (graph_.cycle(half) == kNone || graph_.is_loop(half)) continue;
       const std::uint32_t from = graph_.leaving(half).node;
@@ -77,7 +80,9 @@ class TouchFinder {
       if (!left.upper.solid) voids[from].upper = left.upper.id;
     }
     for (std::size_t n = 0; n < solids.size(); ++n) {
-      if (solids[n] == 2) result_.voids.push_back(voids[n]);
+      if (solids[n] != 2) continue;
+      const auto node = static_cast<std::uint32_t>(n);
+      result_.voids.push_back({voids[n].lower, voids[n].upper, region(node, 0), region(node, 1)});
     }
   }
 

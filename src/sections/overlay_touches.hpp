@@ -11,7 +11,7 @@ namespace tetloft::internal::sections {
 
 struct OverlayTouches {
   std::vector<RegionMeeting> meetings;  ///< sorted
-  std::vector<VoidPair> voids;          ///< sorted, each once
+  std::vector<VoidTouch> voids;         ///< sorted, each once
 };
 
 /// `face_of_cycle` says which face a cycle of the graph bounds.

@@ -70,8 +70,8 @@ TEST_F(CheckCommand, ReportsInJson) {
     EXPECT_EQ(guarantee.at("not_asked").string, "");
     EXPECT_TRUE(guarantee.at("failures").array.empty());
   }
-  for (const char* none : {"cavities", "expected_cavities", "least_genus", "most_genus", "deviations",
-                           "forced_voids", "unrealisable_voids"}) {
+  for (const char* none : {"cavities", "expected_cavities", "least_genus", "most_genus",
+                           "deviations", "forced_voids", "unrealisable_voids"}) {
     EXPECT_EQ(json.at(none).number, 0) << none;
   }
   EXPECT_EQ(json.at("components").number, 1);

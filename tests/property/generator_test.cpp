@@ -134,6 +134,16 @@ TEST(Generator, HolesAppearAndVanish) {
   EXPECT_GE(count(StackKind::holes, changes), kSeeds / 2);
 }
 
+// Every void but the exterior is a hole, of depth 1 or 3.
+TEST(Generator, KindsWithVoidsHaveHolesAndSomeEndThere) {
+  for (const StackKind kind : tetloft::testing::kinds_with_voids()) {
+    EXPECT_GE(count(kind, [](const SectionStack& stack) { return depth(stack) >= 1; }), kSeeds - 5)
+        << name_of(kind);
+  }
+  EXPECT_GE(count(StackKind::hole_islands, [](const SectionStack& s) { return depth(s) == 2; }),
+            kSeeds / 2);
+}
+
 TEST(Generator, TriangularHolesHaveThreeVertices) {
   std::size_t in_one = 0;
   std::size_t in_both = 0;

@@ -126,6 +126,9 @@ void for_each_refined_model(const Body& body) {
       RefinedModel refined;
       refined.model.points = made->model.points;
       refined.model.tets = made->model.tets;
+      // What guarantee 5 has to know of: a mesher keeps it.
+      refined.model.void_links = made->model.void_links;
+      refined.model.deviations = made->model.deviations;
       for (int k = 0; k < 60; ++k) refine_once(prng, generated.stack, refined);
       CheckOptions check_options;
       check_options.correspondence = generated.correspondence;
@@ -176,6 +179,8 @@ TEST(RefinedModels, PassWithAllEdgesHalved) {
     Model model;
     model.points = made->model.points;
     model.tets = made->model.tets;
+    model.void_links = made->model.void_links;
+    model.deviations = made->model.deviations;
     for (const auto& [a, b] : edges) {
       const Point3& p = model.points[a];
       const Point3& q = model.points[b];

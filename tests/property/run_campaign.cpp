@@ -35,7 +35,8 @@ Outcome outcome_of_guarantee(int number) {
     case 1: return Outcome::wrong_manifold;
     case 2: return Outcome::wrong_sampling;
     case 3: return Outcome::wrong_embedding;
-    default: return Outcome::wrong_components;
+    case 4: return Outcome::wrong_components;
+    default: return Outcome::wrong_topology;
   }
 }
 
@@ -164,6 +165,7 @@ const char* name_of(Outcome outcome) {
     case Outcome::wrong_sampling: return "sections not met";
     case Outcome::wrong_embedding: return "not embedded";
     case Outcome::wrong_components: return "wrong components";
+    case Outcome::wrong_topology: return "wrong topology";
     case Outcome::wrong_threads: return "depends on the number of threads";
     case Outcome::wrong_report: return "report contradicts the model";
     case Outcome::wrong_error: return "error";

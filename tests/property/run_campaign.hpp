@@ -37,6 +37,7 @@ enum class Outcome : std::uint8_t {
   wrong_sampling,
   wrong_embedding,
   wrong_components,
+  wrong_topology,
   wrong_threads,  ///< one and two threads give different models or errors
   wrong_report,   ///< the report contradicts the model
   wrong_error,    ///< any other error, or a refusal without excuse

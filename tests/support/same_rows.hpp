@@ -33,8 +33,8 @@ namespace tetloft::test {
 }
 
 [[nodiscard]] inline bool same_row(const Deviation& a, const Deviation& b) {
-  return a.slab == b.slab && a.upper == b.upper && a.contour == b.contour &&
-         a.least == b.least && a.most == b.most && a.got == b.got;
+  return a.slab == b.slab && a.upper == b.upper && a.contour == b.contour && a.least == b.least &&
+         a.most == b.most && a.got == b.got;
 }
 
 template <class Row>

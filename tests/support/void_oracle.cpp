@@ -27,15 +27,15 @@ SectionStack complement(SectionStack stack) {
   return stack;
 }
 
-// The section with a solid that is smaller by some: of axis-parallel boxes and of triangles (x, y),
-// (x + a, y), (x, y + a).
-Section smaller(const Section& section) {
-  constexpr double kBy = 0x1p-7;
+// The section with a solid that is larger by some, or smaller: of axis-parallel boxes and of
+// triangles (x, y), (x + a, y), (x, y + a).
+constexpr double kBy = 0x1p-7;
+Section grown(const Section& section, double larger) {
   const Nesting nesting = nest(section);
   Section result = section;
   for (const ContourId c : section.contours.ids()) {
     std::vector<Point2>& v = result.contours[c].vertices;
-    const double by = nesting.depth[c] % 2 == 0 ? -kBy : kBy;
+    const double by = nesting.depth[c] % 2 == 0 ? larger : -larger;
     const Point2 low = v[0];
     if (v.size() == 3) {
       const double a = v[1].x - low.x + 3 * by;  // the oblique side moves by `by` along both axes
@@ -53,10 +53,13 @@ Section smaller(const Section& section) {
 
 class VoidRuleByWord : private LinkRule {
  public:
-  VoidRuleByWord(const Model& model, const SectionStack& complement, const VoidOptions& options)
+  // Pairs of `walled` are those of V0.
+  VoidRuleByWord(const Model& model, const SectionStack& complement, const VoidOptions& options,
+                 std::set<RegionPair> walled)
       : LinkRule(complement, options.labels, options.decisions, {kVoidChainReach, true}),
         model_(model),
-        options_(options) {}
+        options_(options),
+        walled_(std::move(walled)) {}
 
   void run(ExpectedTopology& result) {
     by_overlap();
@@ -108,6 +111,7 @@ class VoidRuleByWord : private LinkRule {
   void by_overlap() {
     for (const RegionPair& pair : pairs_) {
       if (is_exterior(pair.first) && is_exterior(pair.second)) continue;
+      if (walled_.count(pair) != 0) continue;
       if (ratio(pair) > Rational::exactly(kVoidOverlap)) candidates_[pair] = s(pair);
     }
   }
@@ -127,6 +131,7 @@ class VoidRuleByWord : private LinkRule {
         std::optional<RegionPair> best;
         for (const RegionPair& pair : pairs_) {
           if ((up ? pair.first : pair.second) != h) continue;
+          if (walled_.count(pair) != 0) continue;
           const bool near = options_.rule == VoidRule::near;
           if (!near && !is_exterior(up ? pair.second : pair.first)) continue;
           if (!(distance(pair) < (near ? options_.reach : kRimReach))) continue;
@@ -176,6 +181,7 @@ class VoidRuleByWord : private LinkRule {
 
   const Model& model_;
   const VoidOptions& options_;
+  std::set<RegionPair> walled_;
 };
 
 // FACES, for one slab. All regions and voids of the stack are numbered.
@@ -190,16 +196,17 @@ class FacesByWord {
         solid_(VoidRuleByWord::spread(regions.size(), within(links, regions))),
         hollow_(VoidRuleByWord::spread(voids.size(), within(void_links, voids))) {}
 
-  // Where voids touch is a VV face, too: the overlay of smaller solids tells.
-  std::map<std::size_t, long> run(const CellOverlay& overlay, const CellOverlay& of_smaller) {
+  // Where regions touch is an SS face, too, or where voids do a VV face: the overlay of solids that
+  // are larger or smaller tells.
+  std::map<std::size_t, long> run(const CellOverlay& of_solids, const CellOverlay& of_voids) {
     for (std::size_t r = 0; r < regions_.size(); ++r) {
       if (!is_here(regions_[r])) continue;
       chi_[solid_[r]] += 2 - static_cast<long>(regions_[r].contours.size());
     }
-    for (const CellOverlay::Face& face : overlay.faces()) {
+    for (const CellOverlay::Face& face : of_solids.faces()) {
       if (face.side[0].solid && face.side[1].solid) count_solid(face);
     }
-    for (const CellOverlay::Face& face : of_smaller.faces()) {
+    for (const CellOverlay::Face& face : of_voids.faces()) {
       if (!face.side[0].solid && !face.side[1].solid) count_void(face);
     }
     count_bars();
@@ -303,26 +310,83 @@ class FacesByWord {
   std::map<std::size_t, long> chi_;             // of classes
 };
 
+// The number of the first region of a section, and so on.
+std::size_t number(const std::vector<Region>& of, std::size_t section, std::uint32_t id) {
+  const auto first =
+      std::find_if(of.begin(), of.end(), [&](const Region& r) { return r.section == section; });
+  return static_cast<std::size_t>(first - of.begin()) + id;
+}
+
+// The region around a hole; none around the exterior, void 0. Complements have a contour more than
+// each section.
+std::optional<std::size_t> region_around(const SectionStack& stack,
+                                         const std::vector<Region>& regions,
+                                         const std::vector<Region>& voids, std::size_t s,
+                                         std::uint32_t id) {
+  if (id == 0) return std::nullopt;
+  std::size_t contour = voids[number(voids, s, id)].contours.front();
+  for (std::size_t t = 0; t < s; ++t) contour -= stack.sections[SectionId(t)].contours.size() + 1;
+  const Nesting nesting = nest(stack.sections[SectionId(s)]);
+  return number(regions, s, nesting.region[ContourId(contour)].value());
+}
+
+// V0: pairs of voids, as the rule numbers them, all of whose common faces are walled off.
+std::set<RegionPair> walled_pairs(const SectionStack& stack, const std::vector<Region>& regions,
+                                  const std::vector<Region>& voids,
+                                  const std::set<RegionPair>& links) {
+  std::set<RegionPair> walled, open;
+  for (std::size_t s = 0; s + 1 < stack.sections.size(); ++s) {
+    const Section& lower = stack.sections[SectionId(s)];
+    const Section& upper = stack.sections[SectionId(s + 1)];
+    const CellOverlay overlay(lower, nest(lower), upper, nest(upper));
+    for (const CellOverlay::Face& face : overlay.faces()) {
+      if (face.side[0].solid || face.side[1].solid) continue;
+      bool wall = face.chi == 0 && face.border.size() == 2 && face.border[0].section == 0 &&
+                  face.border[1].section == 1;
+      if (wall) {
+        const RegionPair pair{number(regions, s, face.border[0].region),
+                              number(regions, s + 1, face.border[1].region)};
+        wall = links.count(pair) != 0 &&
+               squared_distance(regions[pair.first], regions[pair.second]) > Rational::exactly(0);
+        const auto around_below = region_around(stack, regions, voids, s, face.side[0].id);
+        const auto around_above = region_around(stack, regions, voids, s + 1, face.side[1].id);
+        wall = wall &&
+               (!around_below || !around_above || links.count({*around_below, *around_above}) == 0);
+      }
+      (wall ? walled : open)
+          .emplace(number(voids, s, face.side[0].id), number(voids, s + 1, face.side[1].id));
+    }
+  }
+  for (const RegionPair& pair : open) walled.erase(pair);
+  return walled;
+}
+
 }  // namespace
 
 ExpectedTopology expected_topology(const Model& model, const SectionStack& stack,
                                    const VoidOptions& options, const std::set<RegionPair>& links) {
   ExpectedTopology result;
   const SectionStack around = complement(stack);
-  VoidRuleByWord rule(model, around, options);
+  const std::vector<Region> regions = regions_of(stack);
+  VoidRuleByWord rule(model, around, options,
+                      walled_pairs(stack, regions, regions_of(around), links));
   rule.run(result);
   if (result.refused) return result;
   result.set = rule.sets();
-  const std::vector<Region> regions = regions_of(stack);
   for (std::size_t s = 0; s + 1 < stack.sections.size(); ++s) {
     const Section& lower = stack.sections[SectionId(s)];
     const Section& upper = stack.sections[SectionId(s + 1)];
     const CellOverlay overlay(lower, nest(lower), upper, nest(upper));
-    const Section below = smaller(lower);
-    const Section above = smaller(upper);
-    const CellOverlay of_smaller(below, nest(below), above, nest(above));
-    result.chi.push_back(
-        FacesByWord(regions, rule.voids(), links, result.links, s).run(overlay, of_smaller));
+    const auto overlay_of = [&](double larger) {
+      const Section below = grown(lower, larger);
+      const Section above = grown(upper, larger);
+      return CellOverlay(below, nest(below), above, nest(above));
+    };
+    const auto chi_of = [&](const CellOverlay& of_solids, const CellOverlay& of_voids) {
+      return FacesByWord(regions, rule.voids(), links, result.links, s).run(of_solids, of_voids);
+    };
+    result.chi.push_back(chi_of(overlay, overlay_of(-kBy)));
+    result.chi_of_touches.push_back(chi_of(overlay_of(kBy), overlay));
   }
   return result;
 }

@@ -26,8 +26,9 @@ struct ExpectedTopology {
   std::vector<std::size_t> set;
   std::set<RegionPair> links;  ///< of voids, accepted or forced
   std::size_t forced = 0, unrealisable = 0;
-  /// Per slab, of each group of solid classes, by its lowest region: chi.
-  std::vector<std::map<std::size_t, long>> chi;
+  /// Per slab, of each group of solid classes, by its lowest region: chi where all touches are
+  /// void; and where all are solid.
+  std::vector<std::map<std::size_t, long>> chi, chi_of_touches;
 };
 
 /// For small stacks of axis-parallel boxes, their lowest corners first, and of triangles (x, y),

@@ -70,6 +70,13 @@ constexpr std::array kKinds{
     Kind{StackKind::ulp_combs, "ulp_combs", draft_ulp_combs, true},
     Kind{StackKind::ulp_lattices, "ulp_lattices", draft_ulp_lattices, true},
     Kind{StackKind::needles, "needles", draft_needles, true},
+    Kind{StackKind::pores, "pores", draft_pores},
+    Kind{StackKind::hole_islands, "hole_islands", draft_hole_islands},
+    Kind{StackKind::channels, "channels", draft_channels},
+    Kind{StackKind::open_pits, "open_pits", draft_open_pits},
+    Kind{StackKind::touching_holes, "touching_holes", draft_touching_holes},
+    Kind{StackKind::rings, "rings", draft_rings},
+    Kind{StackKind::lattice_pores, "lattice_pores", draft_lattice_pores},
 };
 
 constexpr auto kAllKinds = [] {
@@ -104,6 +111,17 @@ void scramble(Prng& prng, SectionStack& stack) {
 }  // namespace
 
 std::span<const StackKind> all_kinds() { return kAllKinds; }
+
+std::span<const StackKind> kinds_with_voids() {
+  static constexpr std::array kKindsWithVoids{
+      StackKind::holes,          StackKind::triangular_holes,
+      StackKind::pores,          StackKind::hole_islands,
+      StackKind::channels,       StackKind::open_pits,
+      StackKind::touching_holes, StackKind::rings,
+      StackKind::lattice_pores,
+  };
+  return kKindsWithVoids;
+}
 
 const char* name_of(StackKind kind) { return entry(kind).name; }
 

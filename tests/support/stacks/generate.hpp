@@ -54,9 +54,18 @@ enum class StackKind : std::uint8_t {
   ulp_combs,               ///< combs over themselves, teeth an ulp or few aside
   ulp_lattices,            ///< a lattice that the next section computes in another way
   needles,                 ///< thin triangles, far longer than apart
+  pores,                   ///< blocks with holes in one section or two, and notches
+  hole_islands,    ///< holes with islands, beside each other or over each other but for a little
+  channels,        ///< tunnels that drift by up to more than their width
+  open_pits,       ///< holes over exterior, in part or as a whole
+  touching_holes,  ///< holes that share an edge, a piece of one or a vertex in projection
+  rings,           ///< thin rings that hardly overlap, or not; and discs over them
+  lattice_pores,   ///< bitmaps of blocks with pores and notches of a few pixels
 };
 
 [[nodiscard]] std::span<const StackKind> all_kinds();
+/// Those about what is not the solid.
+[[nodiscard]] std::span<const StackKind> kinds_with_voids();
 [[nodiscard]] const char* name_of(StackKind kind);
 [[nodiscard]] std::optional<StackKind> kind_named(std::string_view name);
 

@@ -61,6 +61,15 @@ SectionStack draft_ulp_combs(Prng& prng);
 SectionStack draft_ulp_lattices(Prng& prng);
 SectionStack draft_needles(Prng& prng);
 
+// kinds_voids.cpp
+SectionStack draft_pores(Prng& prng);
+SectionStack draft_hole_islands(Prng& prng);
+SectionStack draft_channels(Prng& prng);
+SectionStack draft_open_pits(Prng& prng);
+SectionStack draft_touching_holes(Prng& prng);
+SectionStack draft_rings(Prng& prng);
+SectionStack draft_lattice_pores(Prng& prng);
+
 // labels.cpp
 /// Labels for regions of a valid stack such that each label can be made one component by
 /// links between its own regions: its regions lie in consecutive sections, at least one in

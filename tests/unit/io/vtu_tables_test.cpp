@@ -163,13 +163,13 @@ std::string column(const std::string& type, const std::string& name, const std::
 }
 
 const std::vector<std::string> kColumns{
-    "link_slab",          "link_lower",   "link_upper",     "link_evidence",   "link_fate",
-    "link_ratio",         "link_moved",   "link_distance",  "link_margin",     "link_has_lead",
-    "link_lead",          "motion_slab",  "motion_upper",   "motion_contour",  "motion_x",
-    "motion_y",           "void_slab",    "void_lower",     "void_upper",      "void_evidence",
-    "void_fate",          "void_ratio",   "void_moved",     "void_distance",   "void_margin",
-    "void_has_lead",      "void_lead",    "deviation_slab", "deviation_upper", "deviation_contour",
-    "deviation_least",    "deviation_most", "deviation_got", "void_planes"};
+    "link_slab",       "link_lower",     "link_upper",     "link_evidence",   "link_fate",
+    "link_ratio",      "link_moved",     "link_distance",  "link_margin",     "link_has_lead",
+    "link_lead",       "motion_slab",    "motion_upper",   "motion_contour",  "motion_x",
+    "motion_y",        "void_slab",      "void_lower",     "void_upper",      "void_evidence",
+    "void_fate",       "void_ratio",     "void_moved",     "void_distance",   "void_margin",
+    "void_has_lead",   "void_lead",      "deviation_slab", "deviation_upper", "deviation_contour",
+    "deviation_least", "deviation_most", "deviation_got",  "void_planes"};
 
 bool is_number(const std::string& name) {
   return name.ends_with("_x") || name.ends_with("_y") || name.ends_with("ratio") ||
@@ -190,7 +190,8 @@ std::size_t rows_of(const std::string& name) {
 }
 // The largest number below those that the column may hold.
 const char* too_low(const std::string& name) {
-  if (name == "deviation_least" || name == "deviation_most" || name == "deviation_got") return "-2147483649";
+  if (name == "deviation_least" || name == "deviation_most" || name == "deviation_got")
+    return "-2147483649";
   return name == "void_lower" || name == "void_upper" ? "-2" : "-1";
 }
 std::string repeated(const std::string& value, std::size_t times) {

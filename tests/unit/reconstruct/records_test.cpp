@@ -79,7 +79,7 @@ std::optional<Error> plan_into(const Folder& folder, const SectionStack& stack,
   if (!decided) return decided.error();
   plan.correspondence = *decided;
   plan.motions = decision.motions();
-  plan.voids = *VoidDecision(*prepared, options).make(work);
+  plan.voids = *VoidDecision(*prepared, options).make(plan.correspondence.links, work);
   SlabBuilds builds(*prepared, decision, plan, options, work);
   if (auto error = builds.run()) return error;
   folder.write("plan", to_record(plan));
