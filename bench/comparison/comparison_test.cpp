@@ -353,6 +353,36 @@ TEST(MeasureRun, AgreesWithCheck) {
   EXPECT_EQ(run.lost, 0U);
   EXPECT_EQ(*run.component_error, 3);
   EXPECT_FALSE(run.genus_error || run.volume_error || run.distance);
+  EXPECT_TRUE((*run.guarantees)[4]);
+  EXPECT_EQ(*run.exceptions, 0);
+}
+
+// Two rings that are no parts of each other: no wall parts the hole of the one from what is around
+// the other, which the model lists; a method without criterion is not asked.
+TEST(MeasureRun, CountsExceptionsFromTheFifthGuarantee) {
+  const auto square = [](double x, double y, double half) {
+    return Contour{
+        {{x - half, y - half}, {x + half, y - half}, {x + half, y + half}, {x - half, y + half}}};
+  };
+  SectionStack stack;
+  for (const double z : {0.0, 1.0}) {
+    const double half = z == 0 ? 10 : 4;
+    Section section;
+    section.z = z;
+    section.contours.push_back(square(0, 0, half));
+    section.contours.push_back(square(0, 0, half - 1));
+    stack.sections.push_back(std::move(section));
+  }
+  const Subject subject{"rings", "", "", 0, "", stack};
+  Truth truth;
+  truth.cavities = 2;
+  const Method apart = tetloft_by("apart", {.criterion = Criterion::overlap, .lone = false});
+  const Measured run = measure_run(apart, subject, Reference(truth), 0);
+  ASSERT_EQ(run.refusal, "");
+  EXPECT_TRUE((*run.guarantees)[4]);
+  EXPECT_EQ(*run.exceptions, 1);
+  EXPECT_EQ(*run.cavity_error, 2);
+  EXPECT_FALSE(measure_run(geiger(), subject, Reference(truth), 0).exceptions);
 }
 
 TEST(Methods, AllMakeACylinder) {
@@ -368,7 +398,8 @@ TEST(Methods, AllMakeACylinder) {
 
 TEST(Aggregate, CountsRefusedStacksAsNotValid) {
   Measured good, refused;
-  good.guarantees = {true, true, true, true};
+  good.guarantees = {true, true, true, true, true};
+  good.exceptions = 2;
   good.valid = true;
   good.deviation = 0.5;
   good.seconds = 2;
@@ -379,6 +410,8 @@ TEST(Aggregate, CountsRefusedStacksAsNotValid) {
   const Aggregate all = aggregate({{&good, 1000}, {&refused, 500}});
   EXPECT_EQ(all.refused, 1U);
   EXPECT_EQ(*all.valid, 0.5);
+  EXPECT_EQ(*all.defined, 0.5);
+  EXPECT_EQ(*all.exceptions, 2);
   EXPECT_EQ(all.deviation, 0.5);
   EXPECT_EQ(all.seconds_per_10k, 20);
   EXPECT_EQ(*all.right_topology, 0);

@@ -26,7 +26,7 @@ struct Outcome {
 
 struct Method {
   std::string name;
-  /// What guarantee 4 is judged by; none: the method has no criterion, guarantee 4 is not asked.
+  /// What guarantees 4 and 5 are judged by; none: the method has no criterion, they are not asked.
   std::optional<CorrespondenceOptions> correspondence;
   std::function<Outcome(const SectionStack&)> run;
 };

@@ -42,12 +42,17 @@ TriangleMesh measure_tets(const Model& model, const Method& method, const Sectio
   CheckOptions options;
   if (method.correspondence) options.correspondence = *method.correspondence;
   const CheckReport checked = check(model, stack, options).value();
-  std::array<bool, 4> verdicts{};
+  std::array<bool, 5> verdicts{};
   for (const GuaranteeVerdict& verdict : checked.guarantees) {
     verdicts[static_cast<std::size_t>(verdict.number - 1)] = verdict.pass;
   }
   run.guarantees = verdicts;
-  run.valid = verdicts[0] && verdicts[1] && verdicts[2] && (verdicts[3] || !method.correspondence);
+  run.valid = verdicts[0] && verdicts[1] && verdicts[2];
+  if (method.correspondence) {
+    run.valid = *run.valid && verdicts[3] && verdicts[4];
+    run.exceptions =
+        static_cast<long>(checked.deviations + checked.forced_voids + checked.unrealisable_voids);
+  }
   const TetMesh mesh = TetMesh::from_tets(model.points.size(), model.tets.raw()).value();
   const auto vertices = mesh.singular_vertices();
   run.singular_vertices = vertices.size();
@@ -144,7 +149,7 @@ Run measure_run(const Method& method, const Subject& subject, const Reference& r
 Aggregate aggregate(const std::vector<SizedRun>& runs) {
   Aggregate result;
   Mean deviation, topology, volume, distance, hausdorff;
-  std::size_t judged = 0, valid = 0, resampled = 0, vertices = 0;
+  std::size_t judged = 0, valid = 0, resampled = 0, asked = 0, defined = 0, vertices = 0;
   double seconds = 0;
   for (const SizedRun& sized : runs) {
     const Run& run = *sized.run;
@@ -158,6 +163,11 @@ Aggregate aggregate(const std::vector<SizedRun>& runs) {
       valid += *run.valid ? 1U : 0U;
       resampled += (*run.guarantees)[1] ? 1U : 0U;
     }
+    if (run.exceptions) {
+      ++asked;
+      defined += (*run.guarantees)[4] ? 1U : 0U;
+    }
+    add(result.exceptions, run.exceptions);
     result.singular_vertices += run.singular_vertices;
     result.singular_edges += run.singular_edges;
     result.lost += run.lost;
@@ -178,11 +188,14 @@ Aggregate aggregate(const std::vector<SizedRun>& runs) {
     seconds += run.seconds;
     vertices += sized.vertices;
   }
+  const auto share = [&](std::size_t count) {
+    return static_cast<double>(count) / static_cast<double>(result.stacks);
+  };
   if (judged > 0) {
-    const auto all = static_cast<double>(result.stacks);
-    result.valid = static_cast<double>(valid) / all;
-    result.resampled = static_cast<double>(resampled) / all;
+    result.valid = share(valid);
+    result.resampled = share(resampled);
   }
+  if (asked > 0) result.defined = share(defined);
   result.deviation = deviation.value().value_or(0);
   result.right_topology = topology.value();
   result.volume_error = volume.value();

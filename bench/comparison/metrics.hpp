@@ -39,11 +39,14 @@ struct Run {
   std::string method;
   std::string refusal;  ///< empty: made, and all below is set
   double seconds = 0;
-  /// Verdicts of check() on the four guarantees, as far as they are asked of the method; none for
+  /// Verdicts of check() on the five guarantees, as far as they are asked of the method; none for
   /// mere surfaces.
-  std::optional<std::array<bool, 4>> guarantees;
-  /// All guarantees hold, the fourth only if the method has a criterion; none as above.
+  std::optional<std::array<bool, 5>> guarantees;
+  /// All guarantees hold, the last two only if the method has a criterion; none as above.
   std::optional<bool> valid;
+  /// Exceptions from guarantee 5 that the model lists: deviations, and links of voids that were
+  /// forced or could not be realised. None where that guarantee is not asked.
+  std::optional<long> exceptions;
   std::size_t singular_vertices = 0;
   std::size_t singular_edges = 0;
   double deviation = 0;  ///< section_deviation()
@@ -69,6 +72,8 @@ struct Aggregate {
   std::optional<double> right_topology;  ///< share, where truth tells components, cavities or genus
   std::optional<double> valid;           ///< share of all stacks
   std::optional<double> resampled;       ///< share of all stacks with guarantee 2
+  std::optional<double> defined;         ///< share of all stacks with guarantee 5
+  std::optional<long> exceptions;        ///< sum
   std::size_t singular_vertices = 0, singular_edges = 0;
   std::size_t lost = 0;
   double deviation = 0;                                               ///< mean

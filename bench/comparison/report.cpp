@@ -58,6 +58,8 @@ std::string line_of(const Table::Line& line) {
   cell(std::to_string(a.refused));
   cell(show("%.1f", a.valid, 100));
   cell(show("%.1f", a.resampled, 100));
+  cell(show("%.1f", a.defined, 100));
+  cell(show(a.exceptions));
   cell(std::to_string(a.singular_vertices) + " + " + std::to_string(a.singular_edges));
   cell(std::to_string(a.lost));
   cell(format("%.3f", 100 * a.deviation));
@@ -94,13 +96,15 @@ std::vector<Table> tables_of(const std::vector<Row>& rows) {
 std::string markdown_of(const std::vector<Table>& tables) {
   std::string text;
   for (const Table& table : tables) {
-    text += "### " + table.title + "\n\n" +
-            "| stacks | method | number | refused | fully valid (%) | sections exact (%) | "
-            "singular vertices + edges | contours lost | section deviation (%) | unions missing + "
-            "false | topology right (%) | component errors "
-            "| cavity errors | genus errors | volume error (%) | mean distance | Hausdorff | s per "
-            "10,000 vertices "
-            "|\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
+    text +=
+        "### " + table.title + "\n\n" +
+        "| stacks | method | number | refused | fully valid (%) | sections exact (%) | "
+        "cavities and tunnels as defined (%) | exceptions listed | "
+        "singular vertices + edges | contours lost | section deviation (%) | unions missing + "
+        "false | topology right (%) | component errors "
+        "| cavity errors | genus errors | volume error (%) | mean distance | Hausdorff | s per "
+        "10,000 vertices "
+        "|\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
     for (const Table::Line& line : table.lines) text += line_of(line);
     text += '\n';
   }

@@ -28,6 +28,7 @@ void write_run(JsonWriter& json, const Run& run) {
     json.end_array();
   }
   optional_member(json, "valid", run.valid);
+  optional_member(json, "exceptions", run.exceptions);
   json.member("singular_vertices", run.singular_vertices);
   json.member("singular_edges", run.singular_edges);
   json.member("section_deviation", run.deviation);
@@ -79,6 +80,8 @@ void write_line(JsonWriter& json, const Table::Line& line) {
   json.member("refused", a.refused);
   optional_member(json, "valid", a.valid);
   optional_member(json, "resampled", a.resampled);
+  optional_member(json, "defined", a.defined);
+  optional_member(json, "exceptions", a.exceptions);
   json.member("singular_vertices", a.singular_vertices);
   json.member("singular_edges", a.singular_edges);
   json.member("lost_contours", a.lost);
