@@ -64,6 +64,10 @@ Topology::Next Topology::make(const SlabView& view, Completion& completion, bool
   groups_ = expected_topology(*faces_, view.slab.lower(), view.slab.upper(),
                               {links_.regions, *links_.voids, united_});
   const ChiGroups groups(view.slab, view.classes, view.active, chi_ranges(view));
+  // Nearly always there is nothing to do.
+  if (voids.void_count() == 2 && groups.deviation(groups.sums(completion.complex())) == 0) {
+    return Next::go_on;
+  }
   count(rules, Rule::filled_handle, fill_handles(groups, voids, completion));
   bridge_faces(view, groups, completion, rules);
   const Next next = open_faces(view, voids, groups, completion, may_ask);
