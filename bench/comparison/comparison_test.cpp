@@ -357,20 +357,17 @@ TEST(MeasureRun, AgreesWithCheck) {
   EXPECT_EQ(*run.exceptions, 0);
 }
 
-// Two rings that are no parts of each other: no wall parts the hole of the one from what is around
-// the other, which the model lists; a method without criterion is not asked.
+// A thin ring just outside another, and no part of it: the hole of the upper one hardly overlaps
+// what is around the lower, yet no wall can part them, which the model lists. A method without
+// criterion is not asked.
 TEST(MeasureRun, CountsExceptionsFromTheFifthGuarantee) {
-  const auto square = [](double x, double y, double half) {
-    return Contour{
-        {{x - half, y - half}, {x + half, y - half}, {x + half, y + half}, {x - half, y + half}}};
-  };
   SectionStack stack;
-  for (const double z : {0.0, 1.0}) {
-    const double half = z == 0 ? 10 : 4;
+  for (const auto& [z, half] : {std::pair{0.0, 10.0}, std::pair{3.0, 10.12}}) {
     Section section;
     section.z = z;
-    section.contours.push_back(square(0, 0, half));
-    section.contours.push_back(square(0, 0, half - 1));
+    for (const double h : {half, half - 0.1}) {
+      section.contours.push_back({{{-h, -h}, {h, -h}, {h, h}, {-h, h}}});
+    }
     stack.sections.push_back(std::move(section));
   }
   const Subject subject{"rings", "", "", 0, "", stack};
