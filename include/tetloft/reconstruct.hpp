@@ -52,7 +52,7 @@ struct Reconstruction {
   std::vector<Warning> warnings;
 };
 
-/// Reconstructs a solid that keeps the four guarantees (README), or refuses: invalid_input
+/// Reconstructs a solid that keeps the five guarantees (README), or refuses: invalid_input
 /// for an invalid stack or labels, unrepresentable where double precision holds no valid
 /// model, naming the place, work_limit where that is exceeded, naming the place, usage for
 /// options out of range, cancelled if it was stopped.
