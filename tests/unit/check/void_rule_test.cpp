@@ -445,7 +445,7 @@ void compare(const SectionStack& stack, const CorrespondenceOptions& options, co
     // What is of two classes cannot be solid where it touches; nor what links of voids lead
     // through.
     const std::vector<std::size_t>& classes = slabs[s].class_of;
-    if (faces[s].touching_voids.empty() &&
+    if (faces[s].touching_voids.empty() && !classes.empty() &&
         std::count(classes.begin(), classes.end(), classes.front()) ==
             static_cast<std::ptrdiff_t>(classes.size())) {
       extremes.push_back(truth.chi_of_touches[s]);
