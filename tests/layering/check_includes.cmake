@@ -22,14 +22,15 @@ set(may_contact core predicates mesh)
 set(may_model core mesh)
 set(may_slab core predicates mesh delaunay2 delaunay3 sections model)
 set(may_correspondence core spatial predicates mesh sections motion model slab)
+set(may_between core spatial predicates sections motion slab correspondence)
 set(may_completion core predicates mesh delaunay2 sections model slab)
 set(may_subdivision core spatial predicates mesh sections contact model slab completion)
-set(may_reconstruct core arithmetic spatial predicates mesh delaunay2 delaunay3 sections motion contact model slab correspondence completion subdivision)
+set(may_reconstruct core arithmetic spatial predicates mesh delaunay2 delaunay3 sections motion contact model slab correspondence between completion subdivision)
 set(may_geiger core predicates mesh delaunay2 delaunay3 sections model slab)
 set(may_check core arithmetic predicates mesh sections motion contact model)
 set(may_io core sections model)
 set(may_render core mesh sections model io)
-set(modules core arithmetic spatial predicates mesh delaunay2 delaunay3 sections motion contact model slab correspondence completion subdivision
+set(modules core arithmetic spatial predicates mesh delaunay2 delaunay3 sections motion contact model slab correspondence between completion subdivision
   reconstruct geiger check io render)
 
 # Public headers whose name is not their module's. delaunay.hpp and sections.hpp are all of their
