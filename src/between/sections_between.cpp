@@ -1,0 +1,198 @@
+#include "between/sections_between.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/sort_distinct.hpp"
+#include "core/union_find.hpp"
+#include "slab/numbering.hpp"
+#include "spatial/box_tree.hpp"
+
+namespace tetloft::internal {
+
+namespace {
+
+using between::Around;
+using between::ClassOutlines;
+using between::SlabClass;
+
+// No slab gets more by itself.
+constexpr double kMostByItself = 5;
+// Sections are as far apart as this many contour edges, at least.
+constexpr double kEdgesPerLayer = 2;
+// Steps of the lattice: half a contour edge, if that divides the larger side of the sections into
+// so many parts at least, and at most.
+constexpr double kLeastSteps = 64;
+constexpr double kMostSteps = 512;
+
+// The contours of a section as a set: each from its lowest vertex on, towards the lower of that
+// one's neighbours, by their lowest vertices.
+std::vector<std::vector<Point2>> canonical_contours(const Section& section) {
+  std::vector<std::vector<Point2>> contours;
+  for (const Contour& contour : section.contours) {
+    std::vector<Point2> vertices = contour.vertices;
+    std::rotate(
+        vertices.begin(),
+        std::min_element(vertices.begin(), vertices.end(),
+                         [](const Point2& a, const Point2& b) { return canonical_less(a, b); }),
+        vertices.end());
+    if (canonical_less(vertices.back(), vertices[1])) {
+      std::reverse(vertices.begin() + 1, vertices.end());
+    }
+    contours.push_back(std::move(vertices));
+  }
+  std::sort(contours.begin(), contours.end(),
+            [](const auto& a, const auto& b) { return canonical_less(a.front(), b.front()); });
+  return contours;
+}
+
+/// The contour edges of a section, or two.
+struct Edges {
+  double length = 0;
+  std::size_t count = 0;
+  Box2 box;
+
+  [[nodiscard]] double mean() const { return length / static_cast<double>(count); }
+  [[nodiscard]] double side() const { return std::max(box.x1 - box.x0, box.y1 - box.y0); }
+};
+
+Edges edges_of(const std::vector<std::vector<Point2>>& contours) {
+  Edges edges;
+  for (const std::vector<Point2>& contour : contours) {
+    Point2 last = contour.back();
+    for (const Point2& p : contour) {
+      const double dx = p.x - last.x;
+      const double dy = p.y - last.y;
+      edges.length += std::sqrt(dx * dx + dy * dy);
+      edges.box.add(p);
+      last = p;
+    }
+    edges.count += contour.size();
+  }
+  return edges;
+}
+
+Edges joined(const Edges& a, const Edges& b) {
+  Edges both{a.length + b.length, a.count + b.count, a.box};
+  both.box.add(b.box);
+  return both;
+}
+
+Edges edges_of(const LinkedStack& stacked, SlabId slab) {
+  return joined(edges_of(canonical_contours(stacked.stack.sections[lower_section(slab)])),
+                edges_of(canonical_contours(stacked.stack.sections[upper_section(slab)])));
+}
+
+double step_of(const Edges& edges) {
+  return std::clamp(edges.mean() / 2, edges.side() / kMostSteps, edges.side() / kLeastSteps);
+}
+
+// Classes of a slab and their outlines in the sections around it.
+class Classes {
+ public:
+  Classes(const LinkedStack& stacked, SlabId slab)
+      : stacked_(stacked),
+        slab_(slab),
+        regions_(region_count(lower_section(slab)), region_count(upper_section(slab))) {}
+
+  IdVector<ClassId, SlabClass> make() {
+    UnionFind sets(regions_.size());
+    for (const Link& link : stacked_.links[slab_]) {
+      sets.unite(regions_.in_slab(false, link.lower).index(),
+                 regions_.in_slab(true, link.upper).index());
+    }
+    IdVector<ClassId, SlabClass> classes;
+    IdVector<SlabRegionId, ClassId> class_of(regions_.size());
+    for (const SlabRegionId r : class_of.ids()) {
+      const SlabRegionId leader(sets.find(r.index()));
+      class_of[r] = leader == r ? classes.push_back({}) : class_of[leader];
+      SlabClass& c = classes[class_of[r]];
+      (regions_.is_upper(r) ? c.upper : c.lower).push_back(regions_.in_section(r));
+    }
+    for (SlabClass& c : classes) add_outlines(c);
+    return classes;
+  }
+
+ private:
+  [[nodiscard]] std::size_t region_count(SectionId s) const {
+    return stacked_.nestings[s].outer.size();
+  }
+
+  void add_outlines(SlabClass& c) const {
+    add(lower_section(slab_), c.lower, Around::lower, c.outlines);
+    add(upper_section(slab_), c.upper, Around::upper, c.outlines);
+    if (slab_.index() > 0) {
+      const SlabId below(slab_.value() - 1);
+      add(lower_section(below), linked_with(below, true, c.lower), Around::behind, c.outlines);
+    }
+    const SlabId above(slab_.value() + 1);
+    if (above.index() < stacked_.links.size()) {
+      add(upper_section(above), linked_with(above, false, c.upper), Around::beyond, c.outlines);
+    }
+  }
+
+  // What links of a slab join with these regions of its upper section, or lower one.
+  [[nodiscard]] std::vector<RegionId> linked_with(SlabId slab, bool upper,
+                                                  const std::vector<RegionId>& regions) const {
+    std::vector<RegionId> linked;
+    for (const Link& link : stacked_.links[slab]) {
+      if (std::binary_search(regions.begin(), regions.end(), upper ? link.upper : link.lower)) {
+        linked.push_back(upper ? link.lower : link.upper);
+      }
+    }
+    sort_distinct(linked);
+    return linked;
+  }
+
+  void add(SectionId s, const std::vector<RegionId>& regions, Around where,
+           ClassOutlines& outlines) const {
+    const Section& section = stacked_.stack.sections[s];
+    const Nesting& nesting = stacked_.nestings[s];
+    outlines.z[where] = section.z;
+    for (const ContourId c : nesting.region.ids()) {
+      if (std::binary_search(regions.begin(), regions.end(), nesting.region[c])) {
+        outlines.contours[where].push_back(&section.contours[c]);
+      }
+    }
+  }
+
+  const LinkedStack& stacked_;
+  SlabId slab_;
+  SlabRegions regions_;
+};
+
+}  // namespace
+
+std::size_t automatic_count(const LinkedStack& stacked, SlabId slab) {
+  const Section& lower = stacked.stack.sections[lower_section(slab)];
+  const Section& upper = stacked.stack.sections[upper_section(slab)];
+  const auto below = canonical_contours(lower);
+  const auto above = canonical_contours(upper);
+  if (below == above) return 0;
+  const Edges edges = joined(edges_of(below), edges_of(above));
+  const double layers = std::round((upper.z - lower.z) / (kEdgesPerLayer * edges.mean()));
+  return static_cast<std::size_t>(std::clamp(layers - 1, 0.0, kMostByItself));
+}
+
+between::InnerSections sections_between(const LinkedStack& stacked, SlabId slab,
+                                        std::optional<std::size_t> count) {
+  const std::size_t layers = count ? *count : automatic_count(stacked, slab);
+  const Edges edges = edges_of(stacked, slab);
+  if (layers == 0 || edges.count == 0) return {};
+  const SectionId below = lower_section(slab);
+  const SectionId above = upper_section(slab);
+  between::SlabShape shape{stacked.stack.sections[below],
+                           stacked.stack.sections[above],
+                           stacked.nestings[below],
+                           stacked.nestings[above],
+                           Classes(stacked, slab).make(),
+                           step_of(edges),
+                           {}};
+  for (std::size_t k = 1; k <= layers; ++k) {
+    shape.at.push_back(static_cast<double>(k) / static_cast<double>(layers + 1));
+  }
+  return between::trace_between(shape);
+}
+
+}  // namespace tetloft::internal
