@@ -39,8 +39,9 @@ enum class PointOrigin : std::uint8_t {
   cut = 3,            ///< on an edge that leaves a component
   cap = 4,            ///< of the far side of an end prism
   projected = 5,      ///< inside a region: of a neighbour's external skeleton (geiger.hpp)
+  inserted = 6,       ///< of a section put between two given ones (between.hpp)
 };
-inline constexpr int kPointOrigins = 6;
+inline constexpr int kPointOrigins = 7;
 [[nodiscard]] TETLOFT_API const char* name_of(PointOrigin origin);
 
 struct Model {

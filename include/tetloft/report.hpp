@@ -42,16 +42,18 @@ enum class Step : std::uint8_t {
   sections,        ///< validation, nesting, conforming triangulations
   delaunay,        ///< D of every slab
   correspondence,  ///< classes
+  between,         ///< sections put between
   complex,         ///< seed and completion
   subdivision,     ///< midpoints, lifting, truncation
   contact,         ///< exact contact tests
   assembly,        ///< gluing and numbering
 };
-inline constexpr int kSteps = 7;
+inline constexpr int kSteps = 8;
 [[nodiscard]] TETLOFT_API const char* name_of(Step step);
 
 struct ReconstructReport {
   std::size_t slices = 0;
+  std::size_t sections_between = 0;  ///< put between the slices
   std::size_t contours = 0;
   std::size_t input_vertices = 0;
   std::size_t split_vertices = 0;

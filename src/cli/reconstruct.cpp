@@ -38,6 +38,10 @@ Usage reconstruct_usage() {
        {Option{"--method", "NAME",
                "nonato (default), or geiger: the older algorithm that it is compared with, which "
                "keeps none of the guarantees (--verify tells which it broke)"},
+        Option{
+            "--between", "N",
+            "sections to put between two given ones, interpolated: a number, or auto: as many as "
+            "gaps and contour edges call for, none where sections are dense; none (default)"},
         Option{"--ends", "HOW",
                "the ends of the stack: flat (default) at the outer sections, or half a gap "
                "beyond them"},
@@ -66,6 +70,24 @@ struct Request {
   bool verify = false;
 };
 
+Result<void> read_between_option(const Arguments& arguments, ReconstructOptions& options) {
+  const std::optional<std::string> text = arguments.text("--between");
+  if (!text || *text == "none") return {};
+  if (*text == "auto") {
+    options.between = std::nullopt;
+    return {};
+  }
+  const auto count = arguments.integer("--between", 0, kMostBetween);
+  if (!count) {
+    return usage_error("option --between: " + io::in_quotes(*text) +
+                       " is neither auto nor none "
+                       "nor a number from 0 to " +
+                       std::to_string(kMostBetween));
+  }
+  options.between = static_cast<std::size_t>(**count);
+  return {};
+}
+
 // Everything that can be said about the command line before a file is read.
 Result<Request> request_of(const Arguments& arguments, Console& console) {
   Request request;
@@ -79,6 +101,9 @@ Result<Request> request_of(const Arguments& arguments, Console& console) {
   const auto prepared = preparation(arguments);
   if (!prepared) return prepared.error();
   request.preparation = *prepared;
+  if (auto between = read_between_option(arguments, request.options); !between) {
+    return between.error();
+  }
   const auto ends = arguments.choice("--ends", {"flat", "half"});
   if (!ends) return ends.error();
   request.options.ends = ends->value_or(0) == 0 ? Ends::flat : Ends::half;
@@ -132,6 +157,7 @@ std::string to_json(const Reconstruction& result, const StackInput& input, const
   JsonWriter json;
   json.begin_object();
   json.member("slices", report.slices);
+  json.member("sections_between", report.sections_between);
   json.member("contours", report.contours);
   json.member("input_vertices", report.input_vertices);
   json.member("split_vertices", report.split_vertices);
@@ -170,9 +196,13 @@ std::string to_text(const Reconstruction& result, const StackInput& input, const
   const ReconstructReport& report = result.report;
   std::string text;
   text += describe_preparation(input);
-  text += counted(report.slices, "section") + ", " + counted(report.contours, "contour") + ", " +
-          std::to_string(report.input_vertices) + " input vertices and " +
-          std::to_string(report.split_vertices) + " inserted on contours\n";
+  text += counted(report.slices, "section") + ", " +
+          (report.sections_between == 0
+               ? std::string()
+               : counted(report.sections_between, "section") + " put between, ") +
+          counted(report.contours, "contour") + ", " + std::to_string(report.input_vertices) +
+          " input vertices and " + std::to_string(report.split_vertices) +
+          " inserted on contours\n";
   text += counted(result.model.tets.size(), "tet") + ", " +
           std::to_string(result.model.points.size()) + " vertices, " +
           counted(result.model.component_count, "component") + ", volume " +

@@ -40,6 +40,14 @@ Result<void> check_work_limit(double value) {
   return {};
 }
 
+Result<void> check_between(std::size_t count) {
+  if (count > kMostBetween) {
+    return refused("no more than " + std::to_string(kMostBetween) +
+                   " sections can be put between two");
+  }
+  return {};
+}
+
 Result<void> check_length(double value, const char* what) {
   if (!is_length(value)) return refused(std::string(what) + " must be positive and finite");
   return {};

@@ -1,6 +1,8 @@
 // Which options make sense: one rule for all who take them, the command line included.
 #pragma once
 
+#include <cstddef>
+
 #include <tetloft/correspondence.hpp>
 #include <tetloft/result.hpp>
 
@@ -15,6 +17,9 @@ namespace tetloft::internal {
 /// Thicknesses, distances: positive and finite.
 [[nodiscard]] bool is_length(double value);
 
+/// The most sections put between two.
+inline constexpr std::size_t kMostBetween = 64;
+
 /// The bits that snap() takes.
 inline constexpr int kFewestSnapBits = 1;
 inline constexpr int kMostSnapBits = 50;
@@ -25,6 +30,8 @@ inline constexpr int kMostSnapBits = 50;
 [[nodiscard]] Result<void> check_correspondence_options(const CorrespondenceOptions& options);
 /// Usage error where it is none.
 [[nodiscard]] Result<void> check_work_limit(double value);
+/// Usage error for more than kMostBetween.
+[[nodiscard]] Result<void> check_between(std::size_t count);
 /// Usage error naming `what`, where it is none.
 [[nodiscard]] Result<void> check_length(double value, const char* what);
 

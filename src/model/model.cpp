@@ -36,6 +36,7 @@ const char* name_of(PointOrigin origin) {
     case PointOrigin::cut: return "cut";
     case PointOrigin::cap: return "cap";
     case PointOrigin::projected: return "projected";
+    case PointOrigin::inserted: return "inserted";
   }
   return "unknown";
 }

@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "core/sort_distinct.hpp"
+#include "reconstruct/decide_between.hpp"
 #include "reconstruct/decide_voids.hpp"
+#include "reconstruct/layered_slab.hpp"
 #include "reconstruct/stack_errors.hpp"
 
 namespace tetloft::internal {
@@ -20,6 +22,7 @@ SlabBuilds::SlabBuilds(PreparedStack& prepared, Decision& decision, Plan& plan,
       work_(work),
       outcome_(prepared.slab_count()) {
   // What links rest on must not change for what they imply.
+  plan.between.resize(prepared.slab_count());
   plan.may_ask.assign(prepared.slab_count(), decision.depends_on_triangulations() ? 0 : 1);
 }
 
@@ -44,9 +47,10 @@ std::optional<Error> SlabBuilds::build(const std::vector<SlabId>& slabs) {
   built_ += slabs.size();
   return first_error(
       slabs, options_.execution.threads, work_, [&](SlabId slab) -> std::optional<Error> {
-        Result<SlabOutcome> outcome = build_slab(
+        Result<SlabOutcome> outcome = build_slab_between(
             slab, prepared_.sections[lower_section(slab)], prepared_.sections[upper_section(slab)],
             {plan_.correspondence.links[slab], plan_.voids ? &plan_.voids->links[slab] : nullptr},
+            plan_.between[slab],
             {options_.delaunay, options_.work_limit, plan_.may_ask[slab] != 0});
         if (!outcome) return outcome.error();
         outcome_[slab] = std::move(*outcome);
@@ -115,10 +119,18 @@ Result<std::vector<SlabId>> SlabBuilds::drop(SlabId slab, const Unconnectable& a
 
 std::optional<Error> SlabBuilds::adopt(Result<Correspondence> anew, std::vector<SlabId>& touched) {
   if (!anew) return anew.error();
+  std::vector<SlabId> around;  // what is put between depends on the links of three slabs
   for (const SlabId k : outcome_.ids()) {
-    if (anew->links[k] != plan_.correspondence.links[k]) touched.push_back(k);
+    if (anew->links[k] == plan_.correspondence.links[k]) continue;
+    touched.push_back(k);
+    for (const std::size_t beside : {k.index() - 1, k.index(), k.index() + 1}) {
+      if (beside < outcome_.size()) around.emplace_back(beside);
+    }
   }
   plan_.correspondence = std::move(*anew);
+  sort_distinct(around);
+  if (auto error = decide_between(prepared_, options_, around, work_, plan_)) return error;
+  if (options_.between != 0) touched.insert(touched.end(), around.begin(), around.end());
   if (!plan_.voids) return std::nullopt;
   // Where a wall belongs depends on links of regions.
   Result<std::optional<Correspondence>> voids =

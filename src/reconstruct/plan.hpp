@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "between/inner_sections.hpp"
 #include "correspondence/correspondence.hpp"
 
 namespace tetloft::internal {
@@ -31,6 +32,8 @@ struct Plan {
   Correspondence correspondence;
   /// Of voids: as VoidDecision::make().
   std::optional<Correspondence> voids;
+  /// Sections put between those of a slab.
+  IdVector<SlabId, between::InnerSections> between;
   std::vector<RegionMotion> motions;  ///< that it was decided by; in the plan's unit
 };
 

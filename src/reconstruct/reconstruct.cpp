@@ -18,6 +18,7 @@
 #include "model/scaling.hpp"
 #include "reconstruct/build.hpp"
 #include "reconstruct/decide.hpp"
+#include "reconstruct/decide_between.hpp"
 #include "reconstruct/decide_voids.hpp"
 #include "reconstruct/ends.hpp"
 #include "reconstruct/glue.hpp"
@@ -50,6 +51,7 @@ std::size_t step_count(const SectionStack& stack) {
     return Error{ErrorCode::usage, "there is no such Delaunay engine", {}};
   }
   Result<void> good = check_work_limit(options.work_limit);
+  if (good && options.between) good = check_between(*options.between);
   if (good && options.thickness) good = check_length(*options.thickness, "the thickness");
   if (!good) return good.error();
   return std::nullopt;
@@ -61,6 +63,7 @@ void add_up(const std::vector<Part>& parts, ReconstructReport& report) {
     for (std::size_t r = 0; r < kRules; ++r) report.rules[r] += part.solid.rules[r];
     for (std::size_t s = 0; s < kSteps; ++s) report.seconds[s] += part.solid.seconds[s];
     report.work += part.solid.work;
+    report.sections_between += part.solid.sections_between;
     report.smallest_lift = std::min(report.smallest_lift, part.solid.smallest_lift);
   }
 }
@@ -119,6 +122,11 @@ Result<std::optional<Reconstruction>> make(PreparedStack& prepared,
   if (!voids) return voids.error();
   plan.voids = std::move(*voids);
   clock.end(Step::correspondence);
+  if (auto error =
+          decide_between(prepared, options, all_ids<SlabId>(prepared.slab_count()), work, plan)) {
+    return *error;
+  }
+  clock.end(Step::between);
 
   SlabBuilds builds(prepared, decision, plan, options, work);
   if (auto error = builds.run()) return *error;

@@ -7,13 +7,14 @@
 #include "core/enums.hpp"
 #include "core/guard.hpp"
 #include "core/record.hpp"
+#include "reconstruct/inner_record.hpp"
 
 namespace tetloft::internal {
 
 namespace {
 
-constexpr RecordKind kPlan{"plan", 3, "a plan"};
-constexpr RecordKind kSolid{"slab", 2, "the solid of a slab"};
+constexpr RecordKind kPlan{"plan", 4, "a plan"};
+constexpr RecordKind kSolid{"slab", 3, "the solid of a slab"};
 
 // The least that a vector of a vector takes: its count.
 constexpr std::size_t kVector = sizeof(std::uint64_t);
@@ -240,8 +241,7 @@ void get_constructed(RecordReader& in, SlabSolid& solid) {
     in.require(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z),
                "has a vertex that is not finite");
     solid.origin[k] = static_cast<PointOrigin>(in.get<std::uint8_t>());
-    in.require(is_enumerator(solid.origin[k], PointOrigin::projected),
-               "has an origin that is none");
+    in.require(is_enumerator(solid.origin[k], PointOrigin::inserted), "has an origin that is none");
   }
 }
 
@@ -260,6 +260,18 @@ void get_pieces(RecordReader& in, SlabSolid& solid) {
   }
 }
 
+// Of a plan checked so far.
+void get_between(RecordReader& in, Plan& plan) {
+  const std::size_t slabs = in.get_count(2 * kVector);
+  in.require(slabs == plan.correspondence.links.size(), "plans some of its sections");
+  if (in.refused()) return;
+  const auto& component = plan.correspondence.component;
+  for (const SlabId slab : plan.correspondence.links.ids()) {
+    plan.between.push_back(get_inner(in, component[lower_section(slab)].size(),
+                                     component[upper_section(slab)].size()));
+  }
+}
+
 }  // namespace
 
 std::string to_record(const Plan& plan) {
@@ -275,6 +287,8 @@ std::string to_record(const Plan& plan) {
   put_motions(plan.motions, out);
   out.put(static_cast<std::uint8_t>(plan.voids ? 1 : 0));
   if (plan.voids) put_correspondence(*plan.voids, out);
+  out.put_count(plan.between.size());
+  for (const between::InnerSections& inner : plan.between) put_inner(inner, out);
   return out.take();
 }
 
@@ -295,6 +309,7 @@ Result<Plan> plan_from_record(std::string_view bytes, const std::string& name) {
     get_motions(in, plan.motions);
     if (in.get<std::uint8_t>() != 0) get_correspondence(in, plan.voids.emplace());
     check_plan(plan, in);
+    get_between(in, plan);
     if (Result<void> read = in.end(); !read) return read.error();
     return plan;
   });
@@ -322,6 +337,8 @@ std::string to_record(const SlabSolid& solid) {
   out.put(solid.smallest_lift);
   out.put_all(solid.seconds);
   out.put(solid.work);
+  out.put(solid.sections_between);
+  out.put_all(solid.chi);
   out.put_count(solid.deviations.size());
   for (const SlabDeviation& deviation : solid.deviations) {
     out.put(deviation.region);
@@ -353,6 +370,8 @@ Result<SlabSolid> solid_from_record(std::string_view bytes, const std::string& n
     solid.smallest_lift = in.get<double>();
     const std::vector<double> seconds = in.get_all<double>();
     solid.work = in.get<std::uint64_t>();
+    solid.sections_between = in.get<std::uint32_t>();
+    solid.chi.raw() = in.get_all<std::int32_t>();
     solid.deviations.resize(in.get_count(4 * sizeof(std::uint32_t)));
     for (SlabDeviation& deviation : solid.deviations) {
       deviation.region = in.get<SlabRegionId>();

@@ -81,6 +81,7 @@ IdVector<ClassId, std::int32_t> chi_by_class(const SlabClasses& classes,
     --four_chi[of_node[NodeId(triangle[0].value())].index()];
   }
   IdVector<ClassId, std::int32_t> chi;
+  if (classes.exterior().valid()) four_chi.pop_back();
   for (const std::int64_t four : four_chi) {
     TETLOFT_CHECK(four % 4 == 0);
     chi.push_back(static_cast<std::int32_t>(four / 4));
@@ -214,9 +215,9 @@ class SlabBuilder {
       solid.origin.push_back(embedding.origin(n));
     }
     solid.pieces = embedding.pieces();
-    solid.deviations = topology_.deviations(
-        classes,
-        chi_by_class(classes, solid.pieces, embedding.boundary(), embedding.points().size()));
+    solid.chi =
+        chi_by_class(classes, solid.pieces, embedding.boundary(), embedding.points().size());
+    solid.deviations = deviations(topology_.groups(), classes, solid.chi);
     solid.smallest_lift = embedding.smallest_lift();
     solid.rules = rules;
     return solid;
@@ -279,6 +280,8 @@ SlabSolid build_end(const ConformingSection& section, double z) {
       solid.origin.push_back(PointOrigin::cap);
     }
     count(solid.rules, Rule::prism);
+    solid.chi.push_back(2 - static_cast<std::int32_t>(std::count(section.nesting.region.begin(),
+                                                                 section.nesting.region.end(), r)));
   }
   return solid;
 }

@@ -15,6 +15,7 @@
 #include <tetloft/result.hpp>
 
 #include "completion/passages.hpp"
+#include "reconstruct/slab_topology.hpp"
 #include "slab/link.hpp"
 #include "slab/rules.hpp"
 #include "subdivision/truncation.hpp"
@@ -28,13 +29,6 @@ struct SlabLinks {
   const std::vector<Link>* voids = nullptr;
 };
 
-/// What the solid of a slab has in place of the topology that the links imply.
-struct SlabDeviation {
-  SlabRegionId region;  ///< the first of the group
-  std::int32_t least = 0, most = 0;
-  std::int32_t got = 0;
-};
-
 /// Tets over the vertices of two sections and constructed ones, and what making them took.
 struct SlabSolid {
   SlabVertices vertices;
@@ -46,6 +40,9 @@ struct SlabSolid {
   double smallest_lift = 1;
   StepSeconds seconds{};
   std::uint64_t work = 0;  ///< ReconstructReport::work
+  std::uint32_t sections_between = 0;
+  /// Euler characteristic of each class (SlabClasses).
+  IdVector<ClassId, std::int32_t> chi;
   /// By region; none where nothing was decided about voids.
   std::vector<SlabDeviation> deviations;
   /// Links of voids that are none, since no opening could be had.

@@ -187,4 +187,21 @@ std::vector<TopologyGroup> expected_topology(const sections::FaceOverlay& overla
   return TopologyCounter(lower, upper, links).count(overlay);
 }
 
+std::vector<SlabDeviation> deviations(const std::vector<TopologyGroup>& groups,
+                                      const SlabClasses& classes,
+                                      const IdVector<ClassId, std::int32_t>& chi) {
+  std::vector<SlabDeviation> result;
+  for (const TopologyGroup& group : groups) {
+    std::int32_t got = 0;
+    for (const SlabRegionId r : group.regions) {
+      const ClassId c = classes.of_region(r);
+      if (classes.regions(c).front() == r) got += chi[c];
+    }
+    if (got < group.least || got > group.most) {
+      result.push_back({group.regions.front(), group.least, group.most, got});
+    }
+  }
+  return result;
+}
+
 }  // namespace tetloft::internal

@@ -10,6 +10,7 @@
 
 #include "completion/slab_voids.hpp"
 #include "sections/face_overlay.hpp"
+#include "slab/classes.hpp"
 #include "slab/link.hpp"
 #include "slab/numbering.hpp"
 
@@ -30,10 +31,22 @@ struct SlabFaceLinks {
   const std::vector<std::array<SlabVoidId, 2>>& united_voids;
 };
 
+/// What the solid of a slab has in place of the topology that the links imply.
+struct SlabDeviation {
+  SlabRegionId region;  ///< the first of the group
+  std::int32_t least = 0, most = 0;
+  std::int32_t got = 0;
+};
+
 /// The groups of a slab, by their first regions.
 [[nodiscard]] std::vector<TopologyGroup> expected_topology(const sections::FaceOverlay& overlay,
                                                            const ConformingSection& lower,
                                                            const ConformingSection& upper,
                                                            const SlabFaceLinks& links);
+
+/// The groups that have another topology, from the Euler characteristic that each class has got.
+[[nodiscard]] std::vector<SlabDeviation> deviations(const std::vector<TopologyGroup>& groups,
+                                                    const SlabClasses& classes,
+                                                    const IdVector<ClassId, std::int32_t>& chi);
 
 }  // namespace tetloft::internal

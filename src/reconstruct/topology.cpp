@@ -229,20 +229,4 @@ Topology::Next Topology::open_faces(const SlabView& view, const SlabVoids& voids
   return Next::again;
 }
 
-std::vector<SlabDeviation> Topology::deviations(const SlabClasses& classes,
-                                                const IdVector<ClassId, std::int32_t>& chi) const {
-  std::vector<SlabDeviation> result;
-  for (const TopologyGroup& group : groups_) {
-    std::int32_t got = 0;
-    for (const SlabRegionId r : group.regions) {
-      const ClassId c = classes.of_region(r);
-      if (classes.regions(c).front() == r) got += chi[c];
-    }
-    if (got < group.least || got > group.most) {
-      result.push_back({group.regions.front(), group.least, group.most, got});
-    }
-  }
-  return result;
-}
-
 }  // namespace tetloft::internal

@@ -42,9 +42,8 @@ class Topology {
   [[nodiscard]] const RefineHere& wanted() const { return wanted_; }
   [[nodiscard]] const std::vector<Inseparable>& united() const { return united_; }
   [[nodiscard]] const std::vector<Link>& unrealised() const { return unrealised_; }
-  /// The groups that have another topology than implied, from what each class of the solid has.
-  [[nodiscard]] std::vector<SlabDeviation> deviations(
-      const SlabClasses& classes, const IdVector<ClassId, std::int32_t>& chi) const;
+  /// What the links imply; none where nothing was decided about voids.
+  [[nodiscard]] const std::vector<TopologyGroup>& groups() const { return groups_; }
 
  private:
   /// Openings are tried until one round makes nothing better, which is taken back.

@@ -35,6 +35,7 @@ const char* name_of(Step step) {
     case Step::sections: return "sections";
     case Step::delaunay: return "delaunay";
     case Step::correspondence: return "correspondence";
+    case Step::between: return "between";
     case Step::complex: return "complex";
     case Step::subdivision: return "subdivision";
     case Step::contact: return "contact";

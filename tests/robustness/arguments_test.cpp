@@ -191,7 +191,7 @@ TEST(Models, WithArraysThatDoNotFitAreRefused) {
     model.kind[TetId(1)] = kind;
     expect_model_refused(model, "kind");
   }
-  for (const PointOrigin origin : strangers(PointOrigin::projected)) {
+  for (const PointOrigin origin : strangers(PointOrigin::inserted)) {
     Model model = whole;
     model.origin[VertexId(1)] = origin;
     expect_model_refused(model, "origin");

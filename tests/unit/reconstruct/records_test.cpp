@@ -251,6 +251,7 @@ Plan plan_of_two_sections() {
   plan.gabriel.resize(2);
   plan.apart.resize(2);
   plan.may_ask.assign(1, 1);
+  plan.between.push_back(one_section_between());
   plan.apart[SectionId(0)] = {{0.5, -0.25}, {-0.0, 3}};
   Correspondence& c = plan.correspondence;
   c.links.resize(1);

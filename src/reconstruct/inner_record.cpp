@@ -1,0 +1,107 @@
+#include "reconstruct/inner_record.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/guard.hpp"
+
+namespace tetloft::internal {
+
+namespace {
+
+using between::InnerSection;
+using between::InnerSections;
+using between::LayerLink;
+
+constexpr std::size_t kPoint = 2 * sizeof(double);
+constexpr std::size_t kLayerLink = 2 * sizeof(std::uint32_t);
+// Of vectors of vectors: their counts.
+constexpr std::size_t kVector = sizeof(std::uint64_t);
+
+void put_section(const Section& section, RecordWriter& out) {
+  out.put(section.z);
+  out.put_count(section.contours.size());
+  for (const Contour& contour : section.contours) {
+    out.put_count(contour.vertices.size());
+    for (const Point2& p : contour.vertices) {
+      out.put(p.x);
+      out.put(p.y);
+    }
+  }
+}
+
+Section get_section(RecordReader& in) {
+  Section section;
+  section.z = in.get<double>();
+  section.contours.resize(in.get_count(kVector));
+  for (Contour& contour : section.contours) {
+    contour.vertices.resize(in.get_count(kPoint));
+    for (Point2& p : contour.vertices) {
+      p.x = in.get<double>();
+      p.y = in.get<double>();
+    }
+  }
+  return section;
+}
+
+bool is_valid(const Section& section) {
+  SectionStack alone;
+  alone.sections.push_back(section);
+  return section.contours.empty() || accepted(validate(alone));
+}
+
+}  // namespace
+
+void put_inner(const InnerSections& inner, RecordWriter& out) {
+  out.put_count(inner.sections.size());
+  for (const InnerSection& mid : inner.sections) {
+    put_section(mid.section, out);
+    out.put_all(mid.class_of);
+  }
+  out.put_count(inner.links.size());
+  for (const std::vector<LayerLink>& links : inner.links) {
+    out.put_count(links.size());
+    for (const LayerLink& link : links) {
+      out.put(link.below);
+      out.put(link.above);
+    }
+  }
+}
+
+InnerSections get_inner(RecordReader& in, std::size_t lower, std::size_t upper) {
+  InnerSections inner;
+  const std::size_t sections = in.get_count(kVector);
+  for (std::size_t k = 0; k < sections && !in.refused(); ++k) {
+    InnerSection mid;
+    mid.section = get_section(in);
+    mid.class_of.raw() = in.get_all<ClassId>();
+    if (in.refused()) return {};
+    in.require(is_valid(mid.section), "puts a section between that is not valid");
+    if (in.refused()) return {};
+    mid.nesting = nest(mid.section);
+    in.require(mid.class_of.size() == mid.nesting.outer.size() &&
+                   std::all_of(mid.class_of.begin(), mid.class_of.end(),
+                               [&](ClassId c) { return c.index() < lower + upper; }),
+               "puts regions between that are of no class");
+    inner.sections.push_back(std::move(mid));
+  }
+  inner.links.resize(in.get_count(kVector));
+  in.require(inner.links.size() == (sections == 0 ? 0 : sections + 1),
+             "links some of the sections between");
+  for (std::size_t k = 0; k < inner.links.size() && !in.refused(); ++k) {
+    const auto regions = [&](std::size_t layer) {
+      if (layer == 0) return lower;
+      return layer > sections ? upper : inner.sections[layer - 1].nesting.outer.size();
+    };
+    inner.links[k].resize(in.get_count(kLayerLink));
+    for (LayerLink& link : inner.links[k]) {
+      link.below = in.get<RegionId>();
+      link.above = in.get<RegionId>();
+      in.require(link.below.index() < regions(k) && link.above.index() < regions(k + 1),
+                 "links a region between that it lacks");
+    }
+  }
+  return inner;
+}
+
+}  // namespace tetloft::internal
