@@ -10,9 +10,9 @@ namespace {
 
 using Edge = LatticeEdges::Edge;
 
-// A little farther than distances are followed: a sample beyond this along x or y is farther than
-// kFarthest in rounded arithmetic, too (coordinates below 2^40 have ulps of 2^-13 at most).
-constexpr double kSampleReach = kFarthest + 0x1p-10;
+// Edges are looked at a little farther than distances are followed: a sample beyond that along x or
+// y is farther in rounded arithmetic, too (coordinates below 2^40 have ulps of 2^-13 at most).
+constexpr double kSlack = 0x1p-10;
 
 // The least index of [low, high] that is at least `at`.
 std::int64_t first_index(double at, std::int64_t low, std::int64_t high) {
@@ -21,12 +21,12 @@ std::int64_t first_index(double at, std::int64_t low, std::int64_t high) {
   return k < static_cast<double>(high) ? static_cast<std::int64_t>(k) : high;
 }
 
-// Lowers the squared distances of the samples around the edge.
-void measure(const Edge& e, const LatticeWindow& w, std::vector<double>& squared) {
-  const std::int64_t i0 = first_index(e.a.x - kSampleReach, w.i0, w.i1);
-  const std::int64_t j0 = first_index(std::min(e.a.y, e.b.y) - kSampleReach, w.j0, w.j1);
-  const std::int64_t j1 = first_index(std::max(e.a.y, e.b.y) + kSampleReach, w.j0, w.j1);
-  const auto n = static_cast<int>(first_index(e.b.x + kSampleReach, w.i0, w.i1) - i0);
+// Lowers the squared distances of the samples within `reach` of the edge.
+void measure(const Edge& e, const LatticeWindow& w, double reach, std::vector<double>& squared) {
+  const std::int64_t i0 = first_index(e.a.x - reach, w.i0, w.i1);
+  const std::int64_t j0 = first_index(std::min(e.a.y, e.b.y) - reach, w.j0, w.j1);
+  const std::int64_t j1 = first_index(std::max(e.a.y, e.b.y) + reach, w.j0, w.j1);
+  const auto n = static_cast<int>(first_index(e.b.x + reach, w.i0, w.i1) - i0);
   if (n <= 0) return;
   const double dx = e.b.x - e.a.x;
   const double dy = e.b.y - e.a.y;
@@ -64,36 +64,41 @@ void pass(const Edge& e, const LatticeWindow& w, std::vector<std::uint8_t>& pass
 }  // namespace
 
 LatticeEdges::LatticeEdges(const Section& section, double step) {
-  for (const Contour& contour : section.contours) {
-    Box2 box;
-    Point2 last{contour.vertices.back().x / step, contour.vertices.back().y / step};
-    for (const Point2& p : contour.vertices) {
-      const Point2 next{p.x / step, p.y / step};
-      box.add(next);
-      // Rounding may have closed an edge.
-      if (canonical_less(last, next)) edges_.push_back({last, next});
-      if (canonical_less(next, last)) edges_.push_back({next, last});
-      last = next;
-    }
-    contours_.push_back({box, edges_.size()});
-    box_.add(box);
-  }
+  for (const Contour& contour : section.contours) add(contour, step);
 }
 
-Box2 LatticeEdges::reached_from(const LatticeWindow& w) {
+LatticeEdges::LatticeEdges(const std::vector<const Contour*>& contours, double step) {
+  for (const Contour* contour : contours) add(*contour, step);
+}
+
+void LatticeEdges::add(const Contour& contour, double step) {
   Box2 box;
-  box.add(
-      Point2{static_cast<double>(w.i0) - kSampleReach, static_cast<double>(w.j0) - kSampleReach});
-  box.add(
-      Point2{static_cast<double>(w.i1) + kSampleReach, static_cast<double>(w.j1) + kSampleReach});
+  Point2 last{contour.vertices.back().x / step, contour.vertices.back().y / step};
+  for (const Point2& p : contour.vertices) {
+    const Point2 next{p.x / step, p.y / step};
+    box.add(next);
+    // Rounding may have closed an edge.
+    if (canonical_less(last, next)) edges_.push_back({last, next});
+    if (canonical_less(next, last)) edges_.push_back({next, last});
+    last = next;
+  }
+  contours_.push_back({box, edges_.size()});
+  box_.add(box);
+}
+
+Box2 LatticeEdges::reached_from(const LatticeWindow& w, double reach) {
+  Box2 box;
+  box.add(Point2{static_cast<double>(w.i0) - reach, static_cast<double>(w.j0) - reach});
+  box.add(Point2{static_cast<double>(w.i1) + reach, static_cast<double>(w.j1) + reach});
   return box;
 }
 
-DistanceSamples sample_distances(const LatticeEdges& edges, const LatticeWindow& window) {
-  DistanceSamples result{window, std::vector<double>(window.size(), kFarthest * kFarthest)};
+DistanceSamples sample_distances(const LatticeEdges& edges, const LatticeWindow& window,
+                                 double farthest) {
+  DistanceSamples result{window, std::vector<double>(window.size(), farthest * farthest)};
   std::vector<std::uint8_t> passed(window.size(), 0);
-  edges.visit_near(window, [&](const Edge& e) {
-    measure(e, window, result.value);
+  edges.visit_near(window, farthest + kSlack, [&](const Edge& e) {
+    measure(e, window, farthest + kSlack, result.value);
     pass(e, window, passed);
   });
   std::size_t k = 0;

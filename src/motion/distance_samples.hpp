@@ -12,7 +12,7 @@
 
 namespace tetloft::internal::motion {
 
-/// Distances are followed as far as this, in lattice units: one gap.
+/// Distances are followed as far as this where motions are estimated, in lattice units: one gap.
 inline constexpr double kFarthest = kStepsPerGap;
 
 /// The edges of a section's contours in lattice units, each with its ends in canonical order.
@@ -26,14 +26,17 @@ class LatticeEdges {
     std::size_t end = 0;  // behind its last edge
   };
 
+  LatticeEdges() = default;
   LatticeEdges(const Section& section, double step);
+  LatticeEdges(const std::vector<const Contour*>& contours, double step);
 
+  [[nodiscard]] bool empty() const { return contours_.empty(); }
   /// The bounds of all contours.
   [[nodiscard]] const Box2& box() const { return box_; }
-  /// Calls visit(edge) for the edges of every contour that comes within kFarthest of the window.
+  /// Calls visit(edge) for the edges of every contour that comes within `reach` of the window.
   template <class Visit>
-  void visit_near(const LatticeWindow& window, const Visit& visit) const {
-    const Box2 near = reached_from(window);
+  void visit_near(const LatticeWindow& window, double reach, const Visit& visit) const {
+    const Box2 near = reached_from(window, reach);
     std::size_t first = 0;
     for (const Part& contour : contours_) {
       if (contour.box.meets(near)) {
@@ -44,7 +47,8 @@ class LatticeEdges {
   }
 
  private:
-  [[nodiscard]] static Box2 reached_from(const LatticeWindow& window);
+  void add(const Contour& contour, double step);
+  [[nodiscard]] static Box2 reached_from(const LatticeWindow& window, double reach);
 
   std::vector<Edge> edges_;
   std::vector<Part> contours_;
@@ -60,10 +64,11 @@ struct DistanceSamples {
 };
 
 /// The signed distances of the window's samples to the edges, in lattice units: negative at points
-/// of odd crossing number, and kFarthest at most on either side. A sample depends on the set of
+/// of odd crossing number, and `farthest` at most on either side. A sample depends on the set of
 /// edges alone: neither on their order nor on the window. Requires coordinates below 2^40 in
 /// lattice units.
 [[nodiscard]] DistanceSamples sample_distances(const LatticeEdges& edges,
-                                               const LatticeWindow& window);
+                                               const LatticeWindow& window,
+                                               double farthest = kFarthest);
 
 }  // namespace tetloft::internal::motion
