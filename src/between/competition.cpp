@@ -121,15 +121,19 @@ void part_contours(ClassShapes& shapes, const std::vector<MeetingWindows>& meeti
   compete(shapes, meetings);
 }
 
-std::vector<std::uint8_t> foreign_samples(const ClassShapes& shapes,
-                                          const std::vector<MeetingWindows>& meetings, ClassId c,
-                                          std::size_t layer) {
-  std::vector<std::uint8_t> foreign(shapes[c].window.size(), 0);
-  for (const MeetingWindows& meeting : meetings) {
-    if (meeting.first != c && meeting.second != c) continue;
-    const ClassShape& other = shapes[meeting.first == c ? meeting.second : meeting.first];
+ForeignSamples::ForeignSamples(const ClassShapes& shapes,
+                               const std::vector<MeetingWindows>& meetings, ClassId c)
+    : shapes_(shapes), meetings_(meetings), class_(c), foreign_(layers_of(shapes)) {}
+
+const std::vector<std::uint8_t>& ForeignSamples::in(std::size_t layer) {
+  std::vector<std::uint8_t>& foreign = foreign_[layer];
+  if (!foreign.empty()) return foreign;
+  foreign.assign(shapes_[class_].window.size(), 0);
+  for (const MeetingWindows& meeting : meetings_) {
+    if (meeting.first != class_ && meeting.second != class_) continue;
+    const ClassShape& other = shapes_[meeting.first == class_ ? meeting.second : meeting.first];
     const std::vector<double>& value = other.value[layer];
-    visit_common(shapes[c].window, other.window, meeting.common,
+    visit_common(shapes_[class_].window, other.window, meeting.common,
                  [&](std::size_t p, std::size_t q, std::int64_t, std::int64_t) {
                    if (value[q] < 0) foreign[p] = 1;
                  });

@@ -34,9 +34,19 @@ void compete(ClassShapes& shapes, const std::vector<MeetingWindows>& meetings);
 /// of two classes between −½ and −1/10, or both crossings between them might be moved to one point.
 void part_contours(ClassShapes& shapes, const std::vector<MeetingWindows>& meetings);
 
-/// By place in the window of class c: does another class have the sample in this layer?
-[[nodiscard]] std::vector<std::uint8_t> foreign_samples(const ClassShapes& shapes,
-                                                        const std::vector<MeetingWindows>& meetings,
-                                                        ClassId c, std::size_t layer);
+/// The samples of a class's window that other classes have, layer by layer, each found when first
+/// asked for. The others must not change meanwhile.
+class ForeignSamples {
+ public:
+  ForeignSamples(const ClassShapes& shapes, const std::vector<MeetingWindows>& meetings, ClassId c);
+  /// By place: not 0 where another class has the sample.
+  [[nodiscard]] const std::vector<std::uint8_t>& in(std::size_t layer);
+
+ private:
+  const ClassShapes& shapes_;
+  const std::vector<MeetingWindows>& meetings_;
+  ClassId class_;
+  std::vector<std::vector<std::uint8_t>> foreign_;  // by layer; empty where not asked for yet
+};
 
 }  // namespace tetloft::internal::between
