@@ -1,0 +1,75 @@
+// Cheapest paths over the samples of a window (Dijkstra, Numerische Mathematik 1, 1959), no farther
+// than it takes.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "motion/lattice_window.hpp"
+
+namespace tetloft::internal::between {
+
+/// What it costs to step on the sample at this place; infinite where no path may go.
+using SampleCost = std::function<double(std::uint32_t)>;
+/// Places.
+using SamplePath = std::vector<std::uint32_t>;
+
+enum class Steps { straight, diagonal_too };
+
+class PathSearch {
+ public:
+  /// Steps are to the four neighbours of a sample, or to all eight.
+  PathSearch(const motion::LatticeWindow& window, Steps steps);
+
+  /// Paths that join the sources, each a set of places, to as few sets as can be, by the least tree
+  /// (Kruskal, Proc. AMS 7, 1956) of the paths where fronts from two sources meet. Without the
+  /// sources' own places. Requires that sources do not meet and, as of reach(), that no path leads
+  /// from the border of the window.
+  [[nodiscard]] std::vector<SamplePath> join(const std::vector<std::vector<std::uint32_t>>& sources,
+                                             const SampleCost& cost);
+
+  /// The path from the sources to the nearest target, without these two; none if there is no way.
+  [[nodiscard]] std::optional<SamplePath> reach(const std::vector<std::uint32_t>& sources,
+                                                const std::function<bool(std::uint32_t)>& target,
+                                                const SampleCost& cost);
+
+ private:
+  struct Waiting {
+    double distance;
+    std::uint32_t place;
+    friend bool operator>(const Waiting& a, const Waiting& b) {
+      return a.distance != b.distance ? a.distance > b.distance : a.place > b.place;
+    }
+  };
+  /// Where two fronts meet.
+  struct Meeting {
+    double cost;
+    std::uint32_t from, to;
+    friend bool operator>(const Meeting& a, const Meeting& b) {
+      if (a.cost != b.cost) return a.cost > b.cost;
+      return a.from != b.from ? a.from > b.from : a.to > b.to;
+    }
+  };
+
+  void clear();
+  void start(const std::vector<std::uint32_t>& source, std::uint32_t front);
+  /// Steps on from a settled place.
+  void step_on(std::uint32_t place, const SampleCost& cost);
+  /// The nearest place not settled yet, and settles it; none if all are.
+  [[nodiscard]] std::optional<std::uint32_t> settle_next();
+  /// Appends the places from here back to the source, without the latter's.
+  void append_way_back(std::uint32_t place, SamplePath& path) const;
+
+  std::int64_t neighbours_[8];
+  std::size_t neighbour_count_;
+  std::vector<double> distance_;  // by place
+  std::vector<std::uint32_t> from_, front_;
+  std::vector<std::uint8_t> settled_;
+  std::vector<std::uint32_t> touched_;
+  std::vector<Waiting> waiting_;  // a heap
+};
+
+}  // namespace tetloft::internal::between

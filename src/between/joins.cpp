@@ -1,0 +1,76 @@
+#include "between/joins.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "between/cheapest_paths.hpp"
+
+namespace tetloft::internal::between {
+
+namespace {
+
+constexpr double kStepCost = 0.1;
+constexpr double kPathValue = -0.5;
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+// What paths between the parts of a group cost.
+class JoinCost {
+ public:
+  JoinCost(const DoublyConnected& group, const std::vector<std::uint8_t>& foreign,
+           const motion::LatticeWindow& window, const std::vector<double>& value,
+           const LayerLabels& labels)
+      : foreign_(foreign),
+        nx_(static_cast<std::uint32_t>(window.nx())),
+        ny_(static_cast<std::uint32_t>(window.ny())),
+        value_(value),
+        labels_(labels),
+        in_group_(labels.size.size(), 0) {
+    for (const std::uint32_t n : group.nodes) in_group_[n] = 1;
+  }
+
+  double operator()(std::uint32_t place) const {
+    const std::uint32_t i = place % nx_;
+    const std::uint32_t j = place / nx_;
+    if (i == 0 || j == 0 || i + 1 == nx_ || j + 1 == ny_) return kNever;
+    if (foreign_[place] != 0) return kNever;
+    for (const std::uint32_t p : {place, place - 1, place + 1, place - nx_, place + nx_}) {
+      const std::uint32_t node = labels_.node[p];
+      if (node != kNoNode && in_group_[node] == 0) return kNever;
+    }
+    const double out = std::max(value_[place], 0.0);
+    return kStepCost + out * out;
+  }
+
+ private:
+  const std::vector<std::uint8_t>& foreign_;
+  std::uint32_t nx_, ny_;
+  const std::vector<double>& value_;
+  const LayerLabels& labels_;
+  std::vector<std::uint8_t> in_group_;
+};
+
+}  // namespace
+
+bool join_parts(const std::vector<DoublyConnected>& groups, ForeignSamples& foreign,
+                std::size_t layer, ClassShape& shape, LayerLabels& labels) {
+  if (groups.empty()) return false;
+  PathSearch search(shape.window, Steps::straight);
+  const std::vector<std::vector<std::uint32_t>> samples = samples_by_node(labels);
+  bool changed = false;
+  for (const DoublyConnected& group : groups) {
+    std::vector<std::vector<std::uint32_t>> sources;
+    for (const std::uint32_t n : group.nodes) sources.push_back(samples[n]);
+    const std::vector<SamplePath> paths = search.join(
+        sources, JoinCost(group, foreign.in(layer), shape.window, shape.value[layer], labels));
+    for (const SamplePath& path : paths) {
+      changed = true;
+      for (const std::uint32_t place : path) {
+        shape.value[layer][place] = kPathValue;
+        labels.node[place] = group.nodes.front();
+      }
+    }
+  }
+  return changed;
+}
+
+}  // namespace tetloft::internal::between

@@ -1,0 +1,36 @@
+// Connected parts of a class in one layer, and of what is not the class, by samples.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "motion/lattice_window.hpp"
+
+namespace tetloft::internal::between {
+
+inline constexpr std::uint32_t kNoNode = 0xFFFFFFFFU;
+/// The void around everything is the first one of each layer.
+inline constexpr std::uint32_t kExterior = 0;
+
+/// The nodes that a layer adds to a graph of layers.
+struct LayerLabels {
+  std::vector<std::uint32_t> node;  ///< by place in the window, or kNoNode
+  std::vector<std::size_t> size;    ///< samples, by node; of the exterior the most there can be
+};
+
+inline constexpr std::size_t kUnbounded = std::numeric_limits<std::size_t>::max();
+
+/// The 4-connected parts of the inside samples, numbered by their first samples, row by row.
+/// Requires that the window's border is outside.
+[[nodiscard]] LayerLabels label_solids(const motion::LatticeWindow& window,
+                                       const std::vector<double>& value);
+/// The 8-connected parts of the outside samples; requires the same.
+[[nodiscard]] LayerLabels label_voids(const motion::LatticeWindow& window,
+                                      const std::vector<double>& value);
+
+/// The samples of each node but the exterior, row by row.
+[[nodiscard]] std::vector<std::vector<std::uint32_t>> samples_by_node(const LayerLabels& labels);
+
+}  // namespace tetloft::internal::between
