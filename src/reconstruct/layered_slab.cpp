@@ -117,7 +117,9 @@ class LayeredSlab {
     IdVector<ClassId, std::size_t> part(classes_.class_count(), regions.size());
     for (std::size_t k = 0; k < layers_.size(); ++k) {
       for (const RegionId r : layer(k).nesting.outer.ids()) {
-        std::size_t& of_class = part[class_of(k, r)];
+        const ClassId c = class_of(k, r);
+        if (c.index() >= part.size()) return false;
+        std::size_t& of_class = part[c];
         const std::size_t here = parts.find(regions.of(k, r.index()));
         if (of_class == regions.size()) of_class = here;
         if (of_class != here) return false;

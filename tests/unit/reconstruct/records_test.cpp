@@ -24,8 +24,10 @@
 #include "model/scaling.hpp"
 #include "property/same_model.hpp"
 #include "reconstruct/build.hpp"
+#include "reconstruct/decide_between.hpp"
 #include "reconstruct/decide_voids.hpp"
 #include "reconstruct/ends.hpp"
+#include "reconstruct/layered_slab.hpp"
 #include "reconstruct/stack_errors.hpp"
 #include "sections/complement.hpp"
 #include "sections/section_record.hpp"
@@ -80,6 +82,10 @@ std::optional<Error> plan_into(const Folder& folder, const SectionStack& stack,
   plan.correspondence = *decided;
   plan.motions = decision.motions();
   plan.voids = *VoidDecision(*prepared, options).make(plan.correspondence.links, work);
+  if (auto error =
+          decide_between(*prepared, options, all_ids<SlabId>(prepared->slab_count()), work, plan)) {
+    return error;
+  }
   SlabBuilds builds(*prepared, decision, plan, options, work);
   if (auto error = builds.run()) return error;
   folder.write("plan", to_record(plan));
@@ -99,9 +105,11 @@ void build_into(const Folder& folder, SlabId slab) {
   const ConformingSection lower = section_of_file(folder, lower_section(slab));
   const ConformingSection upper = section_of_file(folder, upper_section(slab));
   const SlabOutcome outcome =
-      build_slab(slab, lower, upper,
-                 {plan.correspondence.links[slab], plan.voids ? &plan.voids->links[slab] : nullptr},
-                 {DelaunayEngine::automatic, kDefaultWorkLimit, plan.may_ask[slab] != 0})
+      build_slab_between(
+          slab, lower, upper,
+          {plan.correspondence.links[slab], plan.voids ? &plan.voids->links[slab] : nullptr},
+          plan.between[slab],
+          {DelaunayEngine::automatic, kDefaultWorkLimit, plan.may_ask[slab] != 0})
           .value();
   folder.write(slab_file(slab), to_record(std::get<SlabSolid>(outcome)));
 }
@@ -244,6 +252,19 @@ TEST(Records, SolidsAndPlansReadBackAsTheyWere) {
   }
 }
 
+between::InnerSections one_section_between() {
+  between::InnerSections inner;
+  between::InnerSection mid;
+  mid.section = stack_of_boxes({{box(0, 0, 4, 2), box(5, 0, 6, 2)}}).sections[SectionId(0)];
+  mid.section.z = 0.5;
+  mid.nesting = nest(mid.section);
+  mid.class_of.assign(2, ClassId(1));
+  inner.sections.push_back(mid);
+  inner.links = {{{RegionId(0), RegionId(0)}, {RegionId(1), RegionId(1)}},
+                 {{RegionId(1), RegionId(0)}}};
+  return inner;
+}
+
 // Two sections of two regions each, with every evidence and fate, and a motion of each plane.
 Plan plan_of_two_sections() {
   Plan plan;
@@ -294,6 +315,10 @@ TEST(Records, CandidatesAndMotionsOfAPlanReadBackBitForBit) {
   ASSERT_TRUE(read) << to_string(read.error());
   EXPECT_EQ(to_record(*read), bytes);
   EXPECT_TRUE(test::same_rows(read->motions, plan.motions));
+  ASSERT_EQ(read->between.size(), 1U);
+  EXPECT_EQ(read->between[SlabId(0)].links, plan.between[SlabId(0)].links);
+  EXPECT_EQ(read->between[SlabId(0)].sections[0].class_of,
+            plan.between[SlabId(0)].sections[0].class_of);
   Nesting nesting;
   nesting.outer = IdVector<RegionId, ContourId>({ContourId(0), ContourId(2)});
   const IdVector<SectionId, Nesting> nestings({nesting, nesting});
@@ -309,6 +334,8 @@ TEST(Records, CandidatesAndMotionsOfAPlanReadBackBitForBit) {
   without.voids = std::nullopt;
   EXPECT_FALSE(plan_from_record(to_record(without), "name")->voids);
 }
+
+between::InnerSections& between_of(Plan& plan) { return plan.between[SlabId(0)]; }
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -334,6 +361,13 @@ TEST(Records, PlansWithCandidatesOrMotionsThatThereAreNotAreRefused) {
            {"evidence", [](Plan&p, LinkCandidate&) { p.voids->candidates[SlabId(0)][2].evidence = static_cast<Evidence>(kEvidences); }},
            {"some of its sections", [](Plan&p, LinkCandidate&) { p.voids->component.resize(3); }},
            {"other voids", [](Plan&p, LinkCandidate&) { p.voids->partition[SectionId(1)].resize(3); }},
+           {"some of its sections", [](Plan&p, LinkCandidate&) { p.between.push_back({}); }},
+           {"not valid", [](Plan&p, LinkCandidate&) { between_of(p).sections[0].section.contours.push_back({}); }},
+           {"no class", [](Plan&p, LinkCandidate&) { between_of(p).sections[0].class_of[RegionId(1)] = ClassId(4); }},
+           {"no class", [](Plan&p, LinkCandidate&) { between_of(p).sections[0].class_of.push_back(ClassId(0)); }},
+           {"sections between", [](Plan&p, LinkCandidate&) { between_of(p).links.pop_back(); }},
+           {"region between", [](Plan&p, LinkCandidate&) { between_of(p).links[0][1].above = RegionId(2); }},
+           {"region between", [](Plan&p, LinkCandidate&) { between_of(p).links[1][0].above = RegionId(2); }},
            {"motion", [](Plan&p, LinkCandidate&) { p.motions[0].by.x = kInfinity; }},
            {"motion", [](Plan&p, LinkCandidate&) { p.motions[1].by.y = -kInfinity; }},
            {"contour", [](Plan&p, LinkCandidate&) { p.motions[0].contour = ContourId(3); }},
