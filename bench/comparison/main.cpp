@@ -27,7 +27,8 @@ using namespace tetloft::bench;
 
 constexpr const char* kUsage =
     "tetloft_compare [--solids N] [--size N] [--seed S] [--stacks FOLDER]... [--largest VERTICES]\n"
-    "                [--samples N] [--only METHOD] [--json OUT.json] [--markdown OUT.md]\n"
+    "                [--samples N] [--between N]... [--only METHOD] [--json OUT.json] [--markdown "
+    "OUT.md]\n"
     "N random solids of each kind (10) in SIZE^3 samples (96), and all .cnt below the folders "
     "with\n"
     "no more than VERTICES (60000); see bench/comparison/README.md.\n";
@@ -116,7 +117,7 @@ class Comparison {
   }
 
   const CompareOptions& options_;
-  std::vector<Method> methods_ = all_methods();
+  std::vector<Method> methods_ = all_methods(options_.between);
   std::vector<Row> rows_;
 };
 
@@ -133,7 +134,7 @@ int main(int argc, char** argv) try {
   CompareOptions options;
   std::string wrong = parse_options(argc, argv, options);
   std::vector<std::string> methods;
-  for (const Method& method : all_methods()) methods.push_back(method.name);
+  for (const Method& method : all_methods(options.between)) methods.push_back(method.name);
   if (wrong.empty() && !any_has(methods, options.only)) {
     wrong = no_such("--only", options.only, methods);
   }

@@ -54,10 +54,12 @@ Method distance_field_method() {
 
 }  // namespace
 
-Method tetloft_by(std::string name, const CorrespondenceOptions& correspondence) {
-  const auto run = [correspondence](const SectionStack& stack) {
+Method tetloft_by(std::string name, const CorrespondenceOptions& correspondence,
+                  std::optional<std::size_t> between) {
+  const auto run = [correspondence, between](const SectionStack& stack) {
     ReconstructOptions options;
     options.correspondence = correspondence;
+    options.between = between;
     options.execution.threads = 1;
     return timed([&] { return reconstruct(stack, options); },
                  [&](Reconstruction&& made, Outcome& outcome) {
@@ -79,16 +81,23 @@ Method geiger() {
   return {"geiger", std::nullopt, run};
 }
 
-std::vector<Method> all_methods() {
+std::vector<Method> all_methods(const std::vector<std::size_t>& between) {
   CorrespondenceOptions plain;
   plain.criterion = Criterion::overlap;
   plain.chain = plain.lone = false;
-  return {tetloft_by("tetloft moved", {.criterion = Criterion::moved}),
-          tetloft_by("tetloft overlap", {.criterion = Criterion::overlap}),
-          tetloft_by("tetloft plain overlap", plain),
-          tetloft_by("tetloft reverse", {.criterion = Criterion::reverse}),
-          geiger(),
-          distance_field_method()};
+  std::vector<Method> methods{
+      tetloft_by("tetloft moved", {.criterion = Criterion::moved}),
+      tetloft_by("tetloft between", {.criterion = Criterion::moved}, std::nullopt),
+      tetloft_by("tetloft overlap", {.criterion = Criterion::overlap}),
+      tetloft_by("tetloft plain overlap", plain),
+      tetloft_by("tetloft reverse", {.criterion = Criterion::reverse}),
+      geiger(),
+      distance_field_method()};
+  for (const std::size_t count : between) {
+    methods.push_back(tetloft_by("tetloft between " + std::to_string(count),
+                                 {.criterion = Criterion::moved}, count));
+  }
+  return methods;
 }
 
 }  // namespace tetloft::bench

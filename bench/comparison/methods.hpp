@@ -1,6 +1,7 @@
 // The methods compared: a table {name, what check is to ask, run}.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
@@ -31,11 +32,13 @@ struct Method {
   std::function<Outcome(const SectionStack&)> run;
 };
 
-/// tetloft's own method.
-[[nodiscard]] Method tetloft_by(std::string name, const CorrespondenceOptions& correspondence);
+/// tetloft's own method; `between` as in ReconstructOptions.
+[[nodiscard]] Method tetloft_by(std::string name, const CorrespondenceOptions& correspondence,
+                                std::optional<std::size_t> between = 0);
 /// Geiger's.
 [[nodiscard]] Method geiger();
 
-[[nodiscard]] std::vector<Method> all_methods();
+/// `between`: further methods, with so many sections put between two.
+[[nodiscard]] std::vector<Method> all_methods(const std::vector<std::size_t>& between = {});
 
 }  // namespace tetloft::bench

@@ -131,6 +131,7 @@ Run measure_run(const Method& method, const Subject& subject, const Reference& r
     if (method.correspondence && !subject.piece.empty()) {
       run.links = union_errors(subject.stack, outcome.model->links, subject.piece);
     }
+    run.tets = outcome.model->tets.size();
     surface = measure_tets(*outcome.model, method, subject.stack, run);
   } else {
     const SurfaceFaults faults = faults_of(surface);
@@ -186,6 +187,7 @@ Aggregate aggregate(const std::vector<SizedRun>& runs) {
       hausdorff.add(run.distance->hausdorff);
     }
     seconds += run.seconds;
+    result.tets += run.tets;
     vertices += sized.vertices;
   }
   const auto share = [&](std::size_t count) {

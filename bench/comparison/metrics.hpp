@@ -39,6 +39,7 @@ struct Run {
   std::string method;
   std::string refusal;  ///< empty: made, and all below is set
   double seconds = 0;
+  std::size_t tets = 0;  ///< 0 of mere surfaces
   /// Verdicts of check() on the five guarantees, as far as they are asked of the method; none for
   /// mere surfaces.
   std::optional<std::array<bool, 5>> guarantees;
@@ -80,6 +81,7 @@ struct Aggregate {
   std::optional<UnionErrors> links;                                   ///< sums
   std::optional<long> component_errors, cavity_errors, genus_errors;  ///< sums
   std::optional<double> volume_error, mean_distance, hausdorff;       ///< means
+  std::size_t tets = 0;                                               ///< sum
   double seconds_per_10k = 0;  ///< per 10,000 input vertices, of the sums
 };
 

@@ -20,6 +20,8 @@ std::string parse_options(int argc, char** argv, CompareOptions& options) {
       good = good && parse_number(value, options.largest);
     } else if (option == "--samples") {
       good = good && parse_number(value, options.samples);
+    } else if (option == "--between") {
+      good = good && parse_number(value, options.between.emplace_back());
     } else if (option == "--only") {
       options.only = value;
     } else if (option == "--stacks") {

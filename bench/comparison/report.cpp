@@ -71,6 +71,7 @@ std::string line_of(const Table::Line& line) {
   cell(show("%.2f", a.volume_error, 100));
   cell(show("%.3f", a.mean_distance));
   cell(show("%.2f", a.hausdorff));
+  cell(a.tets == 0 ? kNone : std::to_string(a.tets));
   cell(format("%.3f", a.seconds_per_10k));
   return text + "|\n";
 }
@@ -96,15 +97,16 @@ std::vector<Table> tables_of(const std::vector<Row>& rows) {
 std::string markdown_of(const std::vector<Table>& tables) {
   std::string text;
   for (const Table& table : tables) {
-    text +=
-        "### " + table.title + "\n\n" +
-        "| stacks | method | number | refused | fully valid (%) | sections exact (%) | "
-        "cavities and tunnels as defined (%) | exceptions listed | "
-        "singular vertices + edges | contours lost | section deviation (%) | unions missing + "
-        "false | topology right (%) | component errors "
-        "| cavity errors | genus errors | volume error (%) | mean distance | Hausdorff | s per "
-        "10,000 vertices "
-        "|\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
+    text += "### " + table.title + "\n\n" +
+            "| stacks | method | number | refused | fully valid (%) | sections exact (%) | "
+            "cavities and tunnels as defined (%) | exceptions listed | "
+            "singular vertices + edges | contours lost | section deviation (%) | unions missing + "
+            "false | topology right (%) | component errors "
+            "| cavity errors | genus errors | volume error (%) | mean distance | Hausdorff | tets "
+            "| s per "
+            "10,000 vertices "
+            "|\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|--"
+            "-|\n";
     for (const Table::Line& line : table.lines) text += line_of(line);
     text += '\n';
   }

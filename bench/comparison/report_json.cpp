@@ -21,6 +21,7 @@ void write_run(JsonWriter& json, const Run& run) {
     json.end_object();
     return;
   }
+  if (run.tets != 0) json.member("tets", run.tets);
   if (run.guarantees) {
     json.key("guarantees");
     json.begin_array();
@@ -97,6 +98,7 @@ void write_line(JsonWriter& json, const Table::Line& line) {
   optional_member(json, "volume_error", a.volume_error);
   optional_member(json, "mean_distance", a.mean_distance);
   optional_member(json, "hausdorff", a.hausdorff);
+  if (a.tets != 0) json.member("tets", a.tets);
   json.member("seconds_per_10k_vertices", a.seconds_per_10k);
   json.end_object();
 }
