@@ -27,7 +27,7 @@ double squared_distance(const Point2& p, const Point2& a, const Point2& b) {
 
 }  // namespace
 
-ContourChords::ContourChords(const Contour& contour, double tolerance)
+ContourChords::ContourChords(const Contour& contour, double tolerance, double longest)
     : vertices_(contour.vertices),
       tolerance_(tolerance),
       kept_(contour.vertices.size(), 0),
@@ -35,7 +35,7 @@ ContourChords::ContourChords(const Contour& contour, double tolerance)
   if (vertices_.size() <= 4) {
     restore();
   } else {
-    divide_all(tolerance);
+    divide_all(tolerance, longest);
     changed_ = true;
     settle();
   }
@@ -58,7 +58,7 @@ std::size_t ContourChords::farthest(std::size_t first, std::size_t last, double&
   return best;
 }
 
-void ContourChords::divide_all(double tolerance) {
+void ContourChords::divide_all(double tolerance, double longest) {
   // The two vertices that are farthest from each other, nearly; and one on either side between.
   std::size_t opposite = 0;
   for (std::size_t v = 1; v < vertices_.size(); ++v) {
@@ -77,8 +77,14 @@ void ContourChords::divide_all(double tolerance) {
     const Chord chord = waiting.back();
     waiting.pop_back();
     double squared = 0;
-    const std::size_t v = farthest(chord.first, chord.last, squared);
-    if (v == chord.first || (!chord.whole_side && squared <= tolerance * tolerance)) continue;
+    std::size_t v = farthest(chord.first, chord.last, squared);
+    if (v == chord.first) continue;
+    if (!chord.whole_side && squared <= tolerance * tolerance) {
+      if (squared_length(vertices_[chord.first], vertices_[chord.last]) <= longest * longest) {
+        continue;
+      }
+      v = (chord.first + (chord.last == 0 ? vertices_.size() : chord.last)) / 2;
+    }
     kept_[v] = 1;
     waiting.push_back({chord.first, v, false});
     waiting.push_back({v, chord.last, false});

@@ -11,9 +11,9 @@ namespace tetloft::internal::between {
 
 class ContourChords {
  public:
-  /// Chords from which no vertex between is farther than the tolerance. Contours of up to four
-  /// vertices stay.
-  ContourChords(const Contour& contour, double tolerance);
+  /// Chords from which no vertex between is farther than the tolerance, and which are no longer
+  /// than `longest`, unless edges are. Contours of up to four vertices stay.
+  ContourChords(const Contour& contour, double tolerance, double longest);
 
   /// Vertex v is the start of chord v.
   [[nodiscard]] const Contour& contour() const { return simplified_; }
@@ -30,7 +30,7 @@ class ContourChords {
   /// The vertex farthest from the chord of the vertices `first` and `last`, strictly between them;
   /// `first` where there is none.
   [[nodiscard]] std::size_t farthest(std::size_t first, std::size_t last, double& squared) const;
-  void divide_all(double tolerance);
+  void divide_all(double tolerance, double longest);
   [[nodiscard]] double area_beyond(std::size_t first, std::size_t last) const;
 
   std::vector<Point2> vertices_;

@@ -19,7 +19,7 @@ using between::SlabClass;
 
 // No slab gets more by itself.
 constexpr double kMostByItself = 5;
-// Sections are as far apart as this many contour edges, at least.
+// Sections are this many contour edges apart, at least.
 constexpr double kEdgesPerLayer = 2;
 // Steps of the lattice: half a contour edge, if that divides the larger side of the sections into
 // so many parts at least, and at most.
@@ -171,8 +171,8 @@ std::size_t automatic_count(const LinkedStack& stacked, SlabId slab) {
   const auto above = canonical_contours(upper);
   if (below == above) return 0;
   const Edges edges = joined(edges_of(below), edges_of(above));
-  const double layers = std::round((upper.z - lower.z) / (kEdgesPerLayer * edges.mean()));
-  return static_cast<std::size_t>(std::clamp(layers - 1, 0.0, kMostByItself));
+  const double count = (upper.z - lower.z) / (kEdgesPerLayer * edges.mean());
+  return static_cast<std::size_t>(std::clamp(count, 0.0, kMostByItself));
 }
 
 between::InnerSections sections_between(const LinkedStack& stacked, SlabId slab,

@@ -30,9 +30,9 @@ bool is_valid(const Section& section, std::size_t& faulty) {
 
 class Simplifier {
  public:
-  Simplifier(const Section& section, double tolerance) : section_(section) {
+  Simplifier(const Section& section, double tolerance, double longest) : section_(section) {
     for (const Contour& contour : section.contours) {
-      chords_.push_back(ContourChords(contour, tolerance));
+      chords_.push_back(ContourChords(contour, tolerance, longest));
     }
   }
 
@@ -122,12 +122,13 @@ std::vector<ContourId> misplaced(const Nesting& nesting, const Nesting& wanted) 
 
 }  // namespace
 
-std::optional<SimplifiedSection> simplify(const Section& section, double tolerance) {
+std::optional<SimplifiedSection> simplify(const Section& section, double tolerance,
+                                          double longest) {
   std::size_t faulty = 0;
   if (!is_valid(section, faulty)) return std::nullopt;
   if (section.contours.empty()) return SimplifiedSection{section, {}};
   const Nesting wanted = nest(section);
-  Simplifier simplifier(section, tolerance);
+  Simplifier simplifier(section, tolerance, longest);
   for (;;) {
     simplifier.part();
     SimplifiedSection result{simplifier.simplified(), {}};

@@ -19,6 +19,7 @@ struct SimplifiedSection {
 /// of where it was, around the same area up to terms of second order. Contours and their nesting
 /// stay; where they would not, the contours come as near to what they were as it takes. None if the
 /// section is invalid as it is. A function of the contours, each as it starts and runs.
-[[nodiscard]] std::optional<SimplifiedSection> simplify(const Section& section, double tolerance);
+[[nodiscard]] std::optional<SimplifiedSection> simplify(const Section& section, double tolerance,
+                                                        double longest);
 
 }  // namespace tetloft::internal::between

@@ -14,6 +14,9 @@ namespace {
 // How far simplified contours may leave the traced ones, in steps: an eighth of the mean edge of
 // the given contours, of which a step is about half.
 constexpr double kTolerance = 0.25;
+// Nor are they longer, in steps: chords as long as a side would tell D too little (src/sections,
+// divided contours).
+constexpr double kLongest = 12;
 
 // Whose a contour is.
 struct Owner {
@@ -42,7 +45,8 @@ std::optional<TracedLayer> trace_layer(const ClassShapes& shapes,
     section.contours.push_back(std::move(contour));
     owners.push_back(owner);
   }
-  std::optional<SimplifiedSection> simplified = simplify(section, kTolerance * step);
+  std::optional<SimplifiedSection> simplified =
+      simplify(section, kTolerance * step, kLongest * step);
   if (!simplified) return std::nullopt;
   TracedLayer result;
   result.inner.section = std::move(simplified->section);

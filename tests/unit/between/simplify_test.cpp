@@ -64,7 +64,7 @@ double farthest(const Contour& from, const Contour& to) {
 
 TEST(Simplify, FewVerticesNearTheContourAroundTheSameArea) {
   const Section section = section_of({flower(0, 0, 10, 400, 5, 2)});
-  const auto simplified = simplify(section, 0.05);
+  const auto simplified = simplify(section, 0.05, 1e9);
   ASSERT_TRUE(simplified);
   const Contour& was = section.contours[ContourId(0)];
   const Contour& is = simplified->section.contours[ContourId(0)];
@@ -77,7 +77,7 @@ TEST(Simplify, FewVerticesNearTheContourAroundTheSameArea) {
 
 TEST(Simplify, SmallContoursStay) {
   const Section section = section_of({{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}}, flower(5, 5, 0.01, 30)});
-  const auto simplified = simplify(section, 1);
+  const auto simplified = simplify(section, 1, 1e9);
   ASSERT_TRUE(simplified);
   EXPECT_EQ(simplified->section.contours[ContourId(0)].vertices,
             section.contours[ContourId(0)].vertices);
@@ -90,7 +90,7 @@ TEST(Simplify, NestedContoursNearerThanTheToleranceStayApart) {
   for (int k = 0; k < 6; ++k) contours.push_back(flower(0, 0, 10 - 0.02 * k, 300, 7, 1));
   const Section section = section_of(contours);
   ASSERT_TRUE(is_valid(section));
-  const auto simplified = simplify(section, 0.3);
+  const auto simplified = simplify(section, 0.3, 1e9);
   ASSERT_TRUE(simplified);
   EXPECT_TRUE(is_valid(simplified->section));
   EXPECT_EQ(simplified->nesting.parent, nest(section).parent);
@@ -100,7 +100,7 @@ TEST(Simplify, NestedContoursNearerThanTheToleranceStayApart) {
 TEST(Simplify, OnlyNearWhatIsNearVerticesStay) {
   // Two large discs that come within a fiftieth of the tolerance of each other.
   const Section section = section_of({flower(0, 0, 10, 500), flower(20.005, 0, 10, 500, 0)});
-  const auto simplified = simplify(section, 0.25);
+  const auto simplified = simplify(section, 0.25, 1e9);
   ASSERT_TRUE(simplified);
   EXPECT_TRUE(is_valid(simplified->section));
   std::size_t vertices = 0;
@@ -119,18 +119,18 @@ TEST(Simplify, AnIslandBetweenAContourAndItsChordStaysOutside) {
   ASSERT_TRUE(is_valid(section));
   const Nesting wanted = nest(section);
   ASSERT_EQ(wanted.outer.size(), 37U);
-  const auto simplified = simplify(section, 0.5);
+  const auto simplified = simplify(section, 0.5, 1e9);
   ASSERT_TRUE(simplified);
   EXPECT_TRUE(is_valid(simplified->section));
   EXPECT_EQ(simplified->nesting.parent, wanted.parent);
 }
 
 TEST(Simplify, InvalidSectionsAreRefused) {
-  EXPECT_FALSE(simplify(section_of({flower(0, 0, 10, 100), flower(5, 0, 10, 100)}), 0.1));
+  EXPECT_FALSE(simplify(section_of({flower(0, 0, 10, 100), flower(5, 0, 10, 100)}), 0.1, 1e9));
 }
 
 TEST(Simplify, NoContoursAreNoTrouble) {
-  const auto simplified = simplify(Section{0.25, {}}, 0.1);
+  const auto simplified = simplify(Section{0.25, {}}, 0.1, 1e9);
   ASSERT_TRUE(simplified);
   EXPECT_TRUE(simplified->section.contours.empty());
 }
