@@ -25,6 +25,8 @@ constexpr double kEdgesPerLayer = 2;
 // so many parts at least, and at most.
 constexpr double kLeastSteps = 64;
 constexpr double kMostSteps = 512;
+// Distances matter as far as a gap: one much larger than the sections takes a coarser lattice.
+constexpr double kMostStepsPerGap = 64;
 
 // The contours of a section as a set: each from its lowest vertex on, towards the lower of that
 // one's neighbours, by their lowest vertices.
@@ -84,8 +86,10 @@ Edges edges_of(const LinkedStack& stacked, SlabId slab) {
                 edges_of(canonical_contours(stacked.stack.sections[upper_section(slab)])));
 }
 
-double step_of(const Edges& edges) {
-  return std::clamp(edges.mean() / 2, edges.side() / kMostSteps, edges.side() / kLeastSteps);
+double step_of(const Edges& edges, double gap) {
+  const double step =
+      std::clamp(edges.mean() / 2, edges.side() / kMostSteps, edges.side() / kLeastSteps);
+  return std::max(step, gap / kMostStepsPerGap);
 }
 
 // Classes of a slab and their outlines in the sections around it.
@@ -182,13 +186,14 @@ between::InnerSections sections_between(const LinkedStack& stacked, SlabId slab,
   if (layers == 0 || edges.count == 0) return {};
   const SectionId below = lower_section(slab);
   const SectionId above = upper_section(slab);
-  between::SlabShape shape{stacked.stack.sections[below],
-                           stacked.stack.sections[above],
-                           stacked.nestings[below],
-                           stacked.nestings[above],
-                           Classes(stacked, slab).make(),
-                           step_of(edges),
-                           {}};
+  between::SlabShape shape{
+      stacked.stack.sections[below],
+      stacked.stack.sections[above],
+      stacked.nestings[below],
+      stacked.nestings[above],
+      Classes(stacked, slab).make(),
+      step_of(edges, stacked.stack.sections[above].z - stacked.stack.sections[below].z),
+      {}};
   for (std::size_t k = 1; k <= layers; ++k) {
     shape.at.push_back(static_cast<double>(k) / static_cast<double>(layers + 1));
   }

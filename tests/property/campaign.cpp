@@ -17,6 +17,7 @@ constexpr const char* kUsage =
     "  --count N    stacks of each kind (default 10)\n"
     "  --seed S     first seed (default 1)\n"
     "  --kind NAME  only this kind; may be repeated\n"
+    "  --between N  sections put between two: a number, or auto (default 0)\n"
     "  --threads N  stacks tried at the same time (default 0: all processors)\n"
     "  --out DIR    where shrunk failing stacks go (default campaign_failures)\n"
     "Exit code 0: no wrong model and no rule without use; 1: otherwise.\n";
@@ -43,6 +44,12 @@ std::string parse(int argc, char** argv, CampaignOptions& options) {
       good = good && parse_number(value, options.count) && options.count > 0;
     } else if (name == "--seed") {
       good = good && parse_number(value, options.seed);
+    } else if (name == "--between") {
+      if (value == "auto") {
+        options.between = std::nullopt;
+      } else {
+        good = good && parse_number(value, options.between.emplace());
+      }
     } else if (name == "--threads") {
       good = good && parse_number(value, options.threads);
     } else if (name == "--out") {

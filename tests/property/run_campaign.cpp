@@ -99,12 +99,12 @@ struct Case {
   double seconds = 0;
 };
 
-Case try_stack(StackKind kind, std::uint64_t seed) {
+Case try_stack(StackKind kind, std::uint64_t seed, std::optional<std::size_t> between) {
   const auto begin = std::chrono::steady_clock::now();
   Case result{kind, seed, {}, 0};
   const GeneratedStack generated = generate(kind, seed);
   for (std::size_t i = 0; i < kCriteria.size(); ++i) {
-    result.attempts[i] = attempt(generated, kCriteria[i], excuse_of(kind));
+    result.attempts[i] = attempt(generated, kCriteria[i], excuse_of(kind), between);
   }
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
   result.seconds = taken.count();
@@ -140,7 +140,8 @@ bool is_wrong(Outcome outcome) { return outcome >= Outcome::wrong_manifold; }
 void shrink_and_write(Failure& failure, const CampaignOptions& options) {
   const Excuse excuse = excuse_of(failure.kind);
   const auto still_fails = [&](const GeneratedStack& candidate) {
-    return attempt(candidate, failure.criterion, excuse).outcome == failure.attempt.outcome;
+    return attempt(candidate, failure.criterion, excuse, options.between).outcome ==
+           failure.attempt.outcome;
   };
   const GeneratedStack least =
       shrink(generate(failure.kind, failure.seed), still_fails, {.trials = options.shrink_trials});
@@ -180,10 +181,12 @@ Excuse excuse_of(StackKind kind) {
   return kind == StackKind::random_labels ? Excuse::labels : Excuse::none;
 }
 
-Attempt attempt(const GeneratedStack& generated, Criterion criterion, Excuse excuse) {
+Attempt attempt(const GeneratedStack& generated, Criterion criterion, Excuse excuse,
+                std::optional<std::size_t> between) {
   ReconstructOptions options;
   options.correspondence = generated.correspondence;
   options.correspondence.criterion = criterion;
+  options.between = between;
   options.thickness = 1;  // shrinking may leave one section
   options.execution.threads = 1;
   const Result<Reconstruction> one = reconstruct(generated.stack, options);
@@ -227,7 +230,8 @@ CampaignResult run_campaign(const CampaignOptions& options) {
 
   std::vector<Case> cases(kinds.size() * options.count);
   parallel_for(cases.size(), options.threads, [&](std::size_t i) {
-    cases[i] = try_stack(kinds[i / options.count], options.seed + i % options.count);
+    cases[i] =
+        try_stack(kinds[i / options.count], options.seed + i % options.count, options.between);
   });
 
   CampaignResult result;

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,8 @@ namespace tetloft::testing {
 struct CampaignOptions {
   std::size_t count = 10;  ///< stacks of each kind: seeds `seed` … `seed + count − 1`
   std::uint64_t seed = 1;
-  std::vector<StackKind> kinds;  ///< empty: all
+  std::vector<StackKind> kinds;            ///< empty: all
+  std::optional<std::size_t> between = 0;  ///< ReconstructOptions::between
   unsigned threads = 1;  ///< stacks tried at the same time; 0: as many as the machine offers
   std::string folder;    ///< for shrunk stacks; empty: not written
   std::size_t shrink_trials = 400;
@@ -65,8 +67,10 @@ enum class Excuse : std::uint8_t {
 };
 [[nodiscard]] Excuse excuse_of(StackKind kind);
 
-/// Reconstructs by one criterion and checks.
-[[nodiscard]] Attempt attempt(const GeneratedStack& generated, Criterion criterion, Excuse excuse);
+/// Reconstructs by one criterion, with so many sections between two (ReconstructOptions::between),
+/// and checks.
+[[nodiscard]] Attempt attempt(const GeneratedStack& generated, Criterion criterion, Excuse excuse,
+                              std::optional<std::size_t> between = 0);
 
 struct KindTally {
   StackKind kind{};

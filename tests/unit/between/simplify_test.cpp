@@ -137,7 +137,7 @@ TEST(Simplify, NoContoursAreNoTrouble) {
 
 TEST(Chords, AreDividedUntilAllVerticesAreThere) {
   const Contour was = flower(0, 0, 3, 64);
-  ContourChords chords(was, 1);
+  ContourChords chords(was, 1, 1e9);
   EXPECT_LT(chords.contour().vertices.size(), 10U);
   for (int round = 0; round < 64; ++round) {
     bool divided = false;
