@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <queue>
+#include <utility>
 
 #include "core/union_find.hpp"
 
@@ -14,16 +15,23 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-PathSearch::PathSearch(const motion::LatticeWindow& window, Steps steps)
-    : neighbour_count_(steps == Steps::straight ? 4 : 8),
-      distance_(window.size(), kNever),
-      from_(window.size(), 0),
-      front_(window.size(), 0),
-      settled_(window.size(), 0) {
+SampleSteps straight_steps(const motion::LatticeWindow& window) {
   const auto nx = static_cast<std::int64_t>(window.nx());
-  const std::int64_t all[8] = {1, -1, nx, -nx, nx + 1, nx - 1, -nx + 1, -nx - 1};
-  std::copy(all, all + 8, neighbours_);
+  return {1, -1, nx, -nx};
 }
+
+SampleSteps steps_with_diagonals(const motion::LatticeWindow& window) {
+  const auto nx = static_cast<std::int64_t>(window.nx());
+  return {1, -1, nx, -nx, nx + 1, nx - 1, -nx + 1, -nx - 1};
+}
+
+PathSearch::PathSearch(std::size_t places, SampleSteps steps, SamplePassage may_pass)
+    : steps_(std::move(steps)),
+      may_pass_(std::move(may_pass)),
+      distance_(places, kNever),
+      from_(places, 0),
+      front_(places, 0),
+      settled_(places, 0) {}
 
 void PathSearch::clear() {
   for (const std::uint32_t place : touched_) {
@@ -44,19 +52,26 @@ void PathSearch::start(const std::vector<std::uint32_t>& source, std::uint32_t f
   }
 }
 
+template <class Visit>
+void PathSearch::for_each_step(std::uint32_t place, const Visit& visit) const {
+  for (const std::int64_t step : steps_) {
+    const auto next = static_cast<std::uint32_t>(std::int64_t{place} + step);
+    if (!may_pass_ || may_pass_(place, next)) visit(next);
+  }
+}
+
 void PathSearch::step_on(std::uint32_t place, const SampleCost& cost) {
-  for (std::size_t n = 0; n < neighbour_count_; ++n) {
-    const auto next = static_cast<std::uint32_t>(std::int64_t{place} + neighbours_[n]);
-    if (settled_[next] != 0) continue;
-    const double distance = distance_[place] + cost(next);
-    if (!(distance < distance_[next])) continue;
+  for_each_step(place, [&](std::uint32_t next) {
+    if (next < settled_.size() && settled_[next] != 0) return;
+    const double on = cost(next);
+    if (on == kNever || !(distance_[place] + on < distance_[next])) return;
     if (distance_[next] == kNever) touched_.push_back(next);
-    distance_[next] = distance;
+    distance_[next] = distance_[place] + on;
     from_[next] = place;
     front_[next] = front_[place];
-    waiting_.push_back({distance, next});
+    waiting_.push_back({distance_[next], next});
     std::push_heap(waiting_.begin(), waiting_.end(), std::greater<>());
-  }
+  });
 }
 
 std::optional<std::uint32_t> PathSearch::settle_next() {
@@ -72,39 +87,43 @@ std::optional<std::uint32_t> PathSearch::settle_next() {
 }
 
 void PathSearch::append_way_back(std::uint32_t place, SamplePath& path) const {
-  for (; from_[place] != place; place = from_[place]) path.push_back(place);
+  for (path.push_back(place); from_[place] != place;) path.push_back(place = from_[place]);
 }
 
 std::vector<SamplePath> PathSearch::join(const std::vector<std::vector<std::uint32_t>>& sources,
                                          const SampleCost& cost) {
   clear();
   for (std::uint32_t s = 0; s < sources.size(); ++s) start(sources[s], s);
-  for (const std::vector<std::uint32_t>& source : sources) {
-    for (const std::uint32_t place : source) step_on(place, cost);
-  }
   std::vector<SamplePath> paths;
   UnionFind joined(sources.size());
   std::priority_queue<Meeting, std::vector<Meeting>, std::greater<>> meetings;
+  const auto go_on = [&](std::uint32_t place) {
+    for_each_step(place, [&](std::uint32_t other) {
+      if (other < settled_.size() && settled_[other] != 0 && front_[other] != front_[place]) {
+        meetings.push({distance_[place] + distance_[other], place, other});
+      }
+    });
+    step_on(place, cost);
+  };
   // Meetings found later cost at least as much as the nearest place that is not settled.
   const auto take_meetings = [&](double limit) {
     for (; !meetings.empty() && meetings.top().cost <= limit; meetings.pop()) {
       const Meeting& meeting = meetings.top();
       if (!joined.unite(front_[meeting.from], front_[meeting.to])) continue;
-      append_way_back(meeting.from, paths.emplace_back());
-      append_way_back(meeting.to, paths.back());
+      SamplePath& path = paths.emplace_back();
+      append_way_back(meeting.from, path);
+      std::reverse(path.begin(), path.end());
+      append_way_back(meeting.to, path);
     }
   };
+  for (const std::vector<std::uint32_t>& source : sources) {
+    for (const std::uint32_t place : source) go_on(place);
+  }
   while (paths.size() + 1 < sources.size()) {
     const std::optional<std::uint32_t> place = settle_next();
     take_meetings(place ? distance_[*place] : kNever);
     if (!place) break;
-    for (std::size_t n = 0; n < neighbour_count_; ++n) {
-      const auto other = static_cast<std::uint32_t>(std::int64_t{*place} + neighbours_[n]);
-      if (settled_[other] != 0 && front_[other] != front_[*place]) {
-        meetings.push({distance_[*place] + distance_[other], *place, other});
-      }
-    }
-    step_on(*place, cost);
+    go_on(*place);
   }
   return paths;
 }
@@ -121,7 +140,7 @@ std::optional<SamplePath> PathSearch::reach(const std::vector<std::uint32_t>& so
       continue;
     }
     SamplePath path;
-    append_way_back(from_[*place], path);
+    append_way_back(*place, path);
     return path;
   }
   return std::nullopt;

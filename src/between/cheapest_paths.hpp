@@ -1,5 +1,4 @@
-// Cheapest paths over the samples of a window (Dijkstra, Numerische Mathematik 1, 1959), no farther
-// than it takes.
+// Cheapest paths over samples (Dijkstra, Numerische Mathematik 1, 1959), no farther than it takes.
 #pragma once
 
 #include <cstddef>
@@ -14,24 +13,30 @@ namespace tetloft::internal::between {
 
 /// What it costs to step on the sample at this place; infinite where no path may go.
 using SampleCost = std::function<double(std::uint32_t)>;
+/// May paths step from one place to another?
+using SamplePassage = std::function<bool(std::uint32_t, std::uint32_t)>;
 /// Places.
 using SamplePath = std::vector<std::uint32_t>;
 
-enum class Steps { straight, diagonal_too };
+/// By how much places of samples differ that are one step apart.
+using SampleSteps = std::vector<std::int64_t>;
+[[nodiscard]] SampleSteps straight_steps(const motion::LatticeWindow& window);
+[[nodiscard]] SampleSteps steps_with_diagonals(const motion::LatticeWindow& window);
 
 class PathSearch {
  public:
-  /// Steps are to the four neighbours of a sample, or to all eight.
-  PathSearch(const motion::LatticeWindow& window, Steps steps);
+  /// Of places 0 … places − 1. What is stepped on from a source has a cost, and those of cost not
+  /// infinite lead to places only.
+  PathSearch(std::size_t places, SampleSteps steps, SamplePassage may_pass = {});
 
   /// Paths that join the sources, each a set of places, to as few sets as can be, by the least tree
-  /// (Kruskal, Proc. AMS 7, 1956) of the paths where fronts from two sources meet. Without the
-  /// sources' own places. Requires that sources do not meet and, as of reach(), that no path leads
-  /// from the border of the window.
+  /// (Kruskal, Proc. AMS 7, 1956) of the paths where fronts from two sources meet. Each runs
+  /// from one source to another, with a place of either at its ends.
   [[nodiscard]] std::vector<SamplePath> join(const std::vector<std::vector<std::uint32_t>>& sources,
                                              const SampleCost& cost);
 
-  /// The path from the sources to the nearest target, without these two; none if there is no way.
+  /// The path to the nearest target from the sources, with a place of either at its ends; none if
+  /// there is no way.
   [[nodiscard]] std::optional<SamplePath> reach(const std::vector<std::uint32_t>& sources,
                                                 const std::function<bool(std::uint32_t)>& target,
                                                 const SampleCost& cost);
@@ -60,11 +65,15 @@ class PathSearch {
   void step_on(std::uint32_t place, const SampleCost& cost);
   /// The nearest place not settled yet, and settles it; none if all are.
   [[nodiscard]] std::optional<std::uint32_t> settle_next();
-  /// Appends the places from here back to the source, without the latter's.
+  /// Appends the places from here back to the source.
   void append_way_back(std::uint32_t place, SamplePath& path) const;
 
-  std::int64_t neighbours_[8];
-  std::size_t neighbour_count_;
+  /// Calls visit(place) for the places one step away, some of them perhaps out of range.
+  template <class Visit>
+  void for_each_step(std::uint32_t place, const Visit& visit) const;
+
+  SampleSteps steps_;
+  SamplePassage may_pass_;        // or everywhere
   std::vector<double> distance_;  // by place
   std::vector<std::uint32_t> from_, front_;
   std::vector<std::uint8_t> settled_;

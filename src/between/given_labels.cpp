@@ -19,25 +19,37 @@ constexpr double kThickening = 0.72;
 // A contour of the class, in lattice units.
 struct LatticeContour {
   std::vector<Point2> vertices;
-  std::uint32_t solid = 0;  // of its region
-  std::uint32_t hole = 0;   // or kNoNode for outer contours
+  std::uint32_t solid = 0;       // of its region
+  std::uint32_t hole = kNoNode;  // none of outer contours
   std::uint32_t depth = 0;
 };
 
+const Point2& lowest_vertex(const std::vector<Point2>& vertices) {
+  return *std::min_element(vertices.begin(), vertices.end(),
+                           [](const Point2& a, const Point2& b) { return canonical_less(a, b); });
+}
+
+// By their lowest vertices, so that nothing depends on their order in the section.
 std::vector<LatticeContour> contours_of(const GivenRegions& given) {
   IdVector<RegionId, std::uint32_t> node(given.nesting.outer.size(), kNoNode);
   for (std::uint32_t n = 0; n < given.regions.size(); ++n) node[given.regions[n]] = n;
   std::vector<LatticeContour> contours;
-  std::uint32_t holes = kExterior;
   for (const ContourId c : given.section.contours.ids()) {
     const std::uint32_t solid = node[given.nesting.region[c]];
     if (solid == kNoNode) continue;
-    LatticeContour contour{{}, solid, kNoNode, given.nesting.depth[c]};
-    if (contour.depth % 2 == 1) contour.hole = ++holes;
+    LatticeContour& contour = contours.emplace_back();
+    contour.solid = solid;
+    contour.depth = given.nesting.depth[c];
     for (const Point2& p : given.section.contours[c].vertices) {
       contour.vertices.push_back({p.x / given.step, p.y / given.step});
     }
-    contours.push_back(std::move(contour));
+  }
+  std::sort(contours.begin(), contours.end(), [](const auto& a, const auto& b) {
+    return canonical_less(lowest_vertex(a.vertices), lowest_vertex(b.vertices));
+  });
+  std::uint32_t holes = kExterior;
+  for (LatticeContour& contour : contours) {
+    if (contour.depth % 2 == 1) contour.hole = ++holes;
   }
   return contours;
 }
@@ -189,6 +201,22 @@ void count(LayerLabels& labels, std::size_t nodes) {
   }
 }
 
+// Regions too small to have a sample get the one nearest to their lowest vertex.
+void give_one_each(const std::vector<LatticeContour>& contours, const LatticeWindow& w,
+                   LayerLabels& solids) {
+  for (const LatticeContour& contour : contours) {
+    if (contour.hole != kNoNode || solids.size[contour.solid] > 0) continue;
+    const Point2& lowest = lowest_vertex(contour.vertices);
+    const std::int64_t i = first_index(lowest.x - 0.5, w.i0, w.i1 - 1);
+    const std::int64_t j = first_index(lowest.y - 0.5, w.j0, w.j1 - 1);
+    std::uint32_t& node = solids.node[w.place(i, j)];
+    if (node != kNoNode && solids.size[node] == 1) continue;
+    if (node != kNoNode) --solids.size[node];
+    node = contour.solid;
+    solids.size[node] = 1;
+  }
+}
+
 }  // namespace
 
 GivenLabels label_given(const GivenRegions& given, const LatticeWindow& window) {
@@ -199,6 +227,7 @@ GivenLabels label_given(const GivenRegions& given, const LatticeWindow& window) 
   label_rows(contours, window, labels);
   thicken(contours, window, labels.solids);
   count(labels.solids, given.regions.size());
+  give_one_each(contours, window, labels.solids);
   const auto holes = std::count_if(contours.begin(), contours.end(),
                                    [](const auto& contour) { return contour.hole != kNoNode; });
   count(labels.voids, static_cast<std::size_t>(holes) + 1);

@@ -24,7 +24,7 @@ struct GivenRegions {
 
 struct GivenLabels {
   /// Node n is regions[n]. It has the samples within it, and those nearer to it than 0.72 steps
-  /// that are in none.
+  /// that are in none; or one sample of another region's, if that can spare it.
   LayerLabels solids;
   /// The exterior, and each hole contour with what is in it and in none of the regions inside that
   /// hole.

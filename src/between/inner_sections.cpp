@@ -37,21 +37,24 @@ std::optional<Point2> rigid_motion(const SlabShape& slab, ClassId c) {
   return Point2{high->x - low->x, high->y - low->y};
 }
 
+ClassShape shape_of(const SlabShape& slab, ClassId c, const std::optional<Point2>& rigid) {
+  return interpolate(slab.classes[c].outlines, slab.step, slab.at, rigid);
+}
+
 }  // namespace
 
-InnerSections trace_between(const SlabShape& shape) {
+InnerSections trace_between(const SlabShape& slab) {
   ClassShapes shapes;
-  for (const SlabClass& c : shape.classes) {
-    shapes.push_back(interpolate(c.outlines, shape.step, shape.at));
-  }
-  TracedShapes traced = trace_shapes(shape, shapes);
+  for (const ClassId c : slab.classes.ids()) shapes.push_back(shape_of(slab, c, std::nullopt));
+  TracedShapes traced = trace_shapes(slab, shapes);
   if (traced.left_apart.empty()) return traced.inner;
   for (const ClassId c : traced.left_apart) {
-    const std::optional<Point2> rigid = rigid_motion(shape, c);
-    if (!rigid) return {};
-    shapes[c] = interpolate(shape.classes[c].outlines, shape.step, shape.at, rigid);
+    if (const auto rigid = rigid_motion(slab, c)) shapes[c] = shape_of(slab, c, rigid);
   }
-  return trace_shapes(shape, shapes).inner;
+  traced = trace_shapes(slab, shapes);
+  if (traced.left_apart.empty()) return traced.inner;
+  for (const ClassId c : traced.left_apart) shapes[c] = shape_of(slab, c, std::nullopt);
+  return trace_shapes(slab, shapes, traced.left_apart).inner;
 }
 
 }  // namespace tetloft::internal::between

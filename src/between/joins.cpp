@@ -54,7 +54,7 @@ class JoinCost {
 bool join_parts(const std::vector<DoublyConnected>& groups, ForeignSamples& foreign,
                 std::size_t layer, ClassShape& shape, LayerLabels& labels) {
   if (groups.empty()) return false;
-  PathSearch search(shape.window, Steps::straight);
+  PathSearch search(shape.window.size(), straight_steps(shape.window));
   const std::vector<std::vector<std::uint32_t>> samples = samples_by_node(labels);
   bool changed = false;
   for (const DoublyConnected& group : groups) {
@@ -65,6 +65,7 @@ bool join_parts(const std::vector<DoublyConnected>& groups, ForeignSamples& fore
     for (const SamplePath& path : paths) {
       changed = true;
       for (const std::uint32_t place : path) {
+        if (shape.value[layer][place] < 0) continue;  // an end
         shape.value[layer][place] = kPathValue;
         labels.node[place] = group.nodes.front();
       }

@@ -4,10 +4,12 @@
 #include <cstdint>
 #include <utility>
 
+#include "between/bridges.hpp"
 #include "between/given_labels.hpp"
 #include "between/joins.hpp"
 #include "between/layer_labels.hpp"
 #include "between/void_repair.hpp"
+#include "core/sort_distinct.hpp"
 
 namespace tetloft::internal::between {
 
@@ -29,6 +31,11 @@ class ClassRepair {
                            shape_.window)),
         foreign_(fields.shapes, fields.meetings, c) {}
 
+  [[nodiscard]] LayerGraph bridged() {
+    ties_ = bridge_parts(repaired(), foreign_, shape_);
+    return repaired();
+  }
+
   [[nodiscard]] LayerGraph repaired() {
     for (int round = 0; round < kRounds; ++round) {
       LayerGraph graph = anchored_solids();
@@ -48,7 +55,13 @@ class ClassRepair {
       layers.push_back(label_solids(shape_.window, shape_.value[k]));
     }
     layers.push_back(upper_.solids);
-    return connect_layers(NodeKind::solid, shape_, fields_.slab.at, std::move(layers));
+    LayerGraph graph = connect_layers(NodeKind::solid, shape_, fields_.slab.at, std::move(layers));
+    for (const auto& [below, place] : ties_) {
+      const LayerEdge edge{graph.layers[below].node[place], graph.layers[below + 1].node[place]};
+      if (edge.first != kNoNode && edge.second != kNoNode) graph.edges[below].push_back(edge);
+    }
+    for (std::vector<LayerEdge>& edges : graph.edges) sort_distinct(edges);
+    return graph;
   }
 
   // Without the parts that hang together with no given region.
@@ -104,12 +117,14 @@ class ClassRepair {
   ClassShape& shape_;
   GivenLabels lower_, upper_;
   ForeignSamples foreign_;
+  std::vector<LayerTie> ties_;
 };
 
 }  // namespace
 
-LayerGraph apply_reeb_rule(const SlabFields& fields, ClassId c) {
-  return ClassRepair(fields, c).repaired();
+LayerGraph apply_reeb_rule(const SlabFields& fields, ClassId c, ApartParts parts) {
+  ClassRepair repair(fields, c);
+  return parts == ApartParts::bridged ? repair.bridged() : repair.repaired();
 }
 
 }  // namespace tetloft::internal::between

@@ -17,9 +17,12 @@ struct SlabFields {
   const std::vector<MeetingWindows>& meetings;
 };
 
+enum class ApartParts { stay, bridged };
+
 /// Repairs the layers between of class c, and returns the graph of its solids then: of the regions
 /// slab.classes[c].lower, as they are numbered there, of the parts in each layer between, and of
-/// the regions slab.classes[c].upper. No part between is connected to no region.
-LayerGraph apply_reeb_rule(const SlabFields& fields, ClassId c);
+/// the regions slab.classes[c].upper. No part between is connected to no region. Parts that the
+/// layers between do not connect stay so, or are bridged (bridges.hpp).
+LayerGraph apply_reeb_rule(const SlabFields& fields, ClassId c, ApartParts parts);
 
 }  // namespace tetloft::internal::between

@@ -38,7 +38,8 @@ bool are_sampled(const SlabShape& slab, const ClassShapes& shapes) {
 
 }  // namespace
 
-TracedShapes trace_shapes(const SlabShape& slab, ClassShapes& shapes) {
+TracedShapes trace_shapes(const SlabShape& slab, ClassShapes& shapes,
+                          const std::vector<ClassId>& bridged) {
   TracedShapes result;
   const std::vector<double> z = heights(slab);
   if (z.empty() || !are_sampled(slab, shapes)) return result;
@@ -46,7 +47,9 @@ TracedShapes trace_shapes(const SlabShape& slab, ClassShapes& shapes) {
   compete(shapes, meetings);
   IdVector<ClassId, LayerGraph> solids;
   for (const ClassId c : shapes.ids()) {
-    solids.push_back(apply_reeb_rule({slab, shapes, meetings}, c));
+    const bool bridge = std::binary_search(bridged.begin(), bridged.end(), c);
+    solids.push_back(apply_reeb_rule({slab, shapes, meetings}, c,
+                                     bridge ? ApartParts::bridged : ApartParts::stay));
   }
   part_contours(shapes, meetings);
   std::vector<TracedLayer> layers;

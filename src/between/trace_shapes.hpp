@@ -8,13 +8,15 @@
 
 namespace tetloft::internal::between {
 
-/// Traces the shapes, one for each class of the slab, and changes their layers between in doing so.
 struct TracedShapes {
-  InnerSections inner;              ///< none where trace_between() says so, and where classes are
-                                    ///< left in parts
+  /// None where trace_between() says so, and where classes are left in parts.
+  InnerSections inner;
   std::vector<ClassId> left_apart;  ///< such classes, ascending
 };
 
-[[nodiscard]] TracedShapes trace_shapes(const SlabShape& slab, ClassShapes& shapes);
+/// Traces the shapes, one for each class of the slab, and changes their layers between in doing so.
+/// Parts of the classes `bridged`, ascending, that are left apart are bridged.
+[[nodiscard]] TracedShapes trace_shapes(const SlabShape& slab, ClassShapes& shapes,
+                                        const std::vector<ClassId>& bridged = {});
 
 }  // namespace tetloft::internal::between

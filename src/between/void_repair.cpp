@@ -35,7 +35,7 @@ class VoidRepair {
     if (open.empty()) return false;
     node_ = voids_.graph.layers[layer_].node;
     samples_ = samples_by_node(voids_.graph.layers[layer_]);
-    PathSearch search(shape_.window, Steps::diagonal_too);
+    PathSearch search(shape_.window.size(), steps_with_diagonals(shape_.window));
     bool changed = false;
     for (const std::uint32_t n : to_be_closed(open)) changed |= close(n, search);
     return changed;
@@ -129,32 +129,18 @@ class VoidRepair {
     return thickest;
   }
 
-  // Void n and the path to its neighbour become a part of that.
+  // Void n and the path from its neighbour to it become a part of that.
   void open(std::uint32_t n, const SamplePath& path) {
-    const std::uint32_t to = neighbour_at(n, path.front());
+    const std::uint32_t to = node_[path.front()];
+    std::vector<std::uint32_t> more = samples_[n];
     for (const std::uint32_t place : path) {
+      if (node_[place] != kNoNode) continue;  // an end
       value_[place] = kOpened;
-      node_[place] = to;
+      more.push_back(place);
     }
-    for (const std::uint32_t place : samples_[n]) node_[place] = to;
-    if (to != kExterior) {
-      samples_[to].insert(samples_[to].end(), path.begin(), path.end());
-      samples_[to].insert(samples_[to].end(), samples_[n].begin(), samples_[n].end());
-    }
+    for (const std::uint32_t place : more) node_[place] = to;
+    if (to != kExterior) samples_[to].insert(samples_[to].end(), more.begin(), more.end());
     group_[n] = kNoGroup;
-  }
-
-  // The neighbour of void n around this place, the lowest one.
-  [[nodiscard]] std::uint32_t neighbour_at(std::uint32_t n, std::uint32_t place) const {
-    const auto nx = static_cast<std::int64_t>(shape_.window.nx());
-    std::uint32_t lowest = kNoNode;
-    for (const std::int64_t dj : {-nx, std::int64_t{0}, nx}) {
-      for (const std::int64_t di : {-1, 0, 1}) {
-        const std::uint32_t other = node_[static_cast<std::size_t>(std::int64_t{place} + dj + di)];
-        if (is_neighbour(n, other)) lowest = std::min(lowest, other);
-      }
-    }
-    return lowest;
   }
 
   const VoidGraph& voids_;

@@ -158,6 +158,7 @@ std::string to_json(const Reconstruction& result, const StackInput& input, const
   json.begin_object();
   json.member("slices", report.slices);
   json.member("sections_between", report.sections_between);
+  json.member("sections_given_up", report.sections_given_up);
   json.member("contours", report.contours);
   json.member("input_vertices", report.input_vertices);
   json.member("split_vertices", report.split_vertices);
@@ -199,7 +200,11 @@ std::string to_text(const Reconstruction& result, const StackInput& input, const
   text += counted(report.slices, "section") + ", " +
           (report.sections_between == 0
                ? std::string()
-               : counted(report.sections_between, "section") + " put between, ") +
+               : counted(report.sections_between, "section") + " put between" +
+                     (report.sections_given_up == 0
+                          ? std::string()
+                          : " and " + std::to_string(report.sections_given_up) + " given up") +
+                     ", ") +
           counted(report.contours, "contour") + ", " + std::to_string(report.input_vertices) +
           " input vertices and " + std::to_string(report.split_vertices) +
           " inserted on contours\n";

@@ -344,14 +344,20 @@ Result<SlabOutcome> build_slab_between(SlabId id, const ConformingSection& lower
                                        const SlabOptions& options) {
   if (inner.sections.empty()) return build_slab(id, lower, upper, links, options);
   std::optional<SlabSolid> layered = LayeredSlab(id, lower, upper, links, inner, options).build();
-  if (!layered) return build_slab(id, lower, upper, links, options);
-  layered->deviations = deviations_of(*layered, lower, upper, links);
-  if (departure(*layered) == 0) return SlabOutcome(std::move(*layered));
+  if (layered) layered->deviations = deviations_of(*layered, lower, upper, links);
+  if (layered && departure(*layered) == 0) return SlabOutcome(std::move(*layered));
   Result<SlabOutcome> plain = build_slab(id, lower, upper, links, options);
-  if (!plain || std::holds_alternative<RefineHere>(*plain)) return plain;
-  const auto* const solid = std::get_if<SlabSolid>(&*plain);
-  if (solid != nullptr && departure(*solid) < departure(*layered)) return plain;
-  return SlabOutcome(std::move(*layered));
+  if (!plain) return plain;
+  auto* const solid = std::get_if<SlabSolid>(&*plain);
+  const bool unbuildable = std::holds_alternative<Unconnectable>(*plain) ||
+                           std::holds_alternative<Unrepresentable>(*plain);
+  if (layered && (unbuildable || (solid != nullptr && departure(*layered) <= departure(*solid)))) {
+    return SlabOutcome(std::move(*layered));
+  }
+  if (solid != nullptr) {
+    solid->sections_given_up = static_cast<std::uint32_t>(inner.sections.size());
+  }
+  return plain;
 }
 
 }  // namespace tetloft::internal

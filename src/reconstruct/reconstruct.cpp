@@ -64,6 +64,7 @@ void add_up(const std::vector<Part>& parts, ReconstructReport& report) {
     for (std::size_t s = 0; s < kSteps; ++s) report.seconds[s] += part.solid.seconds[s];
     report.work += part.solid.work;
     report.sections_between += part.solid.sections_between;
+    report.sections_given_up += part.solid.sections_given_up;
     report.smallest_lift = std::min(report.smallest_lift, part.solid.smallest_lift);
   }
 }

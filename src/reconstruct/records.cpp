@@ -338,6 +338,7 @@ std::string to_record(const SlabSolid& solid) {
   out.put_all(solid.seconds);
   out.put(solid.work);
   out.put(solid.sections_between);
+  out.put(solid.sections_given_up);
   out.put_all(solid.chi);
   out.put_count(solid.deviations.size());
   for (const SlabDeviation& deviation : solid.deviations) {
@@ -371,6 +372,7 @@ Result<SlabSolid> solid_from_record(std::string_view bytes, const std::string& n
     const std::vector<double> seconds = in.get_all<double>();
     solid.work = in.get<std::uint64_t>();
     solid.sections_between = in.get<std::uint32_t>();
+    solid.sections_given_up = in.get<std::uint32_t>();
     solid.chi.raw() = in.get_all<std::int32_t>();
     solid.deviations.resize(in.get_count(4 * sizeof(std::uint32_t)));
     for (SlabDeviation& deviation : solid.deviations) {

@@ -41,6 +41,7 @@ struct SlabSolid {
   StepSeconds seconds{};
   std::uint64_t work = 0;  ///< ReconstructReport::work
   std::uint32_t sections_between = 0;
+  std::uint32_t sections_given_up = 0;  ///< that were to be put between
   /// Euler characteristic of each class (SlabClasses).
   IdVector<ClassId, std::int32_t> chi;
   /// By region; none where nothing was decided about voids.

@@ -211,7 +211,7 @@ TEST(ReebRule, AHoleThatHoldsAnotherClassIsNotFilled) {
   ClassShapes shapes = slab.shapes();
   const std::vector<MeetingWindows> meetings = meeting_windows(shapes);
   compete(shapes, meetings);
-  apply_reeb_rule({slab.slab(), shapes, meetings}, ClassId(0));
+  apply_reeb_rule({slab.slab(), shapes, meetings}, ClassId(0), ApartParts::stay);
   const ClassShape& shape = shapes[ClassId(0)];
   EXPECT_GT(shape.value[2][shape.window.place(0, 0)], 0);
   EXPECT_GT(shape.value[2][shape.window.place(8, 0)], 0);
