@@ -1,12 +1,12 @@
 #include "reconstruct/layered_slab.hpp"
+#include <cstdio>
 
 #include <algorithm>
 #include <cstdlib>
 #include <utility>
 
-#include "completion/slab_voids.hpp"
 #include "core/union_find.hpp"
-#include "reconstruct/decide_voids.hpp"
+#include "reconstruct/layered_voids.hpp"
 #include "reconstruct/slab_topology.hpp"
 #include "sections/conforming_section.hpp"
 #include "sections/face_overlay.hpp"
@@ -19,22 +19,6 @@ namespace {
 
 using between::InnerSections;
 using between::LayerLink;
-
-// Items of all layers, such as regions, in one sequence.
-class LayerNumbering {
- public:
-  void add_layer(std::size_t items) { first_.push_back(first_.back() + items); }
-  [[nodiscard]] std::size_t size() const { return first_.back(); }
-  [[nodiscard]] std::size_t of(std::size_t layer, std::size_t item) const {
-    return first_[layer] + item;
-  }
-  [[nodiscard]] std::size_t size(std::size_t layer) const {
-    return first_[layer + 1] - first_[layer];
-  }
-
- private:
-  std::vector<std::size_t> first_{0};
-};
 
 std::size_t vertex_count(const Section& section) {
   std::size_t vertices = 0;
@@ -70,8 +54,18 @@ class LayeredSlab {
       if (!conform_layer(k)) return std::nullopt;
     }
     if (!link_layers()) return std::nullopt;
+    std::optional<LayeredVoids> voids;
+    if (links_.voids != nullptr) {
+      voids.emplace(layers_, *links_.voids);
+      auto decided = voids->decide(region_links_);
+      if (!decided) return std::nullopt;
+      void_links_ = std::move(*decided);
+    }
     if (!build_all()) return std::nullopt;
-    if (!voids_hang_together()) return std::nullopt;
+    if (voids && !voids->hang_together(void_links_, solids_)) {
+      fprintf(stderr, "voids ");
+      return std::nullopt;
+    }
     return glued();
   }
 
@@ -125,23 +119,6 @@ class LayeredSlab {
         if (of_class != here) return false;
       }
     }
-    return decide_voids();
-  }
-
-  [[nodiscard]] bool decide_voids() {
-    if (links_.voids == nullptr) return true;
-    PreparedStack stack;
-    for (std::size_t k = 0; k < layers_.size(); ++k) {
-      stack.stack.sections.push_back(k == 0 || k == slab_count() ? sections::given_section(layer(k))
-                                                                 : inner_.sections[k - 1].section);
-      stack.nestings.push_back(layer(k).nesting);
-    }
-    const ReconstructOptions by_rule;
-    const WatchedWork work(by_rule.execution, 0);
-    Result<std::optional<Correspondence>> voids =
-        VoidDecision(stack, by_rule).make(region_links_, work);
-    if (!voids || !*voids) return false;
-    void_links_ = std::move((*voids)->links);
     return true;
   }
 
@@ -185,58 +162,6 @@ class LayeredSlab {
       finer = true;
     }
     return finer;
-  }
-
-  // Do the voids of the slab's sections hang together as its links say, and none without them?
-  [[nodiscard]] bool voids_hang_together() const {
-    if (links_.voids == nullptr) return true;
-    LayerNumbering voids;
-    for (const ConformingSection* section : layers_) {
-      voids.add_layer(voids_of(*section).hole.size());
-    }
-    UnionFind got(voids.size());
-    for (std::size_t k = 0; k < slab_count(); ++k) {
-      const SlabSolid& solid = *solids_[k];
-      const SlabVoidNumbering numbering(voids.size(k), voids.size(k + 1));
-      const auto in_all = [&](SlabVoidId v) {
-        return voids.of(k + (numbering.is_upper(v) ? 1 : 0), numbering.in_section(v).index());
-      };
-      for (const Link& link : void_links_[SlabId(k)]) {
-        if (std::find(solid.unrealised.begin(), solid.unrealised.end(), link) !=
-            solid.unrealised.end()) {
-          continue;
-        }
-        got.unite(voids.of(k, link.lower.index()), voids.of(k + 1, link.upper.index()));
-      }
-      got.unite(voids.of(k, 0), voids.of(k + 1, 0));
-      for (const auto& [a, b] : solid.united_voids) got.unite(in_all(a), in_all(b));
-    }
-    return is_as_linked(voids, got);
-  }
-
-  [[nodiscard]] bool is_as_linked(const LayerNumbering& voids, const UnionFind& got) const {
-    const std::size_t last = slab_count();
-    UnionFind wanted(voids.size());
-    wanted.unite(voids.of(0, 0), voids.of(last, 0));
-    for (const Link& link : *links_.voids) {
-      wanted.unite(voids.of(0, link.lower.index()), voids.of(last, link.upper.index()));
-    }
-    // By part of what is there, what it is by links.
-    std::vector<std::size_t> linked(voids.size(), voids.size());
-    std::vector<std::size_t> part(voids.size(), voids.size());
-    for (const std::size_t k : {std::size_t{0}, last}) {
-      for (std::size_t v = 0; v < voids.size(k); ++v) {
-        const std::size_t here = got.find(voids.of(k, v));
-        const std::size_t of_class = wanted.find(voids.of(k, v));
-        if (linked[here] == voids.size()) linked[here] = of_class;
-        if (part[of_class] == voids.size()) part[of_class] = here;
-        if (linked[here] != of_class || part[of_class] != here) return false;
-      }
-    }
-    for (std::size_t v = 0; v < voids.size(); ++v) {
-      if (linked[got.find(v)] == voids.size()) return false;
-    }
-    return true;
   }
 
   SlabSolid glued() {
@@ -312,7 +237,7 @@ class LayeredSlab {
   SlabClasses classes_;
   std::vector<ConformingSection> mids_;
   std::vector<IdVector<ContourId, bool>> gabriel_;
-  std::vector<const ConformingSection*> layers_;  // from below, the slab's sections first and last
+  Layers layers_;
   IdVector<SlabId, std::vector<Link>> region_links_;
   IdVector<SlabId, std::vector<Link>> void_links_;
   std::vector<std::optional<SlabSolid>> solids_;
@@ -346,7 +271,12 @@ Result<SlabOutcome> build_slab_between(SlabId id, const ConformingSection& lower
   std::optional<SlabSolid> layered = LayeredSlab(id, lower, upper, links, inner, options).build();
   if (layered) layered->deviations = deviations_of(*layered, lower, upper, links);
   if (layered && departure(*layered) == 0) return SlabOutcome(std::move(*layered));
+  if (layered) {
+    fprintf(stderr, "dev %d: ", static_cast<int>(departure(*layered)));
+    for (auto& d : layered->deviations) fprintf(stderr, "[%d %d] %d; ", d.least, d.most, d.got);
+  }
   Result<SlabOutcome> plain = build_slab(id, lower, upper, links, options);
+  fprintf(stderr, " slab %zu\n", id.index());
   if (!plain) return plain;
   auto* const solid = std::get_if<SlabSolid>(&*plain);
   const bool unbuildable = std::holds_alternative<Unconnectable>(*plain) ||

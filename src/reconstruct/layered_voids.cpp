@@ -1,0 +1,139 @@
+#include "reconstruct/layered_voids.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "completion/slab_voids.hpp"
+#include "core/sort_distinct.hpp"
+#include "reconstruct/decide_voids.hpp"
+#include "sections/complement.hpp"
+#include "sections/conforming_section.hpp"
+
+namespace tetloft::internal {
+
+namespace {
+
+// Sets of voids that have the class of any member, or none yet.
+class ClassedVoids {
+ public:
+  ClassedVoids(std::vector<std::size_t> class_of, std::size_t none)
+      : sets_(class_of.size()), class_(std::move(class_of)), none_(none) {}
+
+  /// False where that would join two classes.
+  bool unite(std::size_t a, std::size_t b) {
+    a = sets_.find(a);
+    b = sets_.find(b);
+    if (class_[a] != none_ && class_[b] != none_ && class_[a] != class_[b]) return false;
+    const std::size_t both = std::min(class_[a], class_[b]);
+    sets_.unite(a, b);
+    class_[sets_.find(a)] = both;
+    return true;
+  }
+
+ private:
+  UnionFind sets_;
+  std::vector<std::size_t> class_;
+  std::size_t none_;
+};
+
+}  // namespace
+
+LayeredVoids::LayeredVoids(const Layers& layers, const std::vector<Link>& links) : layers_(layers) {
+  for (const ConformingSection* section : layers) {
+    numbering_.add_layer(voids_of(*section).hole.size());
+  }
+  UnionFind sets(numbering_.size());
+  sets.unite(numbering_.of(0, 0), numbering_.of(last(), 0));
+  for (const Link& link : links) {
+    sets.unite(numbering_.of(0, link.lower.index()), numbering_.of(last(), link.upper.index()));
+  }
+  class_of_.assign(numbering_.size(), none());
+  for (const std::size_t k : {std::size_t{0}, last()}) {
+    for (std::size_t v = 0; v < numbering_.size(k); ++v) {
+      class_of_[numbering_.of(k, v)] = sets.find(numbering_.of(k, v));
+    }
+  }
+}
+
+std::optional<IdVector<SlabId, std::vector<Link>>> LayeredVoids::decide(
+    const IdVector<SlabId, std::vector<Link>>& of_regions) const {
+  PreparedStack stack;
+  for (const ConformingSection* section : layers_) {
+    stack.stack.sections.push_back(sections::given_section(*section));
+    stack.nestings.push_back(section->nesting);
+  }
+  const ReconstructOptions by_rule;
+  const WatchedWork work(by_rule.execution, 0);
+  Result<std::optional<Correspondence>> voids = VoidDecision(stack, by_rule).make(of_regions, work);
+  if (!voids || !*voids) return std::nullopt;
+  return parted(std::move((*voids)->candidates));
+}
+
+IdVector<SlabId, std::vector<Link>> LayeredVoids::parted(StackCandidates candidates) const {
+  const auto below = [&](const Link& link) {
+    return numbering_.of(link.slab.index(), link.lower.index());
+  };
+  const auto above = [&](const Link& link) {
+    return numbering_.of(link.slab.index() + 1, link.upper.index());
+  };
+  ClassedVoids sets(class_of_, none());
+  IdVector<SlabId, std::vector<Link>> links(last());
+  for (const SlabId k : links.ids()) {
+    links[k].push_back({k, sections::kExterior, sections::kExterior});
+    sets.unite(below(links[k].front()), above(links[k].front()));
+  }
+  SlabCandidates made;
+  for (const SlabCandidates& slab : candidates) {
+    std::copy_if(slab.begin(), slab.end(), std::back_inserter(made),
+                 [](const LinkCandidate& candidate) { return candidate.made(); });
+  }
+  std::stable_sort(made.begin(), made.end(), [](const LinkCandidate& a, const LinkCandidate& b) {
+    return a.score() > b.score();
+  });
+  for (const LinkCandidate& candidate : made) {
+    const Link& link = candidate.link;
+    if (sets.unite(below(link), above(link))) links[link.slab].push_back(link);
+  }
+  for (std::vector<Link>& slab : links) sort_distinct(slab);
+  return links;
+}
+
+bool LayeredVoids::hang_together(const IdVector<SlabId, std::vector<Link>>& links,
+                                 const std::vector<std::optional<SlabSolid>>& solids) const {
+  UnionFind got(numbering_.size());
+  for (const SlabId k : links.ids()) {
+    const SlabSolid& solid = *solids[k.index()];
+    const SlabVoidNumbering in_slab(numbering_.size(k.index()), numbering_.size(k.index() + 1));
+    const auto in_all = [&](SlabVoidId v) {
+      return numbering_.of(k.index() + (in_slab.is_upper(v) ? 1 : 0),
+                           in_slab.in_section(v).index());
+    };
+    for (const Link& link : links[k]) {
+      const bool open = std::find(solid.unrealised.begin(), solid.unrealised.end(), link) ==
+                        solid.unrealised.end();
+      if (open) {
+        got.unite(in_all(in_slab.in_slab(false, link.lower)),
+                  in_all(in_slab.in_slab(true, link.upper)));
+      }
+    }
+    for (const auto& [a, b] : solid.united_voids) got.unite(in_all(a), in_all(b));
+  }
+  // Parts and classes must be the same sets.
+  std::vector<std::size_t> class_of_part(numbering_.size(), none());
+  std::vector<std::size_t> part_of_class(numbering_.size(), none());
+  for (std::size_t v = 0; v < class_of_.size(); ++v) {
+    if (class_of_[v] == none()) continue;
+    std::size_t& wanted = class_of_part[got.find(v)];
+    std::size_t& part = part_of_class[class_of_[v]];
+    if (wanted == none()) wanted = class_of_[v];
+    if (part == none()) part = got.find(v);
+    if (wanted != class_of_[v] || part != got.find(v)) return false;
+  }
+  for (std::size_t v = 0; v < class_of_.size(); ++v) {
+    if (class_of_part[got.find(v)] == none()) return false;
+  }
+  return true;
+}
+
+}  // namespace tetloft::internal

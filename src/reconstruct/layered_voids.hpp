@@ -1,0 +1,48 @@
+// The voids of a slab with sections between: which hang together from layer to layer, so that those
+// of the slab's own sections do as its links say.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <tetloft/conforming_section.hpp>
+
+#include "core/union_find.hpp"
+#include "correspondence/candidate.hpp"
+#include "reconstruct/layer_numbering.hpp"
+#include "reconstruct/slab_solid.hpp"
+#include "slab/link.hpp"
+
+namespace tetloft::internal {
+
+/// From below: the slab's lower section, those between, its upper one.
+using Layers = std::vector<const ConformingSection*>;
+
+class LayeredVoids {
+ public:
+  /// `links`: of the voids of the slab's sections. All must outlive this.
+  LayeredVoids(const Layers& layers, const std::vector<Link>& links);
+
+  /// Links of voids in each slab between: those of the rule (tetloft/voids.hpp) in the stack of the
+  /// layers, surest first, but for what would join voids that the slab's links do not. Nothing if
+  /// the rule refuses.
+  [[nodiscard]] std::optional<IdVector<SlabId, std::vector<Link>>> decide(
+      const IdVector<SlabId, std::vector<Link>>& of_regions) const;
+
+  /// Do the voids of the slab's sections hang together in these solids as its links say, and is
+  /// none without any of them? `links`: as decided.
+  [[nodiscard]] bool hang_together(const IdVector<SlabId, std::vector<Link>>& links,
+                                   const std::vector<std::optional<SlabSolid>>& solids) const;
+
+ private:
+  [[nodiscard]] std::size_t last() const { return layers_.size() - 1; }
+  [[nodiscard]] std::size_t none() const { return numbering_.size(); }
+  [[nodiscard]] IdVector<SlabId, std::vector<Link>> parted(StackCandidates candidates) const;
+
+  const Layers& layers_;
+  LayerNumbering numbering_;
+  /// By void: the class it has by the slab's links, none() between.
+  std::vector<std::size_t> class_of_;
+};
+
+}  // namespace tetloft::internal
