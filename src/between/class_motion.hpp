@@ -1,7 +1,6 @@
 // How a class moves through a slab, from place to place.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -12,20 +11,20 @@
 
 namespace tetloft::internal::between {
 
-/// How points move from the lower to the upper plane, at the nodes of a coarse lattice.
+/// How points half-way between the planes move from the lower to the upper one, at the nodes of a
+/// coarse lattice.
 struct MotionField {
-  /// Nodes (i, j) lie at (i, j) · spacing.
+  /// Two nodes along each axis at least; node (i, j) lies at (i · spacing, j · spacing).
   motion::LatticeWindow window;
   double spacing = 0;
   std::vector<Point2> node;
-  /// The longest motion along either axis.
-  [[nodiscard]] double longest() const;
-  /// Bilinear between nodes; outside the window as at the nearest node.
+  /// Bilinear between nodes; outside the window that of its border.
   [[nodiscard]] Point2 at(const Point2& p) const;
 };
 
-/// The motion of a class, in units of the stack, around its regions in the slab's two sections, as
-/// the README defines it; none where the class is at rest. Requires coordinates below 2^40 gaps.
+/// The motion of a class around its regions in the slab's two sections, as the README defines it,
+/// in units of the stack; none where the class is at rest, or nothing tells. Requires coordinates
+/// below 2^40 quarters of the gap.
 [[nodiscard]] std::optional<MotionField> estimate_motion(const ClassOutlines& outlines);
 
 }  // namespace tetloft::internal::between

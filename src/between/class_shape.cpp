@@ -5,7 +5,9 @@
 #include <cstdint>
 
 #include "between/class_motion.hpp"
+#include "between/section_cubic.hpp"
 #include "motion/distance_samples.hpp"
+#include "spatial/box_tree.hpp"
 
 namespace tetloft::internal::between {
 
@@ -15,15 +17,14 @@ using motion::DistanceSamples;
 using motion::LatticeEdges;
 using motion::LatticeWindow;
 
-constexpr double kTangent = 1.6;
-constexpr double kCapOut = 1.0;   // gaps
-constexpr double kReachIn = 1.0;  // gaps
-constexpr double kEnd = 0.0;      // one-sided tangent: 0 chord, 1 parabola
-// Between two sections a class may grow beyond both by as much, in gaps.
-constexpr double kOvergrowth = 0.5;
-// In steps: samples as near to the outlines are always in the window.
+// Distances are followed as far, in gaps, but no farther than as many sides of the class.
+constexpr double kReach = 0.7;
+constexpr double kWidest = 4;
+// Between two sections a class grows beyond both by less than this part of the reach.
+constexpr double kOvergrowth = 0.4;
+// In steps: samples as near to the given outlines are in the window.
 constexpr double kMargin = 2;
-// No value is 0: samples on the outline count as this far outside, in steps.
+// No value is 0: samples on an outline count as this far from it, in steps.
 constexpr double kOnOutline = 0x1p-30;
 // Doubles measure to a fraction of a step below this, in steps.
 constexpr double kLargestUnits = 0x1p40;
@@ -40,68 +41,38 @@ LatticeWindow window_around(const Box2& box, double margin) {
 }
 
 LatticeWindow common(const LatticeWindow& a, const LatticeWindow& b) {
-  LatticeWindow w{std::max(a.i0, b.i0), std::max(a.j0, b.j0), std::min(a.i1, b.i1),
-                  std::min(a.j1, b.j1)};
-  if (w.i1 < w.i0 || w.j1 < w.j0) w = {a.i0, a.j0, a.i0, a.j0};
-  return w;
+  const LatticeWindow w{std::max(a.i0, b.i0), std::max(a.j0, b.j0), std::min(a.i1, b.i1),
+                        std::min(a.j1, b.j1)};
+  return w.i0 < w.i1 && w.j0 < w.j1 ? w : LatticeWindow{};
 }
 
-// A section's signed distances at any point; outside `cap` at most.
-struct Field {
+// Signed distances of one section at any place; those outside the samples are `far`.
+struct DistanceField {
   DistanceSamples samples;
-  double cap = 0;
+  double far = 0;
 
-  [[nodiscard]] double sample(std::int64_t i, std::int64_t j) const {
+  [[nodiscard]] double at(std::int64_t i, std::int64_t j) const {
     const LatticeWindow& w = samples.window;
-    if (i < w.i0 || i >= w.i1 || j < w.j0 || j >= w.j1) return cap;
-    return std::min(*samples.at(i, j), cap);
+    if (i < w.i0 || i >= w.i1 || j < w.j0 || j >= w.j1) return far;
+    return *samples.at(i, j);
   }
   [[nodiscard]] double at(double x, double y) const {
-    const double fi = std::floor(x);
-    const double fj = std::floor(y);
-    const double fx = x - fi;
-    const double fy = y - fj;
-    const auto i = static_cast<std::int64_t>(fi);
-    const auto j = static_cast<std::int64_t>(fj);
-    const double a = sample(i, j);
-    const double b = sample(i + 1, j);
-    const double c = sample(i, j + 1);
-    const double d = sample(i + 1, j + 1);
-    const double low = a + fx * (b - a);
-    const double high = c + fx * (d - c);
-    return low + fy * (high - low);
+    const LatticeWindow& w = samples.window;
+    const double on_x = x - static_cast<double>(w.i0);
+    const double on_y = y - static_cast<double>(w.j0);
+    if (!(on_x >= 0 && on_y >= 0)) return far;
+    if (!(on_x < static_cast<double>(w.i1 - w.i0 - 1))) return far;
+    if (!(on_y < static_cast<double>(w.j1 - w.j0 - 1))) return far;
+    const auto i = static_cast<std::int64_t>(on_x);
+    const auto j = static_cast<std::int64_t>(on_y);
+    const double fx = on_x - static_cast<double>(i);
+    const double fy = on_y - static_cast<double>(j);
+    const double* const low = samples.at(w.i0 + i, w.j0 + j);
+    const double* const high = low + w.nx();
+    const double a = low[0] + fx * (low[1] - low[0]);
+    const double b = high[0] + fx * (high[1] - high[0]);
+    return a + fy * (b - a);
   }
-};
-
-// The cubic through the values of the slab's sections at shares of the gap.
-class Cubic {
- public:
-  Cubic(double t, std::optional<double> back, std::optional<double> on)
-      : t_(t), back_(back), on_(on) {
-    lower_ = kTangent * (t * ((1 - t) * (1 - t)));
-    upper_ = kTangent * ((1 - t) * (t * t));
-    if (back) lower_ /= 1 + *back;
-    if (on) upper_ /= 1 + *on;
-  }
-
-  [[nodiscard]] double at(const std::array<double, 4>& p) const {
-    const double chord = p[upper] - p[lower];
-    double d0 = back_ ? (p[lower] - p[behind]) / *back_ - chord : 0.0;
-    double d1 = on_ ? (p[beyond] - p[upper]) / *on_ - chord : 0.0;
-    const double e0 = lower_ * d0;
-    const double e1 = upper_ * d1;
-    const double straight = (1 - t_) * p[lower] + t_ * p[upper];
-    double v = straight + (e0 - e1);
-    if (!back_ && on_) v -= kEnd * kTangent * (t_ * ((1 - t_) * (1 - t_))) * d1 / (1 + *on_);
-    if (!on_ && back_) v += kEnd * kTangent * ((1 - t_) * (t_ * t_)) * d0 / (1 + *back_);
-    if (p[lower] < 0 && p[upper] < 0) v = std::min(v, 0.5 * std::max(p[lower], p[upper]));
-    return v;
-  }
-
- private:
-  double t_;
-  std::optional<double> back_, on_;
-  double lower_, upper_;
 };
 
 double never_zero(double v) { return v == 0 ? kOnOutline : v; }
@@ -118,123 +89,136 @@ std::vector<Value> part_of(const std::vector<Value>& all, const LatticeWindow& f
   return part;
 }
 
+// The samples inside in any layer, and those around them.
+LatticeWindow inside_of(const ClassShape& shape, LatticeWindow inside) {
+  const LatticeWindow& w = shape.window;
+  for (const std::vector<double>& value : shape.value) {
+    std::size_t k = 0;
+    for (std::int64_t j = w.j0; j < w.j1; ++j) {
+      for (std::int64_t i = w.i0; i < w.i1; ++i, ++k) {
+        if (value[k] < 0) inside = inside.joined({i - 1, j - 1, i + 2, j + 2});
+      }
+    }
+  }
+  return inside;
+}
+
 void crop(ClassShape& shape, const LatticeWindow& to) {
   for (std::vector<double>& value : shape.value) value = part_of(value, shape.window, to);
   shape.motion = part_of(shape.motion, shape.window, to);
   shape.window = to;
 }
 
+// All in steps.
 class Interpolation {
  public:
-  Interpolation(const ClassOutlines& outlines, double step) : step_(step) {
-    for (std::size_t s = 0; s < 4; ++s) edges_[s] = LatticeEdges(outlines.contours[s], step);
-    gap_ = *outlines.z[upper] - *outlines.z[lower];
-    if (outlines.z[behind]) back_ = (*outlines.z[lower] - *outlines.z[behind]) / gap_;
-    if (outlines.z[beyond]) on_ = (*outlines.z[beyond] - *outlines.z[upper]) / gap_;
-    share_ = {back_ ? -*back_ : 0, 0, 1, on_ ? 1 + *on_ : 1};
-    gap_ /= step;
+  Interpolation(const ClassOutlines& outlines, double step) {
+    for (const Around s : {behind, lower, upper, beyond}) {
+      edges_[s] = LatticeEdges(outlines.contours[s], step);
+    }
+    const double gap = *outlines.z[upper] - *outlines.z[lower];
+    if (outlines.z[behind]) {
+      beside_.behind = (*outlines.z[lower] - *outlines.z[behind]) / gap;
+      beside_.ends_behind = edges_[behind].empty() && !edges_[lower].empty();
+    }
+    if (outlines.z[beyond]) {
+      beside_.beyond = (*outlines.z[beyond] - *outlines.z[upper]) / gap;
+      beside_.ends_beyond = edges_[beyond].empty() && !edges_[upper].empty();
+    }
+    share_ = {-beside_.behind.value_or(0), 0, 1, 1 + beside_.beyond.value_or(0)};
     box_ = edges_[lower].box();
     box_.add(edges_[upper].box());
+    widest_ = kWidest * std::max(box_.x1 - box_.x0, box_.y1 - box_.y0);
+    reach_ = std::max(std::min(kReach * (gap / step), widest_), 1.0);
   }
 
   [[nodiscard]] bool fits() const {
-    return std::all_of(edges_.begin(), edges_.end(),
-                       [](const LatticeEdges& e) { return between::fits(e.box()); });
+    return std::all_of(edges_.begin(), edges_.end(), [](const LatticeEdges& edges) {
+      return edges.empty() || between::fits(edges.box());
+    });
   }
 
-  ClassShape run(const std::vector<double>& at, const std::optional<MotionField>& field,
-                 const Point2& rigid) {
-    const double longest =
-        field ? field->longest() / step_ : std::max(std::abs(rigid.x), std::abs(rigid.y));
-    const LatticeWindow window = window_around(box_, kOvergrowth * gap_ + longest + kMargin);
-    measure(window, longest);
-    ClassShape shape;
-    shape.window = window;
-    shape.motion.assign(window.size(), rigid);
-    if (field) {
-      std::size_t k = 0;
-      for (std::int64_t j = window.j0; j < window.j1; ++j) {
-        for (std::int64_t i = window.i0; i < window.i1; ++i, ++k) {
-          const Point2 u =
-              field->at({static_cast<double>(i) * step_, static_cast<double>(j) * step_});
-          shape.motion[k] = {u.x / step_, u.y / step_};
-        }
-      }
-    }
-    shape.value.push_back(given(window, lower));
-    for (const double t : at) shape.value.push_back(layer(window, t, shape.motion));
-    shape.value.push_back(given(window, upper));
-    crop(shape, inner_window(shape));
-    return shape;
+  // The window in which the class may be if no motion is longer.
+  [[nodiscard]] LatticeWindow window(double longest) const {
+    return window_around(box_, kOvergrowth * reach_ + longest + kMargin);
+  }
+  // Motions much longer than the class is wide would cost more than they tell.
+  [[nodiscard]] Point2 shortened(const Point2& u) const {
+    return {std::clamp(u.x, -widest_, widest_), std::clamp(u.y, -widest_, widest_)};
+  }
+
+  // `motion` by samples of the window, none longer than `longest` along an axis.
+  ClassShape shape(const std::vector<double>& at, std::vector<Point2> motion, double longest) {
+    ClassShape result;
+    result.window = window(longest);
+    result.motion = std::move(motion);
+    measure(result.window, longest);
+    result.value.push_back(given(result.window, lower));
+    for (const double share : at) result.value.push_back(layer(result, share));
+    result.value.push_back(given(result.window, upper));
+    crop(result, inside_of(result, window_around(box_, kMargin)));
+    return result;
   }
 
  private:
   void measure(const LatticeWindow& window, double longest) {
-    const double reach = std::max(kReachIn, kCapOut) * gap_;
     for (std::size_t s = 0; s < 4; ++s) {
-      field_[s].cap = kCapOut * gap_;
+      field_[s].far = reach_;
       if (edges_[s].empty()) continue;
-      const double far = std::max(1 - share_[s], share_[s]);
-      const LatticeWindow needed =
-          window.widened(static_cast<std::int64_t>(std::ceil(far * longest)) + 1);
-      field_[s].samples =
-          sample_distances(edges_[s], common(needed, window_around(edges_[s].box(), reach)), reach);
+      const double most = std::max(1 - share_[s], share_[s]) * longest;
+      const LatticeWindow looked_at =
+          window.widened(static_cast<std::int64_t>(std::ceil(most)) + 1);
+      const LatticeWindow reached = window_around(edges_[s].box(), reach_ + 1);
+      field_[s].samples = sample_distances(edges_[s], common(looked_at, reached), reach_);
     }
-  }
-
-  // What is needed of the window: the samples inside, those near the given outlines, and a border.
-  [[nodiscard]] LatticeWindow inner_window(const ClassShape& shape) const {
-    const LatticeWindow& w = shape.window;
-    LatticeWindow inner = common(window_around(box_, kMargin), w);
-    for (const std::vector<double>& value : shape.value) {
-      std::size_t k = 0;
-      for (std::int64_t j = w.j0; j < w.j1; ++j) {
-        for (std::int64_t i = w.i0; i < w.i1; ++i, ++k) {
-          if (value[k] < 0) inner = inner.joined({i - 1, j - 1, i + 2, j + 2});
-        }
-      }
-    }
-    return inner;
   }
 
   [[nodiscard]] std::vector<double> given(const LatticeWindow& w, Around s) const {
-    std::vector<double> value(w.size());
-    std::size_t k = 0;
+    std::vector<double> value;
+    value.reserve(w.size());
     for (std::int64_t j = w.j0; j < w.j1; ++j) {
-      for (std::int64_t i = w.i0; i < w.i1; ++i, ++k) value[k] = never_zero(field_[s].sample(i, j));
+      for (std::int64_t i = w.i0; i < w.i1; ++i) value.push_back(never_zero(field_[s].at(i, j)));
     }
     return value;
   }
 
-  [[nodiscard]] std::vector<double> layer(const LatticeWindow& w, double t,
-                                          const std::vector<Point2>& motion) const {
-    const Cubic cubic(t, back_, on_);
-    std::vector<double> value(w.size());
-    std::size_t k = 0;
-    std::array<double, 4> p{};
+  [[nodiscard]] std::vector<double> layer(const ClassShape& result, double share) const {
+    const SectionCubic cubic(share, beside_);
+    const LatticeWindow& w = result.window;
+    std::vector<double> value;
+    value.reserve(w.size());
+    auto motion = result.motion.begin();
     for (std::int64_t j = w.j0; j < w.j1; ++j) {
-      for (std::int64_t i = w.i0; i < w.i1; ++i, ++k) {
-        const Point2& u = motion[k];
-        for (std::size_t s = 0; s < 4; ++s) {
-          p[s] = u == Point2{} ? field_[s].sample(i, j)
-                               : field_[s].at(static_cast<double>(i) + (share_[s] - t) * u.x,
-                                              static_cast<double>(j) + (share_[s] - t) * u.y);
-        }
-        double v = cubic.at(p);
-        if (std::min(p[lower], p[upper]) >= kOvergrowth * gap_) v = std::max(v, kOnOutline);
-        value[k] = never_zero(v);
+      for (std::int64_t i = w.i0; i < w.i1; ++i) {
+        value.push_back(never_zero(between_sections(cubic, share, i, j, *motion++)));
       }
     }
     return value;
   }
 
-  double step_;
-  double gap_ = 0;  // in steps
-  std::optional<double> back_, on_;
-  std::array<double, 4> share_{};
+  [[nodiscard]] double between_sections(const SectionCubic& cubic, double share, std::int64_t i,
+                                        std::int64_t j, const Point2& u) const {
+    const auto moved = [&](Around s) {
+      if (u == Point2{}) return field_[s].at(i, j);
+      const double by = share_[s] - share;
+      return field_[s].at(static_cast<double>(i) + by * u.x, static_cast<double>(j) + by * u.y);
+    };
+    const double low = moved(lower);
+    const double high = moved(upper);
+    if (std::min(low, high) >= kOvergrowth * reach_) return std::min(low, high);
+    if (std::max(low, high) <= -reach_) return -reach_;
+    const double v = cubic.at({moved(behind), low, high, moved(beyond)});
+    // What both sections share is not given up.
+    return low < 0 && high < 0 ? std::min(v, 0.5 * std::max(low, high)) : v;
+  }
+
+  Beside beside_;
+  std::array<double, 4> share_{};  // heights, in gaps
   std::array<LatticeEdges, 4> edges_;
-  std::array<Field, 4> field_;
-  Box2 box_;
+  Box2 box_;           // of the class in the slab's sections
+  double widest_ = 0;  // what counts as far for a class of that size
+  double reach_ = 0;
+  std::array<DistanceField, 4> field_;
 };
 
 }  // namespace
@@ -243,8 +227,28 @@ ClassShape interpolate(const ClassOutlines& outlines, double step, const std::ve
                        const std::optional<Point2>& rigid) {
   Interpolation interpolation(outlines, step);
   if (!interpolation.fits()) return {};
-  if (rigid) return interpolation.run(at, std::nullopt, {rigid->x / step, rigid->y / step});
-  return interpolation.run(at, estimate_motion(outlines), {});
+  const std::optional<MotionField> field = rigid ? std::nullopt : estimate_motion(outlines);
+  if (!field) {
+    const Point2 u = rigid ? Point2{rigid->x / step, rigid->y / step} : Point2{};
+    const double longest = std::max(std::abs(u.x), std::abs(u.y));
+    return interpolation.shape(at, std::vector<Point2>(interpolation.window(longest).size(), u),
+                               longest);
+  }
+  double longest = 0;
+  for (const Point2& node : field->node) {
+    const Point2 u = interpolation.shortened({node.x / step, node.y / step});
+    longest = std::max({longest, std::abs(u.x), std::abs(u.y)});
+  }
+  const LatticeWindow w = interpolation.window(longest);
+  std::vector<Point2> motion;
+  motion.reserve(w.size());
+  for (std::int64_t j = w.j0; j < w.j1; ++j) {
+    for (std::int64_t i = w.i0; i < w.i1; ++i) {
+      const Point2 u = field->at({static_cast<double>(i) * step, static_cast<double>(j) * step});
+      motion.push_back(interpolation.shortened({u.x / step, u.y / step}));
+    }
+  }
+  return interpolation.shape(at, std::move(motion), longest);
 }
 
 }  // namespace tetloft::internal::between

@@ -126,7 +126,7 @@ TEST(ClassShape, GivenLayersAreDistancesToTheirContours) {
   const double step = 0.7;
   const ClassShape got = shape.at({0.25, 0.5}, step);
   ASSERT_EQ(got.value.size(), 4U);
-  const double near = 6 / step;
+  const double near = 0.7 * 6 / step;
   for (const auto& [layer, section] : {std::pair(std::size_t{0}, lower), {std::size_t{3}, upper}}) {
     for (std::int64_t j = got.window.j0; j < got.window.j1; ++j) {
       for (std::int64_t i = got.window.i0; i < got.window.i1; ++i) {
