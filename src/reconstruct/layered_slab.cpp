@@ -1,8 +1,6 @@
 #include "reconstruct/layered_slab.hpp"
-#include <cstdio>
 
 #include <algorithm>
-#include <cstdlib>
 #include <utility>
 
 #include "core/union_find.hpp"
@@ -48,25 +46,34 @@ class LayeredSlab {
     options_.may_ask = false;
   }
 
-  /// Nothing where the solid is none, or hangs together in another way than the links say.
-  std::optional<SlabSolid> build() {
+  /// Conforms the sections between and links them: the links of voids that get lost whatever is
+  /// built. Nothing where regions hang together in another way than the links say.
+  std::optional<std::size_t> prepare() {
     for (std::size_t k = 0; k < mids_.size(); ++k) {
       if (!conform_layer(k)) return std::nullopt;
     }
     if (!link_layers()) return std::nullopt;
-    std::optional<LayeredVoids> voids;
-    if (links_.voids != nullptr) {
-      voids.emplace(layers_, *links_.voids);
-      auto decided = voids->decide(region_links_);
-      if (!decided) return std::nullopt;
-      void_links_ = std::move(*decided);
-    }
+    if (links_.voids == nullptr) return 0;
+    voids_.emplace(layers_, *links_.voids);
+    auto decided = voids_->decide(region_links_);
+    if (!decided) return std::nullopt;
+    void_links_ = std::move(*decided);
+    const std::optional<RealisedVoids> at_best = voids_->realised(void_links_, {});
+    if (!at_best) return std::nullopt;
+    return at_best->unrealised.size();
+  }
+
+  /// Nothing where there is no solid, or voids hang together that should not.
+  std::optional<SlabSolid> build() {
     if (!build_all()) return std::nullopt;
-    if (voids && !voids->hang_together(void_links_, solids_)) {
-      fprintf(stderr, "voids ");
-      return std::nullopt;
-    }
-    return glued();
+    if (!voids_) return glued();
+    std::optional<RealisedVoids> realised = voids_->realised(void_links_, solids_);
+    if (!realised) return std::nullopt;
+    SlabSolid solid = glued();
+    solid.deviations = deviations(expected(*realised), classes_, solid.chi);
+    solid.unrealised = std::move(realised->unrealised);
+    solid.united_voids = std::move(realised->united);
+    return solid;
   }
 
  private:
@@ -164,6 +171,14 @@ class LayeredSlab {
     return finer;
   }
 
+  [[nodiscard]] std::vector<TopologyGroup> expected(const RealisedVoids& voids) const {
+    const ConformingSection& lower = layer(0);
+    const ConformingSection& upper = layer(slab_count());
+    const sections::FaceOverlay faces(sections::given_section(lower), lower.nesting,
+                                      sections::given_section(upper), upper.nesting);
+    return expected_topology(faces, lower, upper, {links_.regions, voids.links, voids.united});
+  }
+
   SlabSolid glued() {
     SlabSolid all;
     all.vertices = SlabVertices(layer(0).vertex_count(), layer(slab_count()).vertex_count());
@@ -238,27 +253,19 @@ class LayeredSlab {
   std::vector<ConformingSection> mids_;
   std::vector<IdVector<ContourId, bool>> gabriel_;
   Layers layers_;
+  std::optional<LayeredVoids> voids_;
   IdVector<SlabId, std::vector<Link>> region_links_;
   IdVector<SlabId, std::vector<Link>> void_links_;
   std::vector<std::optional<SlabSolid>> solids_;
 };
 
 // How far the topology is from what was decided.
-std::int64_t departure(const SlabSolid& solid) {
-  auto sum = static_cast<std::int64_t>(solid.unrealised.size() + solid.united_voids.size());
+std::size_t departure(const SlabSolid& solid) {
+  std::size_t sum = solid.unrealised.size() + solid.united_voids.size();
   for (const SlabDeviation& d : solid.deviations) {
-    sum += std::max(d.least - d.got, d.got - d.most);
+    sum += static_cast<std::size_t>(std::max(d.least - d.got, d.got - d.most));
   }
   return sum;
-}
-
-std::vector<SlabDeviation> deviations_of(const SlabSolid& solid, const ConformingSection& lower,
-                                         const ConformingSection& upper, const SlabLinks& links) {
-  if (links.voids == nullptr) return {};
-  const sections::FaceOverlay faces(sections::given_section(lower), lower.nesting,
-                                    sections::given_section(upper), upper.nesting);
-  return deviations(expected_topology(faces, lower, upper, {links.regions, *links.voids, {}}),
-                    SlabClasses(lower, upper, links.regions), solid.chi);
 }
 
 }  // namespace
@@ -268,17 +275,17 @@ Result<SlabOutcome> build_slab_between(SlabId id, const ConformingSection& lower
                                        const between::InnerSections& inner,
                                        const SlabOptions& options) {
   if (inner.sections.empty()) return build_slab(id, lower, upper, links, options);
-  std::optional<SlabSolid> layered = LayeredSlab(id, lower, upper, links, inner, options).build();
-  if (layered) layered->deviations = deviations_of(*layered, lower, upper, links);
+  LayeredSlab layers(id, lower, upper, links, inner, options);
+  const std::optional<std::size_t> lost = layers.prepare();
+  std::optional<SlabSolid> layered;
+  if (lost && *lost == 0) layered = layers.build();
   if (layered && departure(*layered) == 0) return SlabOutcome(std::move(*layered));
-  if (layered) {
-    fprintf(stderr, "dev %d: ", static_cast<int>(departure(*layered)));
-    for (auto& d : layered->deviations) fprintf(stderr, "[%d %d] %d; ", d.least, d.most, d.got);
-  }
   Result<SlabOutcome> plain = build_slab(id, lower, upper, links, options);
-  fprintf(stderr, " slab %zu\n", id.index());
   if (!plain) return plain;
   auto* const solid = std::get_if<SlabSolid>(&*plain);
+  if (lost && *lost != 0 && (solid == nullptr || departure(*solid) >= *lost)) {
+    layered = layers.build();
+  }
   const bool unbuildable = std::holds_alternative<Unconnectable>(*plain) ||
                            std::holds_alternative<Unrepresentable>(*plain);
   if (layered && (unbuildable || (solid != nullptr && departure(*layered) <= departure(*solid)))) {

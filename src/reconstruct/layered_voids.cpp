@@ -39,7 +39,8 @@ class ClassedVoids {
 
 }  // namespace
 
-LayeredVoids::LayeredVoids(const Layers& layers, const std::vector<Link>& links) : layers_(layers) {
+LayeredVoids::LayeredVoids(const Layers& layers, const std::vector<Link>& links)
+    : layers_(layers), links_(links) {
   for (const ConformingSection* section : layers) {
     numbering_.add_layer(voids_of(*section).hole.size());
   }
@@ -99,11 +100,13 @@ IdVector<SlabId, std::vector<Link>> LayeredVoids::parted(StackCandidates candida
   return links;
 }
 
-bool LayeredVoids::hang_together(const IdVector<SlabId, std::vector<Link>>& links,
-                                 const std::vector<std::optional<SlabSolid>>& solids) const {
+std::optional<RealisedVoids> LayeredVoids::realised(
+    const IdVector<SlabId, std::vector<Link>>& links,
+    const std::vector<std::optional<SlabSolid>>& solids) const {
   UnionFind got(numbering_.size());
   for (const SlabId k : links.ids()) {
-    const SlabSolid& solid = *solids[k.index()];
+    static const SlabSolid kAllRealised;
+    const SlabSolid& solid = solids.empty() ? kAllRealised : *solids[k.index()];
     const SlabVoidNumbering in_slab(numbering_.size(k.index()), numbering_.size(k.index() + 1));
     const auto in_all = [&](SlabVoidId v) {
       return numbering_.of(k.index() + (in_slab.is_upper(v) ? 1 : 0),
@@ -119,21 +122,47 @@ bool LayeredVoids::hang_together(const IdVector<SlabId, std::vector<Link>>& link
     }
     for (const auto& [a, b] : solid.united_voids) got.unite(in_all(a), in_all(b));
   }
-  // Parts and classes must be the same sets.
   std::vector<std::size_t> class_of_part(numbering_.size(), none());
-  std::vector<std::size_t> part_of_class(numbering_.size(), none());
   for (std::size_t v = 0; v < class_of_.size(); ++v) {
     if (class_of_[v] == none()) continue;
     std::size_t& wanted = class_of_part[got.find(v)];
-    std::size_t& part = part_of_class[class_of_[v]];
     if (wanted == none()) wanted = class_of_[v];
-    if (part == none()) part = got.find(v);
-    if (wanted != class_of_[v] || part != got.find(v)) return false;
+    if (wanted != class_of_[v]) return std::nullopt;
   }
   for (std::size_t v = 0; v < class_of_.size(); ++v) {
-    if (class_of_part[got.find(v)] == none()) return false;
+    if (class_of_part[got.find(v)] == none()) return std::nullopt;
   }
-  return true;
+  return compare(got);
+}
+
+// As of a slab without sections between: what is not open is no link, and voids of one class may
+// hang together though the links between them do not.
+RealisedVoids LayeredVoids::compare(const UnionFind& got) const {
+  const SlabVoidNumbering voids(numbering_.size(0), numbering_.size(last()));
+  const auto in_all = [&](SlabVoidId v) {
+    return numbering_.of(voids.is_upper(v) ? last() : 0, voids.in_section(v).index());
+  };
+  RealisedVoids result;
+  UnionFind linked(voids.size());
+  const auto unite = [&](SlabVoidId a, SlabVoidId b) { return linked.unite(a.index(), b.index()); };
+  unite(voids.in_slab(false, sections::kExterior), voids.in_slab(true, sections::kExterior));
+  for (const Link& link : links_) {
+    const SlabVoidId below = voids.in_slab(false, link.lower);
+    const SlabVoidId above = voids.in_slab(true, link.upper);
+    if (got.same(in_all(below), in_all(above))) {
+      result.links.push_back(link);
+      unite(below, above);
+    } else {
+      result.unrealised.push_back(link);
+    }
+  }
+  std::vector<SlabVoidId> first(numbering_.size());
+  for (std::size_t v = 0; v < voids.size(); ++v) {
+    SlabVoidId& of_part = first[got.find(in_all(SlabVoidId(v)))];
+    if (!of_part.valid()) of_part = SlabVoidId(v);
+    if (unite(of_part, SlabVoidId(v))) result.united.push_back({of_part, SlabVoidId(v)});
+  }
+  return result;
 }
 
 }  // namespace tetloft::internal

@@ -18,6 +18,13 @@ namespace tetloft::internal {
 /// From below: the slab's lower section, those between, its upper one.
 using Layers = std::vector<const ConformingSection*>;
 
+/// Links of a slab's voids as its solid has them.
+struct RealisedVoids {
+  std::vector<Link> links, unrealised;
+  /// As SlabSolid::united_voids.
+  std::vector<Inseparable> united;
+};
+
 class LayeredVoids {
  public:
   /// `links`: of the voids of the slab's sections. All must outlive this.
@@ -29,17 +36,22 @@ class LayeredVoids {
   [[nodiscard]] std::optional<IdVector<SlabId, std::vector<Link>>> decide(
       const IdVector<SlabId, std::vector<Link>>& of_regions) const;
 
-  /// Do the voids of the slab's sections hang together in these solids as its links say, and is
-  /// none without any of them? `links`: as decided.
-  [[nodiscard]] bool hang_together(const IdVector<SlabId, std::vector<Link>>& links,
-                                   const std::vector<std::optional<SlabSolid>>& solids) const;
+  /// What of the slab's links these solids have, or, without any, what they have at best; `links`:
+  /// as decided. Nothing where voids of two classes hang together, or some without any of the
+  /// slab's own.
+  [[nodiscard]] std::optional<RealisedVoids> realised(
+      const IdVector<SlabId, std::vector<Link>>& links,
+      const std::vector<std::optional<SlabSolid>>& solids) const;
 
  private:
   [[nodiscard]] std::size_t last() const { return layers_.size() - 1; }
   [[nodiscard]] std::size_t none() const { return numbering_.size(); }
   [[nodiscard]] IdVector<SlabId, std::vector<Link>> parted(StackCandidates candidates) const;
 
+  [[nodiscard]] RealisedVoids compare(const UnionFind& got) const;
+
   const Layers& layers_;
+  const std::vector<Link>& links_;
   LayerNumbering numbering_;
   /// By void: the class it has by the slab's links, none() between.
   std::vector<std::size_t> class_of_;
