@@ -29,13 +29,13 @@ TEST(SectionCubic, KeepsWhatIsLinearInHeight) {
 }
 
 TEST(SectionCubic, BulgesWhereNeighboursFallOff) {
-  EXPECT_DOUBLE_EQ(SectionCubic(0.5, {1.0, 1.0}).at({8, 0, 0, 8}), -1.6);
-  EXPECT_DOUBLE_EQ(SectionCubic(0.5, {1.0, 1.0}).at({-8, 0, 0, -8}), 1.6);
+  EXPECT_DOUBLE_EQ(SectionCubic(0.5, {1.0, 1.0}).at({8, 0, 0, 8}), -1.5);
+  EXPECT_DOUBLE_EQ(SectionCubic(0.5, {1.0, 1.0}).at({-8, 0, 0, -8}), 1.5);
 }
 
 TEST(SectionCubic, GoesOnAsAParabolaWhereTheStackEnds) {
-  EXPECT_DOUBLE_EQ(SectionCubic(0.5, {std::nullopt, 1.0}).at({0, 0, 0, 8}), -1.6);
-  EXPECT_DOUBLE_EQ(SectionCubic(0.5, {1.0, std::nullopt}).at({8, 0, 0, 0}), -1.6);
+  EXPECT_DOUBLE_EQ(SectionCubic(0.5, {std::nullopt, 1.0}).at({0, 0, 0, 8}), -1.5);
+  EXPECT_DOUBLE_EQ(SectionCubic(0.5, {1.0, std::nullopt}).at({8, 0, 0, 0}), -1.5);
 }
 
 TEST(SectionCubic, IsSteepWhereTheClassEndsNextToTheSlab) {
