@@ -21,10 +21,10 @@ using motion::kStepsPerGap;
 using motion::LatticeEdges;
 using motion::LatticeWindow;
 
-// Nodes are every other sample; as far around the class, in samples, motion is looked for. What
-// sections differ in is looked at tile by tile, as many nodes along each axis.
-constexpr std::int64_t kStride = 2;
-constexpr std::int64_t kTile = 32;
+// Nodes are every fourth sample, a gap apart; as far around the class, in samples, motion is looked
+// for. What sections differ in is looked at tile by tile, as many nodes along each axis.
+constexpr std::int64_t kStride = 4;
+constexpr std::int64_t kTile = 16;
 constexpr double kAround = 2 * kStepsPerGap;
 constexpr double kNodesPerGap = static_cast<double>(kStepsPerGap) / kStride;
 // All from here on settled by measurement, and flat: README. Both sections are moved by whole
@@ -37,7 +37,7 @@ constexpr double kNeighbours = 0.5;
 // Misfits as much above the least, in gaps squared, weigh a sixteenth.
 constexpr double kTolerance = 0.01;
 // A class does not move if both sections share as much of what either covers.
-constexpr double kAtRest = 0.8;
+constexpr double kAtRest = 0.95;
 // A section farther beyond the slab, in gaps, says nothing of it.
 constexpr double kFarthestNeighbour = 2;
 

@@ -227,7 +227,9 @@ ClassShape interpolate(const ClassOutlines& outlines, double step, const std::ve
                        const std::optional<Point2>& rigid) {
   Interpolation interpolation(outlines, step);
   if (!interpolation.fits()) return {};
-  const std::optional<MotionField> field = rigid ? std::nullopt : estimate_motion(outlines);
+  // What moves by less than a step is not worth the looking.
+  const bool moves = !rigid && *outlines.z[upper] - *outlines.z[lower] >= step;
+  const std::optional<MotionField> field = moves ? estimate_motion(outlines) : std::nullopt;
   if (!field) {
     const Point2 u = rigid ? Point2{rigid->x / step, rigid->y / step} : Point2{};
     const double longest = std::max(std::abs(u.x), std::abs(u.y));

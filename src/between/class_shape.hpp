@@ -33,16 +33,19 @@ struct ClassShape {
   /// (i · step, j · step).
   motion::LatticeWindow window;
   /// Signed distances by layer and sample, in steps: negative inside, never 0. Those of the given
-  /// sections are the distances to their contours.
+  /// sections are the distances to their contours, exact up to what the README calls the reach, a
+  /// step at least.
   std::vector<std::vector<double>> value;
   /// How the point at a sample moves from the lower to the upper plane, in steps.
   std::vector<Point2> motion;
 };
 
-/// Interpolates the class at shares `at` of the gap, in (0, 1), increasing. With `rigid` (lower to
+/// Interpolates the class, as the README defines it, at shares `at` of the gap, in (0, 1),
+/// increasing. With `rigid` (lower to
 /// upper plane, in units of the stack) the class moves by that as a whole, else as its surroundings
 /// in the four sections tell. A function of the set of contours: neither of their order nor of
-/// where they start.
+/// where they start. No layers where a coordinate reaches 2^40 steps. Time and memory grow with the
+/// samples in the class's box, so a step much smaller than its contours' edges is waste.
 [[nodiscard]] ClassShape interpolate(const ClassOutlines& outlines, double step,
                                      const std::vector<double>& at,
                                      const std::optional<Point2>& rigid = std::nullopt);

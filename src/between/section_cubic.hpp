@@ -52,7 +52,7 @@ class SectionCubic {
   }
 
  private:
-  static constexpr double kBend = 1.6;
+  static constexpr double kBend = 1.5;
 
   double share_;
   double at_lower_, at_upper_;

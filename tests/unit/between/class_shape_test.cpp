@@ -10,6 +10,8 @@
 #include <optional>
 #include <vector>
 
+#include "unit/between/class_shapes.hpp"
+
 namespace tetloft::testing {
 
 using namespace internal;
@@ -17,63 +19,6 @@ using namespace internal::between;
 using motion::LatticeWindow;
 
 namespace {
-
-// A polygon of 4 n vertices on a circle.
-Contour circle(const Point2& centre, double radius, int n = 16) {
-  Contour contour;
-  for (int quarter = 0; quarter < 4; ++quarter) {
-    for (int k = 0; k < n; ++k) {
-      const double t = static_cast<double>(k) / n;
-      Point2 p{(1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)};
-      for (int q = 0; q < quarter; ++q) p = {-p.y, p.x};
-      contour.vertices.push_back({centre.x + radius * p.x, centre.y + radius * p.y});
-    }
-  }
-  return contour;
-}
-
-Contour box(const Point2& low, const Point2& high) {
-  return Contour{{low, {high.x, low.y}, high, {low.x, high.y}}};
-}
-
-// A class as values; sections without a height are none.
-struct Shape {
-  std::array<std::vector<Contour>, 4> contours;
-  std::array<std::optional<double>, 4> z;
-
-  [[nodiscard]] ClassOutlines outlines() const {
-    ClassOutlines all;
-    all.z = z;
-    for (std::size_t s = 0; s < 4; ++s) {
-      for (const Contour& contour : contours[s]) all.contours[s].push_back(&contour);
-    }
-    return all;
-  }
-  [[nodiscard]] ClassShape at(const std::vector<double>& shares, double step = 1) const {
-    return interpolate(outlines(), step, shares);
-  }
-};
-
-// A disc in each of four sections, 6 apart.
-Shape discs(const std::array<Point2, 4>& centre, const std::array<double, 4>& radius) {
-  Shape shape;
-  for (std::size_t s = 0; s < 4; ++s) {
-    if (radius[s] > 0) shape.contours[s] = {circle(centre[s], radius[s])};
-    shape.z[s] = 6 * static_cast<double>(s);
-  }
-  return shape;
-}
-
-// An oblique branching with a hole, in sections at uneven heights.
-Shape branching() {
-  Shape shape;
-  shape.z = {-5.0, 0.0, 6.0, 13.0};
-  shape.contours[behind] = {circle({0.3, 0.1}, 9)};
-  shape.contours[lower] = {circle({1.4, 0.2}, 10), circle({2.1, 0.4}, 3.3)};
-  shape.contours[upper] = {circle({-5.2, 1.3}, 5.7), circle({9.1, 0.7}, 6.2)};
-  shape.contours[beyond] = {circle({-8.6, 2.2}, 4.5), circle({12.9, 0.9}, 5.5)};
-  return shape;
-}
 
 double area(const ClassShape& shape, std::size_t layer) {
   const std::vector<double>& value = shape.value[layer];
@@ -122,7 +67,7 @@ void expect_equal(const ClassShape& a, const ClassShape& b) {
 }
 
 TEST(ClassShape, GivenLayersAreDistancesToTheirContours) {
-  const Shape shape = branching();
+  const OwnedClass shape = branching();
   const double step = 0.7;
   const ClassShape got = shape.at({0.25, 0.5}, step);
   ASSERT_EQ(got.value.size(), 4U);
@@ -145,7 +90,7 @@ TEST(ClassShape, GivenLayersAreDistancesToTheirContours) {
 }
 
 TEST(ClassShape, ATranslatedDiscIsHalfWayInTheMiddle) {
-  const Shape shape = discs({{{-6, -2}, {0, 0}, {6, 2}, {12, 4}}}, {4, 4, 4, 4});
+  const OwnedClass shape = discs({{{-6, -2}, {0, 0}, {6, 2}, {12, 4}}}, {4, 4, 4, 4});
   const ClassShape got = shape.at({0.5});
   EXPECT_NEAR(centroid(got, 1).x, 3, 0.35);
   EXPECT_NEAR(centroid(got, 1).y, 1, 0.35);
@@ -153,7 +98,7 @@ TEST(ClassShape, ATranslatedDiscIsHalfWayInTheMiddle) {
 }
 
 TEST(ClassShape, AGrowingDiscGrowsBetween) {
-  const Shape shape = discs({}, {6, 8, 10, 12});
+  const OwnedClass shape = discs({}, {6, 8, 10, 12});
   const ClassShape got = shape.at({0.25, 0.5, 0.75});
   for (const std::size_t layer : {1U, 2U, 3U}) {
     const double radius = 8 + 0.5 * static_cast<double>(layer);
@@ -162,7 +107,7 @@ TEST(ClassShape, AGrowingDiscGrowsBetween) {
 }
 
 TEST(ClassShape, ARigidMotionMovesAsAWhole) {
-  const Shape shape = discs({{{}, {0, 0}, {20, 0}, {}}}, {0, 5, 5, 0});
+  const OwnedClass shape = discs({{{}, {0, 0}, {20, 0}, {}}}, {0, 5, 5, 0});
   const ClassShape got = interpolate(shape.outlines(), 1, {0.5}, Point2{20, 0});
   EXPECT_NEAR(centroid(got, 1).x, 10, 1e-9);
   EXPECT_NEAR(centroid(got, 1).y, 0, 1e-9);
@@ -171,7 +116,7 @@ TEST(ClassShape, ARigidMotionMovesAsAWhole) {
 }
 
 TEST(ClassShape, AClassOfOneSectionRoundsOff) {
-  const Shape up = discs({}, {9, 7, 0, 0});
+  const OwnedClass up = discs({}, {9, 7, 0, 0});
   const ClassShape got = up.at({0.25, 0.5, 0.75});
   EXPECT_GT(area(got, 0), area(got, 1));
   EXPECT_GT(area(got, 1), area(got, 2));
@@ -181,7 +126,7 @@ TEST(ClassShape, AClassOfOneSectionRoundsOff) {
 }
 
 TEST(ClassShape, WhatBothSectionsShareAtRestStays) {
-  Shape shape;
+  OwnedClass shape;
   shape.z[lower] = 0;
   shape.z[upper] = 5;
   shape.contours[lower] = {box({-20, -3}, {20, 3})};
@@ -197,14 +142,9 @@ TEST(ClassShape, WhatBothSectionsShareAtRestStays) {
 }
 
 TEST(ClassShape, IsTheSameUpsideDown) {
-  const Shape shape = branching();
-  Shape turned;
-  for (std::size_t s = 0; s < 4; ++s) {
-    turned.contours[s] = shape.contours[3 - s];
-    turned.z[s] = -*shape.z[3 - s];
-  }
+  const OwnedClass shape = branching();
   const ClassShape up = shape.at({0.25, 0.5, 0.75});
-  const ClassShape down = turned.at({0.25, 0.5, 0.75});
+  const ClassShape down = shape.upside_down().at({0.25, 0.5, 0.75});
   EXPECT_EQ(up.window.i0, down.window.i0);
   EXPECT_EQ(up.window.j0, down.window.j0);
   ASSERT_EQ(up.window.size(), down.window.size());
@@ -220,8 +160,8 @@ TEST(ClassShape, IsTheSameUpsideDown) {
 }
 
 TEST(ClassShape, DependsNeitherOnOrderNorOnStartNorOnDirection) {
-  const Shape shape = branching();
-  Shape other = shape;
+  const OwnedClass shape = branching();
+  OwnedClass other = shape;
   for (std::vector<Contour>& contours : other.contours) {
     std::reverse(contours.begin(), contours.end());
     for (Contour& contour : contours) {
@@ -233,24 +173,17 @@ TEST(ClassShape, DependsNeitherOnOrderNorOnStartNorOnDirection) {
 }
 
 TEST(ClassShape, ScalesByPowersOfTwo) {
-  const Shape shape = branching();
+  const OwnedClass shape = branching();
   for (const double scale : {0x1p-30, 2.0, 0x1p70}) {
-    Shape scaled = shape;
-    for (std::size_t s = 0; s < 4; ++s) {
-      *scaled.z[s] *= scale;
-      for (Contour& contour : scaled.contours[s]) {
-        for (Point2& p : contour.vertices) p = {p.x * scale, p.y * scale};
-      }
-    }
-    expect_equal(shape.at({0.25, 0.5}), scaled.at({0.25, 0.5}, scale));
+    expect_equal(shape.at({0.25, 0.5}), shape.scaled(scale).at({0.25, 0.5}, scale));
   }
 }
 
 TEST(ClassShape, ItsBorderIsOutsideAndNoValueIsZero) {
-  std::vector<Shape> shapes{branching(), discs({}, {0, 5, 0, 0}), discs({}, {0, 5, 5, 0}),
-                            discs({}, {0, 0, 5, 20}),
-                            discs({{{}, {0, 0}, {9, 9}, {}}}, {0, 2, 2, 0})};
-  for (const Shape& shape : shapes) {
+  std::vector<OwnedClass> shapes{branching(), discs({}, {0, 5, 0, 0}), discs({}, {0, 5, 5, 0}),
+                                 discs({}, {0, 0, 5, 20}),
+                                 discs({{{}, {0, 0}, {9, 9}, {}}}, {0, 2, 2, 0})};
+  for (const OwnedClass& shape : shapes) {
     for (const double step : {0.4, 1.0, 5.0}) {
       const ClassShape got = shape.at({0.2, 0.5, 0.9}, step);
       const LatticeWindow& w = got.window;
@@ -271,8 +204,30 @@ TEST(ClassShape, ItsBorderIsOutsideAndNoValueIsZero) {
   }
 }
 
+TEST(ClassShape, ABallIsRoundWhereTheStackEnds) {
+  // A ball of radius 12 about height 9, cut at 6, 12 and 18; the first section is the stack's.
+  OwnedClass ball;
+  for (const auto& [s, z] : {std::pair(lower, 6.0), {upper, 12.0}, {beyond, 18.0}}) {
+    ball.z[s] = z;
+    ball.contours[s] = {circle({}, std::sqrt(144 - (z - 9) * (z - 9)))};
+  }
+  const ClassShape got = ball.at({0.5});
+  EXPECT_GT(area(got, 1), area(got, 0));
+  EXPECT_NEAR(area(got, 1), 144 * 3.14159, 36);
+}
+
+TEST(ClassShape, TakesNoLongerWindowThanItNeeds) {
+  // A gap a hundred times as high as the class is wide.
+  OwnedClass needle = discs({}, {4, 4, 4, 0});
+  for (std::size_t s = 0; s < 4; ++s) needle.z[s] = 800 * static_cast<double>(s);
+  const ClassShape got = needle.at({0.5});
+  EXPECT_LE(got.window.nx(), 60U);
+  EXPECT_LE(got.window.ny(), 60U);
+  EXPECT_GT(area(got, 1), 30);
+}
+
 TEST(ClassShape, IsNoneWhereDoublesMeasureTooCoarsely) {
-  const Shape shape = discs({}, {5, 5, 5, 5});
+  const OwnedClass shape = discs({}, {5, 5, 5, 5});
   EXPECT_TRUE(shape.at({0.5}, 0x1p-40).value.empty());
 }
 
