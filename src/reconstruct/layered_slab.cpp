@@ -6,7 +6,7 @@
 
 #include "completion/slab_voids.hpp"
 #include "core/union_find.hpp"
-#include "reconstruct/decide_voids.hpp"
+#include "reconstruct/inner_links.hpp"
 #include "reconstruct/slab_topology.hpp"
 #include "sections/conforming_section.hpp"
 #include "sections/face_overlay.hpp"
@@ -18,7 +18,6 @@ namespace tetloft::internal {
 namespace {
 
 using between::InnerSections;
-using between::LayerLink;
 
 // Items of all layers, such as regions, in one sequence.
 class LayerNumbering {
@@ -105,13 +104,12 @@ class LayeredSlab {
       regions.add_layer(section->nesting.outer.size());
     }
     UnionFind parts(regions.size());
-    region_links_.resize(slab_count());
+    region_links_ = layer_region_links(inner_);
     for (const SlabId k : region_links_.ids()) {
-      for (const LayerLink& link : inner_.links[k.index()]) {
-        if (class_of(k.index(), link.below) != class_of(k.index() + 1, link.above)) return false;
-        region_links_[k].push_back({k, link.below, link.above});
-        parts.unite(regions.of(k.index(), link.below.index()),
-                    regions.of(k.index() + 1, link.above.index()));
+      for (const Link& link : region_links_[k]) {
+        if (class_of(k.index(), link.lower) != class_of(k.index() + 1, link.upper)) return false;
+        parts.unite(regions.of(k.index(), link.lower.index()),
+                    regions.of(k.index() + 1, link.upper.index()));
       }
     }
     IdVector<ClassId, std::size_t> part(classes_.class_count(), regions.size());
@@ -130,18 +128,12 @@ class LayeredSlab {
 
   [[nodiscard]] bool decide_voids() {
     if (links_.voids == nullptr) return true;
-    PreparedStack stack;
-    for (std::size_t k = 0; k < layers_.size(); ++k) {
-      stack.stack.sections.push_back(k == 0 || k == slab_count() ? sections::given_section(layer(k))
-                                                                 : inner_.sections[k - 1].section);
-      stack.nestings.push_back(layer(k).nesting);
-    }
-    const ReconstructOptions by_rule;
-    const WatchedWork work(by_rule.execution, 0);
-    Result<std::optional<Correspondence>> voids =
-        VoidDecision(stack, by_rule).make(region_links_, work);
-    if (!voids || !*voids) return false;
-    void_links_ = std::move((*voids)->links);
+    const Section lower = sections::given_section(layer(0));
+    const Section upper = sections::given_section(layer(slab_count()));
+    auto voids = layer_void_links({lower, layer(0).nesting}, {upper, layer(slab_count()).nesting},
+                                  inner_, region_links_);
+    if (!voids) return false;
+    void_links_ = std::move(*voids);
     return true;
   }
 

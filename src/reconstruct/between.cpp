@@ -1,0 +1,63 @@
+// The API of the longer stack: builds as a reconstruction does, and keeps what was put between.
+#include <tetloft/between.hpp>
+
+#include <algorithm>
+#include <utility>
+
+#include "core/unit_of_length.hpp"
+#include "reconstruct/long_stack.hpp"
+#include "reconstruct/phases.hpp"
+#include "sections/scaling.hpp"
+
+namespace tetloft {
+
+using namespace internal;
+
+namespace {
+
+// The longer stack in the unit given, where given sections are the caller's own.
+SectionStack in_given_unit(const LongLayers& layers, const SectionStack& given, int exponent) {
+  SectionStack result = sections::scaled(layers.prepared.stack, -exponent);
+  for (const SectionId s : layers.source.ids()) {
+    const SectionSource& source = layers.source[s];
+    if (!source.inserted) result.sections[s] = given.sections[source.section];
+  }
+  return result;
+}
+
+// Nothing where the model, made in this unit, is none in the one given.
+Result<std::optional<LongStack>> between_in(Unit unit, const SectionStack& stack,
+                                         const ReconstructOptions& options) {
+  WatchedWork work(options.execution, step_count(stack));
+  Result<BuiltStack> built = build_stack(unit, stack, options, work);
+  if (!built) return built.error();
+  LongLayers layers = long_layers(*built);
+  Result<CorrespondenceOptions> correspondence = settled(layers, options.execution);
+  if (!correspondence) return correspondence.error();
+  const std::optional<Model> model = take_model(*built);
+  if (!model) return std::optional<LongStack>();
+  LongStack result;
+  result.stack = in_given_unit(layers, stack, built->prepared.exponent);
+  result.source = std::move(layers.source);
+  result.component = std::move(layers.component);
+  result.components = model->component_count;
+  result.correspondence = std::move(*correspondence);
+  // Of a single section they are about how its model ends.
+  if (built->prepared.slab_count() > 0) result.warnings = std::move(built->warnings);
+  return std::optional(std::move(result));
+}
+
+}  // namespace
+
+Result<LongStack> between(const SectionStack& stack, const BetweenOptions& options) {
+  ReconstructOptions asked;
+  asked.correspondence = options.correspondence;
+  asked.between = options.sections;
+  asked.work_limit = options.work_limit;
+  asked.execution = options.execution;
+  return in_either_unit(asked, [&](Unit unit, const ReconstructOptions& in_unit) {
+    return between_in(unit, stack, in_unit);
+  });
+}
+
+}  // namespace tetloft
