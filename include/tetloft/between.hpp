@@ -50,11 +50,11 @@ struct LongStack {
 };
 
 /// The stack with the sections that reconstruct() puts between the given ones, with `between` =
-/// options.sections and the same correspondence: those of slabs whose solids took them, and so as
-/// long to make. Reconstructed by LongStack::correspondence it keeps all guarantees as a stack of
-/// its own. Its solid then is that of the shorter stack, but where a slab asks for finer contours to
-/// get the topology that links imply, which the slabs between inserted sections do not do in
-/// reconstruct(): the contours of given sections would be divided for the sake of inserted ones.
+/// options.sections and the same correspondence: those of slabs whose solids took them, so it takes
+/// as long. Reconstructed by LongStack::correspondence it keeps all guarantees as a stack of its
+/// own; and the solid is the one that the shorter stack gives, unless in either a slab asked for
+/// finer contours to get the topology that links imply (Rule::gabriel_refinement): one between
+/// inserted sections does not ask while it is a part of the shorter stack's.
 /// Refused as by reconstruct().
 [[nodiscard]] TETLOFT_API Result<LongStack> between(const SectionStack& stack,
                                                     const BetweenOptions& options = {});

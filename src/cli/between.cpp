@@ -68,8 +68,8 @@ struct BetweenRequest {
   request.labels_out = arguments.text("--labels-out");
   std::vector<std::string> taken{request.input};
   if (const auto labels = arguments.text("--labels")) taken.push_back(*labels);
-  Result<void> checked = check_output("--output (-o)", request.output,
-                                      output_extensions(Contents::stack), taken);
+  Result<void> checked =
+      check_output("--output (-o)", request.output, output_extensions(Contents::stack), taken);
   if (!checked || !request.labels_out) return checked;
   taken.push_back(request.output);
   return check_output("--labels-out", *request.labels_out, output_extensions(Contents::labels),
@@ -182,8 +182,7 @@ std::string to_json(const LongStack& made, const StackInput& input, const Consol
   return json.text();
 }
 
-std::string to_text(const LongStack& made, const StackInput& input,
-                    const BetweenRequest& request) {
+std::string to_text(const LongStack& made, const StackInput& input, const BetweenRequest& request) {
   std::string text = describe_preparation(input) + counted(made.stack.sections.size(), "section") +
                      ", " + std::to_string(inserted_sections(made)) + " of them put between, " +
                      counted(made.stack.contour_count(), "contour") + ", " +

@@ -47,8 +47,7 @@ Usage reconstruct_usage() {
         Option{"--delaunay", "ENGINE",
                "slab (default) or incremental: what triangulates the slabs; the result is the "
                "same"},
-        kWorkLimitOption,
-        kThreadsOption,
+        kWorkLimitOption, kThreadsOption,
         Option{"--verify", "", "check the result; write nothing and exit with 70 if it fails"},
         Option{"--ascii", "", "write numbers as text that reads back exactly"}, kJsonOption,
         kQuietOption, kHelpOption}) {

@@ -27,7 +27,7 @@ SectionStack in_given_unit(const LongLayers& layers, const SectionStack& given, 
 
 // Nothing where the model, made in this unit, is none in the one given.
 Result<std::optional<LongStack>> between_in(Unit unit, const SectionStack& stack,
-                                         const ReconstructOptions& options) {
+                                            const ReconstructOptions& options) {
   WatchedWork work(options.execution, step_count(stack));
   Result<BuiltStack> built = build_stack(unit, stack, options, work);
   if (!built) return built.error();

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "core/guard.hpp"
 #include "reconstruct/decide_voids.hpp"
 
 namespace tetloft::internal {
@@ -22,7 +23,7 @@ std::optional<IdVector<SlabId, std::vector<Link>>> layer_void_links(
   const WatchedWork work(by_rule.execution, 0);
   Result<std::optional<Correspondence>> voids =
       VoidDecision(layers, by_rule).make(of_regions, work);
-  if (!voids || !*voids) return std::nullopt;
+  if (!accepted(voids) || !*voids) return std::nullopt;
   return std::move((*voids)->links);
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "completion/slab_voids.hpp"
+#include "core/guard.hpp"
 #include "core/union_find.hpp"
 #include "reconstruct/inner_links.hpp"
 #include "reconstruct/slab_topology.hpp"
@@ -92,7 +93,7 @@ class LayeredSlab {
         conform(section, SectionId(0),
                 {.gabriel = gabriel_[mid],
                  .most_inserted = most_inserted(options_.work_limit, vertex_count(section))});
-    if (!made) return false;
+    if (!accepted(made)) return false;
     mids_[mid] = std::move(*made);
     return true;
   }
@@ -148,7 +149,7 @@ class LayeredSlab {
       Result<SlabOutcome> outcome = build_slab(
           slab, layer(k), layer(k + 1),
           {region_links_[slab], void_links_.empty() ? nullptr : &void_links_[slab]}, options_);
-      if (!outcome) return false;
+      if (!accepted(outcome)) return false;
       if (auto* solid = std::get_if<SlabSolid>(&*outcome)) {
         solids_[k++] = std::move(*solid);
         continue;

@@ -57,8 +57,8 @@ class LongStackOf {
     const IdVector<SlabId, std::vector<Link>> regions = layer_region_links(inner);
     std::optional<IdVector<SlabId, std::vector<Link>>> voids;
     if (built_.plan.voids) {
-      voids = layer_void_links(given(lower_section(slab)), given(upper_section(slab)), inner,
-                               regions);
+      voids =
+          layer_void_links(given(lower_section(slab)), given(upper_section(slab)), inner, regions);
       TETLOFT_CHECK(voids.has_value());  // the solid was built by them
     }
     const IdVector<ClassId, ComponentId> component = components_of(slab);
@@ -155,17 +155,15 @@ Result<CorrespondenceOptions> settled(const LongLayers& layers, const Execution&
   const Result<std::optional<Correspondence>> of_voids = void_decision.make(layers.regions, work);
   if (!of_voids) return of_voids.error();
   CorrespondenceOptions result = rule;
-  result.decisions =
-      decisions(layers.regions, of_regions->candidates,
-                [&](SectionId s, RegionId r) { return stack.nestings[s].outer[r]; });
+  result.decisions = decisions(layers.regions, of_regions->candidates,
+                               [&](SectionId s, RegionId r) { return stack.nestings[s].outer[r]; });
   // Without complements no section has a hole.
   if (layers.voids && !void_decision.complements().empty()) {
-    result.voids.decisions = decisions(*layers.voids, (*of_voids)->candidates,
-                                       [&](SectionId s, RegionId of_void) {
-                                         return of_void == sections::kExterior
-                                                    ? ContourId()
-                                                    : void_decision.complements()[s].outer[of_void];
-                                       });
+    result.voids.decisions =
+        decisions(*layers.voids, (*of_voids)->candidates, [&](SectionId s, RegionId of_void) {
+          return of_void == sections::kExterior ? ContourId()
+                                                : void_decision.complements()[s].outer[of_void];
+        });
   }
   return result;
 }

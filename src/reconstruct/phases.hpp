@@ -22,7 +22,7 @@ namespace tetloft::internal {
 /// A stack whose slabs are all solid.
 struct BuiltStack {
   PreparedStack prepared;
-  Plan plan;  ///< as it was built
+  Plan plan;                                 ///< as it was built
   IdVector<SectionId, Nesting> complements;  ///< VoidDecision::complements()
   std::vector<Part> parts;                   ///< from below
   std::uint64_t refinements = 0;             ///< how often contours were refined

@@ -48,7 +48,7 @@ void describe(const PreparedStack& prepared, const Model& model, ReconstructRepo
 
 // Nothing where the model, made in this unit, is none in the one given.
 Result<std::optional<Reconstruction>> reconstruct_in(Unit unit, const SectionStack& stack,
-                                              const ReconstructOptions& options) {
+                                                     const ReconstructOptions& options) {
   const auto start = Clock::now();
   WatchedWork work(options.execution, step_count(stack));
   Result<BuiltStack> built = build_stack(unit, stack, options, work);
