@@ -48,6 +48,16 @@ TEST(MemoryEnds, WhileReconstructingWithOptions) {
   sweep_reconstruct("single section", single_section(), {.execution = {.threads = 1}});
 }
 
+TEST(MemoryEnds, WhileSectionsArePutBetween) {
+  for (const char* file : {"fork", "ring"}) {
+    sweep_reconstruct(std::string(file) + ", between", case_stack(file),
+                      {.between = 1, .execution = {.threads = 1}});
+    sweep(std::string("between, ") + file, [&] {
+      return ended(between(case_stack(file), {.sections = 1, .execution = {.threads = 1}}));
+    });
+  }
+}
+
 TEST(MemoryEnds, WhileReconstructingIsRefused) {
   SectionStack crossing = case_stack("fork");
   std::swap(crossing.sections[SectionId(0)].contours[ContourId(0)].vertices[0],
