@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/unit_of_length.hpp"
+#include "core/guard.hpp"
 #include "reconstruct/long_stack.hpp"
 #include "reconstruct/phases.hpp"
 #include "sections/scaling.hpp"
@@ -50,13 +50,15 @@ Result<std::optional<LongStack>> between_in(Unit unit, const SectionStack& stack
 }  // namespace
 
 Result<LongStack> between(const SectionStack& stack, const BetweenOptions& options) {
-  ReconstructOptions asked;
-  asked.correspondence = options.correspondence;
-  asked.between = options.sections;
-  asked.work_limit = options.work_limit;
-  asked.execution = options.execution;
-  return in_either_unit(asked, [&](Unit unit, const ReconstructOptions& in_unit) {
-    return between_in(unit, stack, in_unit);
+  return guard_internal([&] {
+    ReconstructOptions asked;
+    asked.correspondence = options.correspondence;
+    asked.between = options.sections;
+    asked.work_limit = options.work_limit;
+    asked.execution = options.execution;
+    return in_either_unit(asked, [&](Unit unit, const ReconstructOptions& in_unit) {
+      return between_in(unit, stack, in_unit);
+    });
   });
 }
 
