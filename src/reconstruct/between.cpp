@@ -15,16 +15,6 @@ using namespace internal;
 
 namespace {
 
-// The longer stack in the unit given, where given sections are the caller's own.
-SectionStack in_given_unit(const LongLayers& layers, const SectionStack& given, int exponent) {
-  SectionStack result = sections::scaled(layers.prepared.stack, -exponent);
-  for (const SectionId s : layers.source.ids()) {
-    const SectionSource& source = layers.source[s];
-    if (!source.inserted) result.sections[s] = given.sections[source.section];
-  }
-  return result;
-}
-
 // Nothing where the model, made in this unit, is none in the one given.
 Result<std::optional<LongStack>> between_in(Unit unit, const SectionStack& stack,
                                             const ReconstructOptions& options) {
@@ -37,7 +27,8 @@ Result<std::optional<LongStack>> between_in(Unit unit, const SectionStack& stack
   const std::optional<Model> model = take_model(*built);
   if (!model) return std::optional<LongStack>();
   LongStack result;
-  result.stack = in_given_unit(layers, stack, built->prepared.exponent);
+  // Given ones are as they were, for their unit costs no bit; inserted ones as in the model.
+  result.stack = sections::scaled(layers.prepared.stack, -built->prepared.exponent);
   result.source = std::move(layers.source);
   result.component = std::move(layers.component);
   result.components = model->component_count;
