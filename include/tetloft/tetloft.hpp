@@ -2,6 +2,7 @@
 // part can be included alone.
 #pragma once
 
+#include <tetloft/between.hpp>
 #include <tetloft/check.hpp>
 #include <tetloft/correspondence.hpp>
 #include <tetloft/delaunay.hpp>

@@ -21,6 +21,12 @@ static_assert(kMostThreads == 1024);
 /// What --threads says, 0 if it was not given.
 [[nodiscard]] Result<unsigned> threads_option(const Arguments& arguments);
 
+/// Of commands that build slabs.
+inline const Option kWorkLimitOption{
+    "--work-limit", "N",
+    "tets per vertex that a slab may take, and a 16th as many vertices inserted into a section, "
+    "before it is refused with exit code 7 (default 128, which no sane stack reaches; under 2^15 "
+    "vertices as for 2^15)"};
 /// What --work-limit says, above 0; `standard` if it was not given.
 [[nodiscard]] Result<double> work_limit_option(const Arguments& arguments, double standard);
 

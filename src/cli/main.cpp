@@ -23,8 +23,8 @@ using namespace internal;
 namespace {
 
 std::vector<Command> all_commands() {
-  return {reconstruct_command(), check_command(),  links_command(), delaunay_command(),
-          skeleton_command(),    render_command(), info_command()};
+  return {reconstruct_command(), check_command(),    links_command(),  between_command(),
+          delaunay_command(),    skeleton_command(), render_command(), info_command()};
 }
 
 std::string general_help() {

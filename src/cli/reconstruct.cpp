@@ -2,6 +2,7 @@
 #include <optional>
 #include <utility>
 
+#include "cli/between_option.hpp"
 #include "cli/commands.hpp"
 #include "cli/engine_option.hpp"
 #include "cli/file_formats.hpp"
@@ -38,10 +39,7 @@ Usage reconstruct_usage() {
        {Option{"--method", "NAME",
                "nonato (default), or geiger: the older algorithm that it is compared with, which "
                "keeps none of the guarantees (--verify tells which it broke)"},
-        Option{
-            "--between", "N",
-            "sections to put between two given ones, interpolated: a number, or auto: as many as "
-            "gaps and contour edges call for, none where sections are dense; none (default)"},
+        sections_between("--between", "none"),
         Option{"--ends", "HOW",
                "the ends of the stack: flat (default) at the outer sections, or half a gap "
                "beyond them"},
@@ -49,11 +47,7 @@ Usage reconstruct_usage() {
         Option{"--delaunay", "ENGINE",
                "slab (default) or incremental: what triangulates the slabs; the result is the "
                "same"},
-        Option{"--work-limit", "N",
-               "tets per vertex that a slab may take, and a 16th as many vertices inserted into a "
-               "section, before it is refused with exit code 7 (default 128, which no sane stack "
-               "reaches; under 2^15 vertices as for 2^15)"},
-        kThreadsOption,
+        kWorkLimitOption, kThreadsOption,
         Option{"--verify", "", "check the result; write nothing and exit with 70 if it fails"},
         Option{"--ascii", "", "write numbers as text that reads back exactly"}, kJsonOption,
         kQuietOption, kHelpOption}) {
@@ -70,24 +64,6 @@ struct Request {
   bool verify = false;
 };
 
-Result<void> read_between_option(const Arguments& arguments, ReconstructOptions& options) {
-  const std::optional<std::string> text = arguments.text("--between");
-  if (!text || *text == "none") return {};
-  if (*text == "auto") {
-    options.between = std::nullopt;
-    return {};
-  }
-  const auto count = arguments.integer("--between", 0, kMostBetween);
-  if (!count) {
-    return usage_error("option --between: " + io::in_quotes(*text) +
-                       " is neither auto nor none "
-                       "nor a number from 0 to " +
-                       std::to_string(kMostBetween));
-  }
-  options.between = static_cast<std::size_t>(**count);
-  return {};
-}
-
 // Everything that can be said about the command line before a file is read.
 Result<Request> request_of(const Arguments& arguments, Console& console) {
   Request request;
@@ -101,9 +77,9 @@ Result<Request> request_of(const Arguments& arguments, Console& console) {
   const auto prepared = preparation(arguments);
   if (!prepared) return prepared.error();
   request.preparation = *prepared;
-  if (auto between = read_between_option(arguments, request.options); !between) {
-    return between.error();
-  }
+  const auto between = sections_between_option(arguments, "--between", 0);
+  if (!between) return between.error();
+  request.options.between = *between;
   const auto ends = arguments.choice("--ends", {"flat", "half"});
   if (!ends) return ends.error();
   request.options.ends = ends->value_or(0) == 0 ? Ends::flat : Ends::half;

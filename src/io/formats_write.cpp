@@ -117,6 +117,10 @@ Result<std::string> bytes_of(Result<Formatted> formatted) {
 
 }  // namespace
 
+Result<io::Staged> io::stage_stack(const std::string& path, const SectionStack& stack,
+                                   const WriteOptions& options, TemporaryWatcher* watcher) {
+  return stage_as(Contents::stack, path, options, watcher, stack_body(stack));
+}
 Result<io::Staged> io::stage_model(const std::string& path, const Model& model,
                                    const WriteOptions& options, TemporaryWatcher* watcher) {
   return stage_as(Contents::model, path, options, watcher, model_body(model));
@@ -141,7 +145,7 @@ Result<io::Staged> io::stage_file(const std::string& path, std::string_view byte
 
 Result<std::vector<Warning>> write_stack(const std::string& path, const SectionStack& stack,
                                          const WriteOptions& options) {
-  return io::committed(stage_as(Contents::stack, path, options, nullptr, stack_body(stack)));
+  return io::committed(io::stage_stack(path, stack, options));
 }
 Result<Formatted> format_stack(const SectionStack& stack, const WriteOptions& options) {
   return format_as(Contents::stack, options, stack_body(stack));

@@ -10,6 +10,7 @@
 #include <tetloft/formats.hpp>
 #include <tetloft/model.hpp>
 #include <tetloft/result.hpp>
+#include <tetloft/section_stack.hpp>
 
 #include "io/format.hpp"
 #include "io/pending_file.hpp"
@@ -21,6 +22,9 @@ struct Staged {
   std::vector<Warning> warnings;
 };
 
+[[nodiscard]] Result<Staged> stage_stack(const std::string& path, const SectionStack& stack,
+                                         const WriteOptions& options,
+                                         TemporaryWatcher* watcher = nullptr);
 [[nodiscard]] Result<Staged> stage_model(const std::string& path, const Model& model,
                                          const WriteOptions& options,
                                          TemporaryWatcher* watcher = nullptr);

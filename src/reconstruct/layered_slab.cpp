@@ -1,9 +1,11 @@
 #include "reconstruct/layered_slab.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "core/union_find.hpp"
+#include "reconstruct/inner_links.hpp"
 #include "reconstruct/layered_voids.hpp"
 #include "reconstruct/slab_topology.hpp"
 #include "sections/conforming_section.hpp"
@@ -16,7 +18,6 @@ namespace tetloft::internal {
 namespace {
 
 using between::InnerSections;
-using between::LayerLink;
 
 std::size_t vertex_count(const Section& section) {
   std::size_t vertices = 0;
@@ -37,6 +38,8 @@ class LayeredSlab {
         inner_(inner),
         options_(options),
         classes_(lower, upper, links.regions),
+        given_{sections::given_section(lower), sections::given_section(upper)},
+        nested_(layers_of({given_[0], lower.nesting}, {given_[1], upper.nesting}, inner)),
         mids_(inner.sections.size()),
         gabriel_(inner.sections.size()),
         solids_(inner.sections.size() + 1) {
@@ -54,7 +57,7 @@ class LayeredSlab {
     }
     if (!link_layers()) return std::nullopt;
     if (links_.voids == nullptr) return 0;
-    voids_.emplace(layers_, *links_.voids);
+    voids_.emplace(nested_, *links_.voids);
     auto decided = voids_->decide(region_links_);
     if (!decided) return std::nullopt;
     void_links_ = std::move(*decided);
@@ -94,7 +97,7 @@ class LayeredSlab {
         conform(section, SectionId(0),
                 {.gabriel = gabriel_[mid],
                  .most_inserted = most_inserted(options_.work_limit, vertex_count(section))});
-    if (!made) return false;
+    if (!accepted(made)) return false;
     mids_[mid] = std::move(*made);
     return true;
   }
@@ -106,13 +109,12 @@ class LayeredSlab {
       regions.add_layer(section->nesting.outer.size());
     }
     UnionFind parts(regions.size());
-    region_links_.resize(slab_count());
+    region_links_ = layer_region_links(inner_);
     for (const SlabId k : region_links_.ids()) {
-      for (const LayerLink& link : inner_.links[k.index()]) {
-        if (class_of(k.index(), link.below) != class_of(k.index() + 1, link.above)) return false;
-        region_links_[k].push_back({k, link.below, link.above});
-        parts.unite(regions.of(k.index(), link.below.index()),
-                    regions.of(k.index() + 1, link.above.index()));
+      for (const Link& link : region_links_[k]) {
+        if (class_of(k.index(), link.lower) != class_of(k.index() + 1, link.upper)) return false;
+        parts.unite(regions.of(k.index(), link.lower.index()),
+                    regions.of(k.index() + 1, link.upper.index()));
       }
     }
     IdVector<ClassId, std::size_t> part(classes_.class_count(), regions.size());
@@ -140,7 +142,7 @@ class LayeredSlab {
       Result<SlabOutcome> outcome = build_slab(
           slab, layer(k), layer(k + 1),
           {region_links_[slab], void_links_.empty() ? nullptr : &void_links_[slab]}, options_);
-      if (!outcome) return false;
+      if (!accepted(outcome)) return false;
       if (auto* solid = std::get_if<SlabSolid>(&*outcome)) {
         solids_[k++] = std::move(*solid);
         continue;
@@ -174,8 +176,7 @@ class LayeredSlab {
   [[nodiscard]] std::vector<TopologyGroup> expected(const RealisedVoids& voids) const {
     const ConformingSection& lower = layer(0);
     const ConformingSection& upper = layer(slab_count());
-    const sections::FaceOverlay faces(sections::given_section(lower), lower.nesting,
-                                      sections::given_section(upper), upper.nesting);
+    const sections::FaceOverlay faces(given_[0], lower.nesting, given_[1], upper.nesting);
     return expected_topology(faces, lower, upper, {links_.regions, voids.links, voids.united});
   }
 
@@ -250,9 +251,11 @@ class LayeredSlab {
   const InnerSections& inner_;
   SlabOptions options_;
   SlabClasses classes_;
+  std::array<Section, 2> given_;
+  Layers nested_;
   std::vector<ConformingSection> mids_;
   std::vector<IdVector<ContourId, bool>> gabriel_;
-  Layers layers_;
+  std::vector<const ConformingSection*> layers_;
   std::optional<LayeredVoids> voids_;
   IdVector<SlabId, std::vector<Link>> region_links_;
   IdVector<SlabId, std::vector<Link>> void_links_;

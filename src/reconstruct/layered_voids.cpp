@@ -1,18 +1,25 @@
 #include "reconstruct/layered_voids.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <iterator>
 #include <utility>
 
-#include "completion/slab_voids.hpp"
+#include "core/guard.hpp"
 #include "core/sort_distinct.hpp"
 #include "reconstruct/decide_voids.hpp"
 #include "sections/complement.hpp"
-#include "sections/conforming_section.hpp"
 
 namespace tetloft::internal {
 
 namespace {
+
+// The exterior and the holes.
+std::size_t void_count(const Nesting& nesting) {
+  return 1 + static_cast<std::size_t>(
+                 std::count_if(nesting.depth.begin(), nesting.depth.end(),
+                               [](std::uint32_t depth) { return depth % 2 != 0; }));
+}
 
 // Sets of voids that have the class of any member, or none yet.
 class ClassedVoids {
@@ -41,9 +48,7 @@ class ClassedVoids {
 
 LayeredVoids::LayeredVoids(const Layers& layers, const std::vector<Link>& links)
     : layers_(layers), links_(links) {
-  for (const ConformingSection* section : layers) {
-    numbering_.add_layer(voids_of(*section).hole.size());
-  }
+  for (const NestedSection& layer : layers) numbering_.add_layer(void_count(layer.nesting));
   UnionFind sets(numbering_.size());
   sets.unite(numbering_.of(0, 0), numbering_.of(last(), 0));
   for (const Link& link : links) {
@@ -60,14 +65,14 @@ LayeredVoids::LayeredVoids(const Layers& layers, const std::vector<Link>& links)
 std::optional<IdVector<SlabId, std::vector<Link>>> LayeredVoids::decide(
     const IdVector<SlabId, std::vector<Link>>& of_regions) const {
   PreparedStack stack;
-  for (const ConformingSection* section : layers_) {
-    stack.stack.sections.push_back(sections::given_section(*section));
-    stack.nestings.push_back(section->nesting);
+  for (const NestedSection& layer : layers_) {
+    stack.stack.sections.push_back(layer.section);
+    stack.nestings.push_back(layer.nesting);
   }
   const ReconstructOptions by_rule;
   const WatchedWork work(by_rule.execution, 0);
   Result<std::optional<Correspondence>> voids = VoidDecision(stack, by_rule).make(of_regions, work);
-  if (!voids || !*voids) return std::nullopt;
+  if (!accepted(voids) || !*voids) return std::nullopt;
   return parted(std::move((*voids)->candidates));
 }
 
@@ -105,22 +110,21 @@ std::optional<RealisedVoids> LayeredVoids::realised(
     const std::vector<std::optional<SlabSolid>>& solids) const {
   UnionFind got(numbering_.size());
   for (const SlabId k : links.ids()) {
-    static const SlabSolid kAllRealised;
-    const SlabSolid& solid = solids.empty() ? kAllRealised : *solids[k.index()];
+    const SlabSolid* const solid = solids.empty() ? nullptr : &*solids[k.index()];
     const SlabVoidNumbering in_slab(numbering_.size(k.index()), numbering_.size(k.index() + 1));
     const auto in_all = [&](SlabVoidId v) {
       return numbering_.of(k.index() + (in_slab.is_upper(v) ? 1 : 0),
                            in_slab.in_section(v).index());
     };
     for (const Link& link : links[k]) {
-      const bool open = std::find(solid.unrealised.begin(), solid.unrealised.end(), link) ==
-                        solid.unrealised.end();
-      if (open) {
+      if (solid == nullptr || std::find(solid->unrealised.begin(), solid->unrealised.end(), link) ==
+                                  solid->unrealised.end()) {
         got.unite(in_all(in_slab.in_slab(false, link.lower)),
                   in_all(in_slab.in_slab(true, link.upper)));
       }
     }
-    for (const auto& [a, b] : solid.united_voids) got.unite(in_all(a), in_all(b));
+    if (solid == nullptr) continue;
+    for (const auto& [a, b] : solid->united_voids) got.unite(in_all(a), in_all(b));
   }
   std::vector<std::size_t> class_of_part(numbering_.size(), none());
   for (std::size_t v = 0; v < class_of_.size(); ++v) {

@@ -5,18 +5,14 @@
 #include <optional>
 #include <vector>
 
-#include <tetloft/conforming_section.hpp>
-
 #include "core/union_find.hpp"
 #include "correspondence/candidate.hpp"
+#include "reconstruct/inner_links.hpp"
 #include "reconstruct/layer_numbering.hpp"
 #include "reconstruct/slab_solid.hpp"
 #include "slab/link.hpp"
 
 namespace tetloft::internal {
-
-/// From below: the slab's lower section, those between, its upper one.
-using Layers = std::vector<const ConformingSection*>;
 
 /// Links of a slab's voids as its solid has them.
 struct RealisedVoids {

@@ -1,31 +1,13 @@
-// The API: validates, runs the steps over all sections and slabs, glues, reports.
+// The API: runs the phases, and reports.
 #include <tetloft/reconstruct.hpp>
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <optional>
+#include <utility>
 
-#include <tetloft/predicates.hpp>
-
-#include "core/enums.hpp"
-#include "core/guard.hpp"
-#include "core/option_rules.hpp"
-#include "core/parallel.hpp"
-#include "core/unit_of_length.hpp"
-#include "core/watched_work.hpp"
-#include "correspondence/link_report.hpp"
-#include "model/scaling.hpp"
-#include "reconstruct/build.hpp"
-#include "reconstruct/decide.hpp"
-#include "reconstruct/decide_between.hpp"
-#include "reconstruct/decide_voids.hpp"
-#include "reconstruct/ends.hpp"
-#include "reconstruct/glue.hpp"
 #include "reconstruct/hints.hpp"
-#include "reconstruct/prepare.hpp"
-#include "reconstruct/stack_errors.hpp"
-#include "reconstruct/void_outcome.hpp"
+#include "reconstruct/phases.hpp"
 
 namespace tetloft {
 
@@ -34,28 +16,6 @@ using namespace internal;
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-// Steps that the caller's callback hears of; an empty stack is refused.
-std::size_t step_count(const SectionStack& stack) {
-  const std::size_t sections = stack.sections.size();
-  return sections == 0 ? 0 : 2 * sections - 1;
-}
-
-[[nodiscard]] std::optional<Error> check_options(const ReconstructOptions& options) {
-  const Result<void> sensible = check_correspondence_options(options.correspondence);
-  if (!sensible) return sensible.error();
-  if (!is_enumerator(options.ends, Ends::half)) {
-    return Error{ErrorCode::usage, "there are no such ends: flat or half", {}};
-  }
-  if (!is_enumerator(options.delaunay, DelaunayEngine::slab)) {
-    return Error{ErrorCode::usage, "there is no such Delaunay engine", {}};
-  }
-  Result<void> good = check_work_limit(options.work_limit);
-  if (good && options.between) good = check_between(*options.between);
-  if (good && options.thickness) good = check_length(*options.thickness, "the thickness");
-  if (!good) return good.error();
-  return std::nullopt;
-}
 
 // What the parts of a model did, in sum.
 void add_up(const std::vector<Part>& parts, ReconstructReport& report) {
@@ -76,6 +36,7 @@ void describe(const PreparedStack& prepared, const Model& model, ReconstructRepo
   report.vertices = model.points.size();
   report.tets = model.tets.size();
   report.components = model.component_count;
+  report.volume = volume(model);
   report.split_vertices = static_cast<std::size_t>(
       std::count(model.origin.begin(), model.origin.end(), PointOrigin::contour_split));
   report.work += report.split_vertices;
@@ -86,115 +47,37 @@ void describe(const PreparedStack& prepared, const Model& model, ReconstructRepo
   }
 }
 
-void warn_of_dropped(const StackCandidates& candidates,
-                     const IdVector<SectionId, Nesting>& nestings, std::vector<Warning>& warnings) {
-  for (const RegionLink& link : region_links(candidates, nestings)) {
-    if (link.fate != LinkFate::unrealisable) continue;
-    Place place;
-    place.section = lower_section(link.slab).index();
-    place.contour = link.lower.index();
-    warnings.push_back({"it was not joined to contour " + std::to_string(link.upper.index()) +
-                            " of the section above, as it should: no Delaunay edge lies between",
-                        place});
-  }
-}
-
-// Decide, build, glue. Nothing where the model, made in the unit of the prepared stack, is none in
-// the one given. `result` holds what is known before.
-Result<std::optional<Reconstruction>> make(PreparedStack& prepared,
-                                           const ReconstructOptions& options, WatchedWork& work,
-                                           Reconstruction result) {
-  ReconstructReport& report = result.report;
-  StepClock clock(report.seconds);
-  Plan plan;
-  plan.exponent = prepared.exponent;
-  plan.gabriel.resize(prepared.section_count());
-  plan.apart.resize(prepared.section_count());
-  Result<std::optional<EndPlanes>> ends = place_ends(prepared, options, result.warnings);
-  if (!ends) return ends.error();
-  plan.ends = *ends;
-  Decision decision(prepared, options);
-  Result<Correspondence> decided = decision.make(all_ids<SlabId>(prepared.slab_count()), work);
-  if (!decided) return decided.error();
-  plan.correspondence = std::move(*decided);
-  plan.motions = decision.motions();
-  const VoidDecision void_decision(prepared, options);
-  Result<std::optional<Correspondence>> voids = void_decision.make(plan.correspondence.links, work);
-  if (!voids) return voids.error();
-  plan.voids = std::move(*voids);
-  clock.end(Step::correspondence);
-  if (auto error =
-          decide_between(prepared, options, all_ids<SlabId>(prepared.slab_count()), work, plan)) {
-    return *error;
-  }
-  clock.end(Step::between);
-
-  SlabBuilds builds(prepared, decision, plan, options, work);
-  if (auto error = builds.run()) return *error;
-  warn_of_dropped(plan.correspondence.candidates, prepared.nestings, result.warnings);
-  for (const auto& hint : {hint_of_missing_partners(prepared, plan.correspondence.candidates),
-                           hint_of_coarse_contours(prepared, plan.correspondence)}) {
-    if (hint) result.warnings.push_back(*hint);
-  }
-  std::vector<Part> parts = builds.take_parts();
-  VoidOutcome of_voids =
-      void_outcome(prepared.sections, plan.voids, void_decision.complements(), parts);
-  add_up(parts, report);
-  count(report.rules, Rule::gabriel_refinement, builds.refinements());
-  StepClock gluing(report.seconds);
-  result.model = glue(prepared.sections, plan.correspondence.component, std::move(parts));
-  result.model.links = region_links(plan.correspondence.candidates, prepared.nestings);
-  result.model.motions = std::move(plan.motions);
-  result.model.void_links = std::move(of_voids.links);
-  result.model.deviations = std::move(of_voids.deviations);
-  gluing.end(Step::assembly);
-  if (const auto hint = hint_of_many_tets(prepared, result.model)) result.warnings.push_back(*hint);
-  describe(prepared, result.model, report);
-  if (!scale_exactly(result.model, -prepared.exponent)) return std::optional<Reconstruction>();
-  report.volume = volume(result.model);
-  result.partition = std::move(plan.correspondence.partition);
-  return std::optional(std::move(result));
-}
-
-// All phases; errors in the unit given.
-Result<std::optional<Reconstruction>> make_in(Unit unit, const SectionStack& stack,
-                                              const ReconstructOptions& options) {
+// Nothing where the model, made in this unit, is none in the one given.
+Result<std::optional<Reconstruction>> reconstruct_in(Unit unit, const SectionStack& stack,
+                                                     const ReconstructOptions& options) {
   const auto start = Clock::now();
-  if (auto error = check_options(options)) return *error;
   WatchedWork work(options.execution, step_count(stack));
+  Result<BuiltStack> built = build_stack(unit, stack, options, work);
+  if (!built) return built.error();
   Reconstruction result;
-  StepClock clock(result.report.seconds);
-  Result<PreparedStack> prepared = prepare(stack, unit, options, work);
-  if (!prepared) return prepared.error();
-  clock.end(Step::sections);
-  auto made = make(*prepared, options, work, std::move(result));
-  if (!made) {
-    Error error = made.error();
-    if (error.where.point) error.where.point = scaled(*error.where.point, -prepared->exponent);
-    return error;
+  ReconstructReport& report = result.report;
+  add_up(built->parts, report);
+  count(report.rules, Rule::gabriel_refinement, built->refinements);
+  std::optional<Model> model = take_model(*built);
+  if (!model) return std::optional<Reconstruction>();
+  result.model = std::move(*model);
+  result.warnings = std::move(built->warnings);
+  if (const auto hint = hint_of_many_tets(built->prepared, result.model)) {
+    result.warnings.push_back(*hint);
   }
-  if (*made) {
-    (*made)->report.seconds_total = std::chrono::duration<double>(Clock::now() - start).count();
-  }
-  return made;
+  describe(built->prepared, result.model, report);
+  result.partition = std::move(built->plan.correspondence.partition);
+  for (std::size_t s = 0; s < kSteps; ++s) report.seconds[s] += built->seconds[s];
+  report.seconds_total = std::chrono::duration<double>(Clock::now() - start).count();
+  return std::optional(std::move(result));
 }
 
 }  // namespace
 
-Result<Reconstruction> reconstruct(const SectionStack& stack,
-                                   const ReconstructOptions& given_options) {
-  return guard_threads(given_options,
-                       [&](const ReconstructOptions& options) -> Result<Reconstruction> {
-                         if (Result<void> sound = fp_self_check(); !sound) return sound.error();
-                         auto made = make_in(Unit::of_the_stack, stack, options);
-                         if (!made) return made.error();
-                         if (*made) return std::move(**made);
-                         ReconstructOptions again = options;
-                         again.execution.progress = nullptr;  // all steps have been told
-                         made = make_in(Unit::as_given, stack, again);
-                         if (!made) return made.error();
-                         return std::move(**made);
-                       });
+Result<Reconstruction> reconstruct(const SectionStack& stack, const ReconstructOptions& options) {
+  return in_either_unit(options, [&](Unit unit, const ReconstructOptions& in_unit) {
+    return reconstruct_in(unit, stack, in_unit);
+  });
 }
 
 }  // namespace tetloft

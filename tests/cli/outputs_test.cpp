@@ -37,6 +37,9 @@ class Outputs : public ::testing::Test {
              {solid, surface}},
             {{"delaunay", points_, "-o", solid}, {solid}},
             {{"links", in_, "-o", folder_.file("o.labels")}, {folder_.file("o.labels")}},
+            {{"between", in_, "-o", folder_.file("o.cnt")}, {folder_.file("o.cnt")}},
+            {{"between", in_, "-o", folder_.file("o.cnt"), "--labels-out", folder_.file("o.txt")},
+             {folder_.file("o.cnt"), folder_.file("o.txt")}},
             {{"skeleton", in_, "-o", lines}, {lines}},
             {{"render", model_, "-o", page}, {page}}};
   }

@@ -22,6 +22,7 @@ TEST(Help, IsPrintedByEveryCommand) {
                                                 {"reconstruct", "--help"},
                                                 {"check", "--help"},
                                                 {"links", "--help"},
+                                                {"between", "--help"},
                                                 {"delaunay", "--help"},
                                                 {"info", "--help"},
                                                 {"reconstruct", "x.cnt", "--help"}}) {
@@ -41,7 +42,7 @@ TEST(Help, NamesEveryOption) {
     EXPECT_NE(help.find(option), std::string::npos) << option;
   }
   const std::string general = run({"--help"}).out;
-  for (const char* command : {"reconstruct", "check", "links", "delaunay", "info"}) {
+  for (const char* command : {"reconstruct", "check", "links", "between", "delaunay", "info"}) {
     EXPECT_NE(general.find(command), std::string::npos) << command;
   }
 }
@@ -67,7 +68,7 @@ TEST(Usage, ShowsTheHelpWhereNothingIsAsked) {
 
 TEST(Help, OfACommandByItsName) {
   for (const char* command :
-       {"reconstruct", "check", "links", "delaunay", "skeleton", "render", "info"}) {
+       {"reconstruct", "check", "links", "between", "delaunay", "skeleton", "render", "info"}) {
     const std::string help = run({command, "--help"}).out;
     EXPECT_EQ(run({"help", command}).out, help);
     EXPECT_EQ(run({command, "-h"}).out, help);

@@ -48,6 +48,19 @@ TEST(MemoryEnds, WhileReconstructingWithOptions) {
   sweep_reconstruct("single section", single_section(), {.execution = {.threads = 1}});
 }
 
+TEST(MemoryEnds, WhileSectionsArePutBetween) {
+  for (const char* file : {"fork", "ring"}) {
+    const SectionStack stack = case_stack(file);
+    sweep_reconstruct(std::string(file) + ", between", stack,
+                      {.between = 1, .execution = {.threads = 1}});
+    BetweenOptions options;
+    options.sections = 1;
+    options.execution.threads = 1;
+    options.correspondence.decisions = {{SlabId(0), ContourId(0), ContourId(0)}};
+    sweep(std::string("between, ") + file, [&] { return ended(between(stack, options)); });
+  }
+}
+
 TEST(MemoryEnds, WhileReconstructingIsRefused) {
   SectionStack crossing = case_stack("fork");
   std::swap(crossing.sections[SectionId(0)].contours[ContourId(0)].vertices[0],

@@ -87,6 +87,7 @@ TEST(CorrespondenceOptions, AreJudgedAlikeByAllWhoTakeThem) {
     expect_error(reconstruct(stack, {.correspondence = correspondence}), code, what);
     expect_error(check(model, stack, {.correspondence = correspondence}), code, what);
     expect_error(find_links(stack, {.correspondence = correspondence}), code, what);
+    expect_error(between(stack, {.correspondence = correspondence}), code, what);
   };
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   for (const double ratio : {1.0, 1.0000001, 2.0, 1e300, kInfinity, -kInfinity, -1.0, -1e-300,

@@ -26,6 +26,7 @@ std::uint64_t digest(const SectionStack& stack);
 std::uint64_t digest(const CheckReport& report);
 inline std::uint64_t digest(const Reconstruction& value) { return digest(value.model); }
 inline std::uint64_t digest(const GeigerModel& value) { return digest(value.model); }
+inline std::uint64_t digest(const LongStack& value) { return digest(value.stack); }
 inline std::uint64_t digest(const Snapped& value) { return digest(value.stack); }
 inline std::uint64_t digest(const Repaired& value) { return digest(value.stack); }
 inline std::uint64_t digest(const Refined& value) { return digest(value.stack); }

@@ -1,0 +1,149 @@
+#include "reconstruct/phases.hpp"
+
+#include <string>
+
+#include "core/enums.hpp"
+#include "core/option_rules.hpp"
+#include "core/unit_of_length.hpp"
+#include "correspondence/link_report.hpp"
+#include "model/scaling.hpp"
+#include "reconstruct/build.hpp"
+#include "reconstruct/decide.hpp"
+#include "reconstruct/decide_between.hpp"
+#include "reconstruct/decide_voids.hpp"
+#include "reconstruct/ends.hpp"
+#include "reconstruct/hints.hpp"
+#include "reconstruct/stack_errors.hpp"
+#include "reconstruct/void_outcome.hpp"
+
+namespace tetloft::internal {
+
+namespace {
+
+[[nodiscard]] std::optional<Error> check_options(const ReconstructOptions& options) {
+  const Result<void> sensible = check_correspondence_options(options.correspondence);
+  if (!sensible) return sensible.error();
+  if (!is_enumerator(options.ends, Ends::half)) {
+    return Error{ErrorCode::usage, "there are no such ends: flat or half", {}};
+  }
+  if (!is_enumerator(options.delaunay, DelaunayEngine::slab)) {
+    return Error{ErrorCode::usage, "there is no such Delaunay engine", {}};
+  }
+  Result<void> good = check_work_limit(options.work_limit);
+  if (good && options.between) good = check_between(*options.between);
+  if (good && options.thickness) good = check_length(*options.thickness, "the thickness");
+  if (!good) return good.error();
+  return std::nullopt;
+}
+
+void warn_of_dropped(const StackCandidates& candidates,
+                     const IdVector<SectionId, Nesting>& nestings, std::vector<Warning>& warnings) {
+  for (const RegionLink& link : region_links(candidates, nestings)) {
+    if (link.fate != LinkFate::unrealisable) continue;
+    Place place;
+    place.section = lower_section(link.slab).index();
+    place.contour = link.lower.index();
+    warnings.push_back({"it was not joined to contour " + std::to_string(link.upper.index()) +
+                            " of the section above, as it should: no Delaunay edge lies between",
+                        place});
+  }
+}
+
+void warn(BuiltStack& built) {
+  const PreparedStack& prepared = built.prepared;
+  const Correspondence& decided = built.plan.correspondence;
+  warn_of_dropped(decided.candidates, prepared.nestings, built.warnings);
+  for (const auto& hint : {hint_of_missing_partners(prepared, decided.candidates),
+                           hint_of_coarse_contours(prepared, decided)}) {
+    if (hint) built.warnings.push_back(*hint);
+  }
+}
+
+// All but preparing, of a stack prepared.
+[[nodiscard]] std::optional<Error> decide_and_build(BuiltStack& built,
+                                                    const ReconstructOptions& options,
+                                                    WatchedWork& work) {
+  PreparedStack& prepared = built.prepared;
+  Plan& plan = built.plan;
+  StepClock clock(built.seconds);
+  plan.exponent = prepared.exponent;
+  plan.gabriel.resize(prepared.section_count());
+  plan.apart.resize(prepared.section_count());
+  Result<std::optional<EndPlanes>> ends = place_ends(prepared, options, built.warnings);
+  if (!ends) return ends.error();
+  plan.ends = *ends;
+  Decision decision(prepared, options);
+  Result<Correspondence> decided = decision.make(all_ids<SlabId>(prepared.slab_count()), work);
+  if (!decided) return decided.error();
+  plan.correspondence = std::move(*decided);
+  plan.motions = decision.motions();
+  const VoidDecision void_decision(prepared, options);
+  Result<std::optional<Correspondence>> voids = void_decision.make(plan.correspondence.links, work);
+  if (!voids) return voids.error();
+  plan.voids = std::move(*voids);
+  built.complements = void_decision.complements();
+  clock.end(Step::correspondence);
+  if (auto error =
+          decide_between(prepared, options, all_ids<SlabId>(prepared.slab_count()), work, plan)) {
+    return error;
+  }
+  clock.end(Step::between);
+  SlabBuilds builds(prepared, decision, plan, options, work);
+  if (auto error = builds.run()) return error;
+  built.parts = builds.take_parts();
+  built.refinements = builds.refinements();
+  warn(built);
+  return std::nullopt;
+}
+
+}  // namespace
+
+IdVector<SlabId, std::uint32_t> BuiltStack::sections_between() const {
+  IdVector<SlabId, std::uint32_t> counts(prepared.slab_count());
+  for (const Part& part : parts) {
+    if (part.lower.valid() && part.upper.valid()) counts[part.slab] = part.solid.sections_between;
+  }
+  return counts;
+}
+
+std::size_t step_count(const SectionStack& stack) {
+  const std::size_t sections = stack.sections.size();
+  return sections == 0 ? 0 : 2 * sections - 1;
+}
+
+Result<BuiltStack> build_stack(Unit unit, const SectionStack& stack,
+                               const ReconstructOptions& options, WatchedWork& work) {
+  if (auto error = check_options(options)) return *error;
+  BuiltStack built;
+  StepClock clock(built.seconds);
+  Result<PreparedStack> prepared = prepare(stack, unit, options, work);
+  if (!prepared) return prepared.error();
+  built.prepared = std::move(*prepared);
+  clock.end(Step::sections);
+  if (auto error = decide_and_build(built, options, work)) {
+    if (error->where.point) {
+      error->where.point = scaled(*error->where.point, -built.prepared.exponent);
+    }
+    return *error;
+  }
+  return built;
+}
+
+std::optional<Model> take_model(BuiltStack& built) {
+  StepClock clock(built.seconds);
+  Plan& plan = built.plan;
+  VoidOutcome of_voids =
+      void_outcome(built.prepared.sections, plan.voids, built.complements, built.parts);
+  Model model =
+      glue(built.prepared.sections, plan.correspondence.component, std::move(built.parts));
+  model.links = region_links(plan.correspondence.candidates, built.prepared.nestings);
+  model.motions = plan.motions;
+  model.void_links = std::move(of_voids.links);
+  model.deviations = std::move(of_voids.deviations);
+  const bool exact = scale_exactly(model, -built.prepared.exponent);
+  clock.end(Step::assembly);
+  if (!exact) return std::nullopt;
+  return model;
+}
+
+}  // namespace tetloft::internal

@@ -1,0 +1,65 @@
+// The phases that all need who ask for a solid, or for what it is made of: prepare, decide, put
+// between, build; and glue.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <tetloft/predicates.hpp>
+#include <tetloft/reconstruct.hpp>
+
+#include "core/parallel.hpp"
+#include "core/watched_work.hpp"
+#include "reconstruct/glue.hpp"
+#include "reconstruct/plan.hpp"
+#include "reconstruct/prepare.hpp"
+
+namespace tetloft::internal {
+
+/// A stack whose slabs are all solid.
+struct BuiltStack {
+  PreparedStack prepared;
+  Plan plan;                                 ///< as it was built
+  IdVector<SectionId, Nesting> complements;  ///< VoidDecision::complements()
+  std::vector<Part> parts;                   ///< from below
+  std::uint64_t refinements = 0;             ///< how often contours were refined
+  StepSeconds seconds{};                     ///< of what is not told by the parts
+  std::vector<Warning> warnings;
+
+  /// How many sections the slab's solid has between its two.
+  [[nodiscard]] IdVector<SlabId, std::uint32_t> sections_between() const;
+};
+
+/// Steps that the caller's callback hears of; none of an empty stack, which is refused.
+[[nodiscard]] std::size_t step_count(const SectionStack& stack);
+
+/// Prepares, decides, puts between and builds, in this unit. Errors are in the unit given.
+[[nodiscard]] Result<BuiltStack> build_stack(Unit unit, const SectionStack& stack,
+                                             const ReconstructOptions& options, WatchedWork& work);
+
+/// The model, in the unit given; the parts are given up. Nothing where it is none there: a
+/// coordinate would lose a bit.
+[[nodiscard]] std::optional<Model> take_model(BuiltStack& built);
+
+/// make(unit, options) -> Result<std::optional<T>>, in the unit of the stack, or, where nothing
+/// came of that, in the one given.
+template <class Make>
+auto in_either_unit(const ReconstructOptions& given_options, const Make& make) {
+  using Made = std::decay_t<decltype(**make(Unit::of_the_stack, given_options))>;
+  return guard_threads(given_options, [&](const ReconstructOptions& options) -> Result<Made> {
+    if (Result<void> sound = fp_self_check(); !sound) return sound.error();
+    auto made = make(Unit::of_the_stack, options);
+    if (!made) return made.error();
+    if (*made) return std::move(**made);
+    ReconstructOptions again = options;
+    again.execution.progress = nullptr;  // all steps have been told
+    made = make(Unit::as_given, again);
+    if (!made) return made.error();
+    return std::move(**made);
+  });
+}
+
+}  // namespace tetloft::internal
