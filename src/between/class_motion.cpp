@@ -32,7 +32,7 @@ constexpr double kNodesPerGap = static_cast<double>(kStepsPerGap) / kStride;
 constexpr std::int64_t kLongest2 = 5;
 constexpr double kSigma = 0.8;     // of what counts around a node, in gaps
 constexpr double kEvenness = 1.0;  // motions are smoothed by as much, in gaps
-constexpr double kStiffness = 0.005;
+constexpr double kStiffness = 0.01;
 constexpr double kNeighbours = 0.5;
 // Misfits as much above the least, in gaps squared, weigh a sixteenth.
 constexpr double kTolerance = 0.01;
@@ -126,7 +126,7 @@ class Fit {
            (tells_[upper] && tells_[beyond]);
   }
   [[nodiscard]] bool at_rest() const {
-    if (!tells_[lower] || !tells_[upper]) return false;
+    if (is_lone()) return false;
     std::size_t both = 0;
     std::size_t either = 0;
     for (const LatticeWindow& tile : tiles_of(nodes_)) {
@@ -170,7 +170,7 @@ class Fit {
       double* const out = square.data() + tile_.place(tile_.i0, j);
       for (const Around s : {lower, behind, upper}) {
         if (!tells_[s] || !tells_[s + 1]) continue;
-        const double weight = s == lower ? 1 : kNeighbours;
+        const double weight = s == lower || is_lone() ? 1 : kNeighbours;
         for (std::size_t k = 0; k < row_[s].size(); ++k) {
           const double e = row_[s + 1][k] - row_[s][k];
           out[k] += weight * (e * e);
@@ -180,6 +180,9 @@ class Fit {
   }
 
  private:
+  // In one section of the slab only.
+  [[nodiscard]] bool is_lone() const { return !tells_[lower] || !tells_[upper]; }
+
   std::array<LatticeEdges, 4> edges_;
   double back_ = 0, on_ = 0;       // the neighbours' distances, in gaps
   std::array<double, 4> share_{};  // of half a motion, from the middle of the slab on
@@ -203,10 +206,20 @@ void measure_misfits(Fit& fit, const LatticeWindow& nodes, const std::vector<Hal
   }
 }
 
-// The mean of the motions at a node, the more weight the less misfit; in samples.
-Point2 soft_least(const std::vector<Half>& halves, const Misfits& misfit, std::size_t node) {
+// What a node says of the motion, in samples.
+struct Vote {
+  Point2 motion;
+  double weight = 0;
+};
+
+// The mean of the motions, the more weight the less misfit. It counts by how far misfits differ.
+Vote vote_of(const std::vector<Half>& halves, const Misfits& misfit, std::size_t node) {
   double least = misfit.front()[node];
-  for (const std::vector<double>& e : misfit) least = std::min(least, e[node]);
+  double all = 0;
+  for (const std::vector<double>& e : misfit) {
+    least = std::min(least, e[node]);
+    all += e[node];
+  }
   constexpr double kScale = 1 / (kTolerance * kStepsPerGap * kStepsPerGap);
   double sum = 0;
   Point2 mean;
@@ -217,7 +230,7 @@ Point2 soft_least(const std::vector<Half>& halves, const Misfits& misfit, std::s
     mean.x += weight * static_cast<double>(2 * halves[m].i);
     mean.y += weight * static_cast<double>(2 * halves[m].j);
   }
-  return {mean.x / sum, mean.y / sum};
+  return {{mean.x / sum, mean.y / sum}, all / static_cast<double>(misfit.size()) - least};
 }
 
 // Where between two of [low, end) a coordinate lies: the lower one, and how far on.
@@ -251,6 +264,7 @@ std::optional<MotionField> estimate_motion(const ClassOutlines& outlines) {
   const double step = (*outlines.z[upper] - *outlines.z[lower]) / kStepsPerGap;
   std::vector<double> x(nodes.size(), 0);
   std::vector<double> y(nodes.size(), 0);
+  std::vector<double> weight(nodes.size(), 0);
   Smoother around(kSigma * kNodesPerGap, Smoother::Outside::zero);
   Misfits misfit;
   for (const LatticeWindow& tile : tiles_of(nodes)) {
@@ -259,18 +273,22 @@ std::optional<MotionField> estimate_motion(const ClassOutlines& outlines) {
     measure_misfits(fit, wide, halves, around, misfit);
     for (std::int64_t j = tile.j0; j < tile.j1; ++j) {
       for (std::int64_t i = tile.i0; i < tile.i1; ++i) {
-        const Point2 u = soft_least(halves, misfit, wide.place(i, j));
-        x[nodes.place(i, j)] = u.x * step;
-        y[nodes.place(i, j)] = u.y * step;
+        const Vote vote = vote_of(halves, misfit, wide.place(i, j));
+        const std::size_t k = nodes.place(i, j);
+        x[k] = vote.weight * vote.motion.x;
+        y[k] = vote.weight * vote.motion.y;
+        weight[k] = vote.weight;
       }
     }
   }
-  Smoother even(kEvenness * kNodesPerGap, Smoother::Outside::border);
-  even.smooth(x, nodes.nx(), nodes.ny());
-  even.smooth(y, nodes.nx(), nodes.ny());
-  MotionField field{nodes, step * kStride, {}};
-  field.node.reserve(nodes.size());
-  for (std::size_t k = 0; k < nodes.size(); ++k) field.node.push_back({x[k], y[k]});
+  Smoother even(kEvenness * kNodesPerGap, Smoother::Outside::zero);
+  for (std::vector<double>* of_nodes : {&x, &y, &weight}) {
+    even.smooth(*of_nodes, nodes.nx(), nodes.ny());
+  }
+  MotionField field{nodes, step * kStride, std::vector<Point2>(nodes.size())};
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    if (weight[k] > 0) field.node[k] = {x[k] / weight[k] * step, y[k] / weight[k] * step};
+  }
   return field;
 }
 
