@@ -169,9 +169,10 @@ TEST(GivenLabels, ASubsetOfTheRegionsHasTheVoidsOfItsOwnContours) {
 }
 
 TEST(GivenLabels, EveryRegionHasASampleHoweverSmall) {
-  const Given given({rectangle(0.9, 0.9, 5.4, 5.4), rectangle(5.45, 5.1, 5.47, 5.12),
-                     rectangle(12.4, 7.4, 12.41, 7.41)});
-  const GivenLabels labels = given.labels({-2, -2, 16, 10});
+  // The second lies in a hole of the first, and all samples around it in the first itself.
+  const Given given({rectangle(0.9, 0.9, 8.4, 8.4), rectangle(5.3, 5.3, 5.6, 5.6),
+                     rectangle(5.44, 5.44, 5.46, 5.46), rectangle(12.4, 7.4, 12.41, 7.41)});
+  const GivenLabels labels = given.labels({-2, -2, 16, 12});
   ASSERT_EQ(labels.solids.size.size(), 3U);
   for (const std::size_t size : labels.solids.size) EXPECT_GE(size, 1U);
   for (std::uint32_t n = 0; n < 3; ++n) {
