@@ -35,26 +35,24 @@ void visit_common(const LatticeWindow& first, const LatticeWindow& second,
   }
 }
 
-// A sample of one class beside one of another.
-void soften(double& owner, double& other) {
-  const double value = std::clamp(owner, kDeepestBeside, kShallowestBeside);
-  // What the owner pushed out stays as near to it as it was.
-  if (other <= kOutside * -owner) other = kOutside * -value;
-  owner = value;
-}
+double softened(double value) { return std::clamp(value, kDeepestBeside, kShallowestBeside); }
 
-void soften_layer(const MeetingWindows& meeting, ClassShapes& shapes, std::size_t layer) {
+// Calls visit(owner's value, other's value) at each sample of one of the two classes that has one
+// of the other beside it, once for each of those.
+template <class Visit>
+void visit_borders(const MeetingWindows& meeting, ClassShapes& shapes, std::size_t layer,
+                   const Visit& visit) {
   const LatticeWindow& first = shapes[meeting.first].window;
   const LatticeWindow& second = shapes[meeting.second].window;
   std::vector<double>& a = shapes[meeting.first].value[layer];
   std::vector<double>& b = shapes[meeting.second].value[layer];
   const auto beside = [&](std::size_t p, std::size_t q, std::size_t on_p, std::size_t on_q) {
     if (a[p] < 0 && b[on_q] < 0) {
-      soften(a[p], b[q]);
-      soften(b[on_q], a[on_p]);
+      visit(a[p], b[q]);
+      visit(b[on_q], a[on_p]);
     } else if (b[q] < 0 && a[on_p] < 0) {
-      soften(b[q], a[p]);
-      soften(a[on_p], b[on_q]);
+      visit(b[q], a[p]);
+      visit(a[on_p], b[on_q]);
     }
   };
   visit_common(first, second, meeting.common,
@@ -62,6 +60,20 @@ void soften_layer(const MeetingWindows& meeting, ClassShapes& shapes, std::size_
                  if (i + 1 < meeting.common.i1) beside(p, q, p + 1, q + 1);
                  if (j + 1 < meeting.common.j1) beside(p, q, p + first.nx(), q + second.nx());
                });
+}
+
+// All others first: what an owner pushed out stays as near to it as it was.
+void soften_borders(const std::vector<MeetingWindows>& meetings, ClassShapes& shapes,
+                    std::size_t layer) {
+  for (const MeetingWindows& meeting : meetings) {
+    visit_borders(meeting, shapes, layer, [](const double& owner, double& other) {
+      if (other <= kOutside * -owner) other = kOutside * -softened(owner);
+    });
+  }
+  for (const MeetingWindows& meeting : meetings) {
+    visit_borders(meeting, shapes, layer,
+                  [](double& owner, const double&) { owner = softened(owner); });
+  }
 }
 
 void compete_in_layer(const MeetingWindows& meeting, ClassShapes& shapes, std::size_t layer) {
@@ -116,7 +128,7 @@ void compete(ClassShapes& shapes, const std::vector<MeetingWindows>& meetings) {
 
 void part_contours(ClassShapes& shapes, const std::vector<MeetingWindows>& meetings) {
   for (std::size_t layer = 1; layer + 1 < layers_of(shapes); ++layer) {
-    for (const MeetingWindows& meeting : meetings) soften_layer(meeting, shapes, layer);
+    soften_borders(meetings, shapes, layer);
   }
   compete(shapes, meetings);
 }

@@ -33,23 +33,23 @@ const Point2& lowest_vertex(const std::vector<Point2>& vertices) {
 std::vector<LatticeContour> contours_of(const GivenRegions& given) {
   IdVector<RegionId, std::uint32_t> node(given.nesting.outer.size(), kNoNode);
   for (std::uint32_t n = 0; n < given.regions.size(); ++n) node[given.regions[n]] = n;
-  std::vector<LatticeContour> contours;
+  std::vector<std::pair<Point2, ContourId>> members;
   for (const ContourId c : given.section.contours.ids()) {
-    const std::uint32_t solid = node[given.nesting.region[c]];
-    if (solid == kNoNode) continue;
+    if (node[given.nesting.region[c]] == kNoNode) continue;
+    members.emplace_back(lowest_vertex(given.section.contours[c].vertices), c);
+  }
+  std::sort(members.begin(), members.end(),
+            [](const auto& a, const auto& b) { return canonical_less(a.first, b.first); });
+  std::vector<LatticeContour> contours;
+  std::uint32_t holes = kExterior;
+  for (const auto& [lowest, c] : members) {
     LatticeContour& contour = contours.emplace_back();
-    contour.solid = solid;
+    contour.solid = node[given.nesting.region[c]];
     contour.depth = given.nesting.depth[c];
+    if (contour.depth % 2 == 1) contour.hole = ++holes;
     for (const Point2& p : given.section.contours[c].vertices) {
       contour.vertices.push_back({p.x / given.step, p.y / given.step});
     }
-  }
-  std::sort(contours.begin(), contours.end(), [](const auto& a, const auto& b) {
-    return canonical_less(lowest_vertex(a.vertices), lowest_vertex(b.vertices));
-  });
-  std::uint32_t holes = kExterior;
-  for (LatticeContour& contour : contours) {
-    if (contour.depth % 2 == 1) contour.hole = ++holes;
   }
   return contours;
 }

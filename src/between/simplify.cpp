@@ -67,7 +67,6 @@ class Simplifier {
   struct Touch {
     ContourId contour;
     std::size_t chord;
-    friend auto operator<=>(const Touch&, const Touch&) = default;
   };
   struct Edge {
     Point2 a, b;

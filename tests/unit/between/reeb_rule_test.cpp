@@ -89,10 +89,14 @@ TEST(ReebRule, ThreeRegionsOfAZigzagStayThree) {
 TEST(ReebRule, WhatFloatsIsDropped) {
   const auto with_ball = [](double x, double y, std::size_t layer) {
     const double rod = to_disc(x, y, -2, 0, 1);
-    return layer == 2 ? std::min(rod, to_disc(x, y, 2, 0, 0.8)) : rod;
+    return layer == 1 ? rod : std::min(rod, to_disc(x, y, 2, 0, 0.8));
   };
   const std::vector<Contour> rod{octagon(-2, 0, 1)};
-  EXPECT_EQ(counts(FieldSlab({{rod, rod, with_ball}}, kStep, 3)), (Counts{{1, 1, 1}, {0, 0, 0}}));
+  const FieldSlab slab({{rod, rod, with_ball}}, kStep, 3);
+  EXPECT_EQ(counts(slab), (Counts{{1, 1, 1}, {0, 0, 0}}));
+  ClassShapes shapes = slab.shapes();
+  const std::vector<LayerLink> one{{RegionId(0), RegionId(0)}};
+  for (const auto& links : trace_shapes(slab.slab(), shapes).inner.links) EXPECT_EQ(links, one);
 }
 
 TEST(ReebRule, JoinsKeepOffOtherClasses) {
@@ -199,11 +203,11 @@ TEST(ReebRule, OfTwoHolesConnectedOnBothSidesTheDeeperStays) {
 TEST(ReebRule, AHoleThatHoldsAnotherClassIsNotFilled) {
   const std::vector<Contour> disc{octagon(0, 0, 3)};
   const auto hollow = [](double x, double y, std::size_t layer) {
-    return layer == 2 ? ring(x, y, 3, 1) : to_disc(x, y, 0, 0, 3);
+    return layer == 2 ? ring(x, y, 3, 0.7) : to_disc(x, y, 0, 0, 3);
   };
   // The other class passes the whole slab beside it, and has an arm into the hole.
   const auto other = [](double x, double y, std::size_t layer) {
-    return layer == 2 ? std::min(to_disc(x, y, 4, 0, 0.5), to_disc(x, y, 0, 0, 0.6))
+    return layer == 2 ? std::min(to_disc(x, y, 4, 0, 0.5), to_disc(x, y, 0, 0, 0.4))
                       : to_disc(x, y, 4, 0, 0.5);
   };
   const std::vector<Contour> post{octagon(4, 0, 0.5)};
@@ -214,7 +218,41 @@ TEST(ReebRule, AHoleThatHoldsAnotherClassIsNotFilled) {
   apply_reeb_rule({slab.slab(), shapes, meetings}, ClassId(0), ApartParts::stay);
   const ClassShape& shape = shapes[ClassId(0)];
   EXPECT_GT(shape.value[2][shape.window.place(0, 0)], 0);
-  EXPECT_GT(shape.value[2][shape.window.place(8, 0)], 0);
+  EXPECT_GT(shape.value[2][shape.window.place(5, 0)], 0);
+}
+
+TEST(ReebRule, JoinsDoNotTouchThirdParts) {
+  // Between two halves that are to be one stands a third part, which is over another region and
+  // under nothing. The cheapest way leads through it.
+  const std::vector<Contour> lower{rectangle(-3, -2, 3, -0.9), rectangle(-0.5, 1, 0.5, 3)};
+  const std::vector<Contour> upper{rectangle(-3, -2, 3, -0.9)};
+  const auto field = [](double x, double y, std::size_t) {
+    return std::min({to_box(x, y, -3, -2, -1, 2), to_box(x, y, 1, -2, 3, 2),
+                     to_box(x, y, -0.6, -0.45, 0.6, 3)});
+  };
+  const FieldSlab slab({{lower, upper, field}}, kStep, 1);
+  ClassShapes shapes = slab.shapes();
+  const std::vector<MeetingWindows> meetings = meeting_windows(shapes);
+  const LayerGraph graph =
+      apply_reeb_rule({slab.slab(), shapes, meetings}, ClassId(0), ApartParts::stay);
+  EXPECT_EQ(graph.layers[1].size.size(), 2U);
+  EXPECT_EQ(graph.edges[1], (std::vector<LayerEdge>{{0, 0}}));
+}
+
+TEST(ReebRule, OverlapOfAHundredthIsALinkTooWhereSamplesShowNone) {
+  const FieldSlab slab(
+      {{{rectangle(-5, -0.15, 0.125, 0.15)},
+        {rectangle(0.1, -0.15, 0.7, 0.15)},
+        [](double x, double y, std::size_t) { return to_box(x, y, 0.11, -0.15, 0.71, 0.15); }}},
+      kStep, 1);
+  ClassShapes shapes = slab.shapes();
+  const std::vector<MeetingWindows> meetings = meeting_windows(shapes);
+  EXPECT_TRUE(apply_reeb_rule({slab.slab(), shapes, meetings}, ClassId(0), ApartParts::stay)
+                  .edges[0]
+                  .empty());
+  const TracedShapes traced = trace_shapes(slab.slab(), shapes);
+  ASSERT_EQ(traced.inner.links.size(), 2U);
+  EXPECT_EQ(traced.inner.links[0], (std::vector<LayerLink>{{RegionId(0), RegionId(0)}}));
 }
 
 TEST(ReebRule, IslandsInHolesAreRegionsOfTheirOwn) {

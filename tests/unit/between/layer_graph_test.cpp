@@ -1,0 +1,195 @@
+#include "between/layer_graph.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <tetloft/nesting.hpp>
+
+#include "between/given_labels.hpp"
+#include "between/layer_labels.hpp"
+#include "unit/between/field_slab.hpp"
+
+namespace tetloft::testing {
+
+using namespace internal;
+using namespace internal::between;
+namespace {
+
+// Layers as pictures: '#' is inside.
+ClassShape shape_of(const std::vector<std::vector<std::string>>& layers, const Point2& motion) {
+  ClassShape shape;
+  const std::vector<std::string>& first = layers.front();
+  shape.window = {0, 0, static_cast<std::int64_t>(first[0].size()),
+                  static_cast<std::int64_t>(first.size())};
+  shape.motion.assign(shape.window.size(), motion);
+  for (const std::vector<std::string>& layer : layers) {
+    std::vector<double>& value = shape.value.emplace_back();
+    for (const std::string& row : layer) {
+      for (const char c : row) value.push_back(c == '#' ? -1 : 1);
+    }
+  }
+  return shape;
+}
+
+LayerGraph graph_of(NodeKind kind, const ClassShape& shape) {
+  std::vector<LayerLabels> labels;
+  std::vector<double> at;
+  for (std::size_t k = 0; k < shape.value.size(); ++k) {
+    labels.push_back(kind == NodeKind::solid ? label_solids(shape.window, shape.value[k])
+                                             : label_voids(shape.window, shape.value[k]));
+    if (k > 1)
+      at.push_back(static_cast<double>(k - 1) / static_cast<double>(shape.value.size() - 1));
+  }
+  return connect_layers(kind, shape, at, labels);
+}
+
+TEST(LayerLabels, SolidsAreConnectedStraightAndVoidsAcrossToo) {
+  const ClassShape shape = shape_of({{"......", ".##...", ".#.#..", ".##...", "......"}}, {0, 0});
+  const LayerLabels solids = label_solids(shape.window, shape.value[0]);
+  EXPECT_EQ(solids.size, (std::vector<std::size_t>{5, 1}));
+  EXPECT_EQ(label_voids(shape.window, shape.value[0]).size.size(), 1U);
+  const ClassShape closed = shape_of({{".....", ".###.", ".#.#.", ".###.", "....."}}, {0, 0});
+  const LayerLabels voids = label_voids(closed.window, closed.value[0]);
+  EXPECT_EQ(voids.size, (std::vector<std::size_t>{kUnbounded, 1}));
+  EXPECT_EQ(samples_by_node(voids)[1], std::vector<std::uint32_t>{12});
+  EXPECT_TRUE(samples_by_node(voids)[kExterior].empty());
+}
+
+TEST(LayerGraph, SolidsNeedAFiftiethOfTheSmaller) {
+  // Bars of 51 samples that share one, and of 50.
+  for (const std::size_t n : {50U, 51U}) {
+    const std::string bar = std::string(1, '.') + std::string(n, '#') + std::string(n, '.');
+    const std::string other = std::string(n, '.') + std::string(n, '#') + std::string(1, '.');
+    const std::string none(2 * n + 1, '.');
+    const LayerGraph graph =
+        graph_of(NodeKind::solid, shape_of({{none, bar, none}, {none, other, none}}, {0, 0}));
+    EXPECT_EQ(graph.edges[0].size(), n == 50 ? 1U : 0U);
+  }
+}
+
+TEST(LayerGraph, VoidsNeedMoreThanATenth) {
+  for (const std::size_t n : {9U, 10U}) {
+    const auto layer = [&](std::size_t before) {
+      const std::size_t all = 2 * n + 3;
+      return std::vector<std::string>{std::string(all, '.'), "." + std::string(all - 2, '#') + ".",
+                                      "." + std::string(before, '#') + std::string(n, '.') +
+                                          std::string(all - 2 - before - n, '#') + ".",
+                                      "." + std::string(all - 2, '#') + ".", std::string(all, '.')};
+    };
+    const LayerGraph graph = graph_of(NodeKind::empty, shape_of({layer(1), layer(n)}, {0, 0}));
+    EXPECT_EQ(graph.edges[0].size(), n == 9 ? 2U : 1U);
+  }
+}
+
+TEST(LayerGraph, BothLayersAreMovedToTheMiddle) {
+  const std::vector<std::string> left{"............", ".##.......##", "............"};
+  const std::vector<std::string> right{"............", ".....##.....", "............"};
+  const auto moved = graph_of(NodeKind::solid, shape_of({left, right}, {4, 0}));
+  EXPECT_EQ(moved.edges[0], (std::vector<LayerEdge>{{0, 0}}));
+  // Samples beyond the window are outside.
+  EXPECT_TRUE(graph_of(NodeKind::solid, shape_of({left, right}, {100, 0})).edges[0].empty());
+}
+
+TEST(LayerGraph, WhatWouldHaveNoEdgeIsComparedAsItLies) {
+  // The long bar moves on; the short one, moved as well, finds nothing.
+  const std::vector<std::string> below{"..............", ".####.....##..", ".............."};
+  const std::vector<std::string> above{"..............", "...####...##..", ".............."};
+  EXPECT_EQ(graph_of(NodeKind::solid, shape_of({below, above}, {2, 0})).edges[0],
+            (std::vector<LayerEdge>{{0, 0}, {1, 1}}));
+  EXPECT_EQ(graph_of(NodeKind::solid, shape_of({below, above}, {-8, 0})).edges[0],
+            (std::vector<LayerEdge>{{0, 0}, {1, 0}, {1, 1}}));
+}
+
+TEST(LayerGraph, ConnectionsBelowAndAbove) {
+  const std::vector<std::string> one{".......", ".#####.", "......."};
+  const std::vector<std::string> two{".......", ".##.##.", "......."};
+  const LayerGraph graph = graph_of(NodeKind::solid, shape_of({one, two, two, one}, {0, 0}));
+  const NodeNumbers below = connected_below(graph);
+  const NodeNumbers above = connected_above(graph);
+  for (const std::size_t k : {1U, 2U}) {
+    const auto groups = doubly_connected(graph, below, above, k);
+    ASSERT_EQ(groups.size(), 1U);
+    EXPECT_EQ(groups[0].nodes, (std::vector<std::uint32_t>{0, 1}));
+  }
+  const LayerGraph legs = graph_of(NodeKind::solid, shape_of({two, two, one}, {0, 0}));
+  EXPECT_TRUE(doubly_connected(legs, connected_below(legs), connected_above(legs), 1).empty());
+  EXPECT_EQ(connected(legs)[0][0], connected(legs)[0][1]);
+}
+
+struct Given {
+  Section section;
+  Nesting nesting;
+  std::vector<RegionId> regions;
+
+  explicit Given(std::vector<Contour> contours) {
+    for (Contour& c : contours) section.contours.push_back(std::move(c));
+    nesting = nest(section);
+    for (const RegionId r : nesting.outer.ids()) regions.push_back(r);
+  }
+  [[nodiscard]] GivenLabels labels(const motion::LatticeWindow& window) const {
+    return label_given({section, nesting, regions, 1}, window);
+  }
+};
+
+TEST(GivenLabels, SamplesAreThoseOfTheInnermostContour) {
+  // A ring, in its hole another one; the hole of that is a void of its own.
+  const Given given({rectangle(0.5, 0.5, 20.5, 20.5), rectangle(4.5, 4.5, 16.5, 16.5),
+                     rectangle(6.5, 6.5, 14.5, 14.5), rectangle(8.5, 8.5, 12.5, 12.5)});
+  const motion::LatticeWindow window{-2, -2, 24, 24};
+  const GivenLabels labels = given.labels(window);
+  EXPECT_EQ(labels.voids.size, (std::vector<std::size_t>{kUnbounded, 144 - 64, 16}));
+  const auto void_at = [&](std::int64_t i) { return labels.voids.node[window.place(i, 10)]; };
+  const auto solid_at = [&](std::int64_t i) { return labels.solids.node[window.place(i, 10)]; };
+  EXPECT_EQ(void_at(0), kExterior);
+  EXPECT_EQ(void_at(2), kNoNode);
+  EXPECT_EQ(void_at(5), 1U);
+  EXPECT_EQ(void_at(7), kNoNode);
+  EXPECT_EQ(void_at(9), 2U);
+  EXPECT_EQ(solid_at(2), 0U);
+  EXPECT_EQ(solid_at(7), 1U);
+  // Half a step outside is near enough, one and a half are not.
+  EXPECT_EQ(solid_at(0), 0U);
+  EXPECT_EQ(solid_at(-1), kNoNode);
+  EXPECT_EQ(solid_at(6), 1U);
+  EXPECT_EQ(solid_at(10), kNoNode);
+}
+
+TEST(GivenLabels, ASubsetOfTheRegionsHasTheVoidsOfItsOwnContours) {
+  Given given({rectangle(0.5, 0.5, 20.5, 20.5), rectangle(4.5, 4.5, 16.5, 16.5),
+               rectangle(6.5, 6.5, 14.5, 14.5), rectangle(8.5, 8.5, 12.5, 12.5)});
+  given.regions = {RegionId(0)};
+  const motion::LatticeWindow window{-2, -2, 24, 24};
+  EXPECT_EQ(given.labels(window).voids.size, (std::vector<std::size_t>{kUnbounded, 144}));
+  given.regions = {RegionId(1)};
+  EXPECT_EQ(given.labels(window).voids.size, (std::vector<std::size_t>{kUnbounded, 16}));
+}
+
+TEST(GivenLabels, EveryRegionHasASampleHoweverSmall) {
+  // The second lies in a hole of the first, and all samples around it in the first itself.
+  const Given given({rectangle(0.9, 0.9, 8.4, 8.4), rectangle(5.3, 5.3, 5.6, 5.6),
+                     rectangle(5.44, 5.44, 5.46, 5.46), rectangle(12.4, 7.4, 12.41, 7.41)});
+  const GivenLabels labels = given.labels({-2, -2, 16, 12});
+  ASSERT_EQ(labels.solids.size.size(), 3U);
+  for (const std::size_t size : labels.solids.size) EXPECT_GE(size, 1U);
+  for (std::uint32_t n = 0; n < 3; ++n) {
+    EXPECT_EQ(static_cast<std::size_t>(
+                  std::count(labels.solids.node.begin(), labels.solids.node.end(), n)),
+              labels.solids.size[n]);
+  }
+}
+
+TEST(GivenLabels, AShellThinnerThanTheLatticeIsClosed) {
+  const Given given({octagon(10.3, 10.3, 7.05), octagon(10.3, 10.3, 7)});
+  const motion::LatticeWindow window{0, 0, 22, 22};
+  const GivenLabels labels = given.labels(window);
+  EXPECT_EQ(labels.voids.node[window.place(10, 10)], 1U);
+  EXPECT_EQ(labels.voids.node[window.place(1, 1)], kExterior);
+  EXPECT_GT(labels.solids.size[0], 40U);
+}
+
+}  // namespace
+}  // namespace tetloft::testing
