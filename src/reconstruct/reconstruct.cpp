@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include <tetloft/predicates.hpp>
 
@@ -106,6 +107,7 @@ Result<std::optional<Reconstruction>> make(PreparedStack& prepared,
   plan.exponent = prepared.exponent;
   plan.gabriel.resize(prepared.section_count());
   plan.apart.resize(prepared.section_count());
+  plan.divided = std::move(prepared.divisions);
   Result<std::optional<EndPlanes>> ends = place_ends(prepared, options, result.warnings);
   if (!ends) return ends.error();
   plan.ends = *ends;
@@ -122,15 +124,23 @@ Result<std::optional<Reconstruction>> make(PreparedStack& prepared,
 
   SlabBuilds builds(prepared, decision, plan, options, work);
   if (auto error = builds.run()) return *error;
+  for (const std::vector<Warning>& told : {prepared.warnings, builds.warnings()}) {
+    result.warnings.insert(result.warnings.end(), told.begin(), told.end());
+  }
   warn_of_dropped(plan.correspondence.candidates, prepared.nestings, result.warnings);
-  for (const auto& hint : {hint_of_missing_partners(prepared, plan.correspondence.candidates),
-                           hint_of_coarse_contours(prepared, plan.correspondence)}) {
+  for (const auto& hint :
+       {hint_of_missing_partners(prepared, plan.correspondence.candidates),
+        options.divide_coarse ? std::nullopt
+                              : hint_of_coarse_contours(prepared, plan.correspondence)}) {
     if (hint) result.warnings.push_back(*hint);
   }
   std::vector<Part> parts = builds.take_parts();
   VoidOutcome of_voids =
       void_outcome(prepared.sections, plan.voids, void_decision.complements(), parts);
   add_up(parts, report);
+  for (const std::vector<EdgeDivision>& section : plan.divided) {
+    for (const EdgeDivision& edge : section) report.dividing_vertices += edge.parts - 1;
+  }
   count(report.rules, Rule::gabriel_refinement, builds.refinements());
   StepClock gluing(report.seconds);
   result.model = glue(prepared.sections, plan.correspondence.component, std::move(parts));
