@@ -182,15 +182,14 @@ class Around {
   LocalWidth width_;
 };
 
-// Of each edge of a contour, of which some are to be divided.
-std::vector<std::uint32_t> parts_of(const std::vector<Edge>& edges,
-                                    const std::vector<std::uint8_t>& to_divide,
-                                    const Around& around) {
+// Divides some of a contour's edges, and those beside them on it.
+void append_divisions(ContourId contour, const std::vector<Edge>& edges,
+                      const std::vector<std::uint8_t>& to_divide, const Around& around,
+                      std::vector<EdgeDivision>& divisions) {
   const std::size_t n = edges.size();
   std::vector<double> piece;
   piece.reserve(n);
   for (const Edge& edge : edges) piece.push_back(around.piece(edge));
-  std::vector<std::uint32_t> parts(n, 1);
   for (std::size_t k = 0; k < n; ++k) {
     const std::size_t before = (k + n - 1) % n;
     const std::size_t after = (k + 1) % n;
@@ -199,10 +198,9 @@ std::vector<std::uint32_t> parts_of(const std::vector<Edge>& edges,
     if (to_divide[before] != 0) least = std::min(least, piece[before]);
     if (to_divide[after] != 0) least = std::min(least, piece[after]);
     // The nearest number: a square's sides, turned, have four parts each whatever rounding does.
-    const double wanted = std::floor(edges[k].length / least + 0.5);
-    parts[k] = static_cast<std::uint32_t>(std::max(1.0, std::min(wanted, kMostParts)));
+    const double parts = std::min(kMostParts, std::floor(edges[k].length / least + 0.5));
+    if (parts > 1) divisions.push_back({contour, k, static_cast<std::uint32_t>(parts)});
   }
-  return parts;
 }
 
 // The edges of a coarse contour that are long; empty where none is.
@@ -250,10 +248,7 @@ std::vector<EdgeDivision> divide_coarse_edges(const Section& section,
       if (to_divide[k] != 0 && around->goes_on(edges[k])) to_divide[k] = 0;
     }
     if (std::find(to_divide.begin(), to_divide.end(), 1) == to_divide.end()) continue;
-    const std::vector<std::uint32_t> parts = parts_of(edges, to_divide, *around);
-    for (std::size_t k = 0; k < parts.size(); ++k) {
-      if (parts[k] > 1) divisions.push_back({c, k, parts[k]});
-    }
+    append_divisions(c, edges, to_divide, *around, divisions);
   }
   return divisions;
 }
