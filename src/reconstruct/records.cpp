@@ -231,7 +231,8 @@ void check_plan(const Plan& plan, RecordReader& in) {
     in.require(plan.gabriel[s].empty() || plan.gabriel[s].size() == partition[s].size(),
                "refines some of its contours");
     for (const EdgeDivision& division : plan.divided[s]) {
-      in.require(division.contour.index() < partition[s].size(), "divides a contour it lacks");
+      in.require(division.contour.index() < partition[s].size() && division.parts > 0,
+                 "divides a contour it lacks, or into nothing");
     }
     // The frame of a complement is a contour more, and its exterior a void in every section.
     in.require(!plan.voids || (plan.voids->partition[s].size() == partition[s].size() + 1 &&

@@ -66,7 +66,7 @@ double LocalWidth::at_middle(const Point2& a, const Point2& b, double most) cons
   const bool forward = canonical_less(a, b);
   const Point2& low = forward ? a : b;
   const Point2& high = forward ? b : a;
-  const Point2 middle{low.x + 0.5 * (high.x - low.x), low.y + 0.5 * (high.y - low.y)};
+  const Point2 middle{0.5 * a.x + 0.5 * b.x, 0.5 * a.y + 0.5 * b.y};
   const Vector along = from_to(low, high);
   const double length = length_of(along);
   const Vector normal{along.y / length, -along.x / length};

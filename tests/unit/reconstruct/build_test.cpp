@@ -31,6 +31,7 @@ struct Phases {
     prepared = prepare(stack, Unit::as_given, options, work).value();
     plan.gabriel.resize(prepared.section_count());
     plan.apart.resize(prepared.section_count());
+    plan.divided = prepared.divisions;
     decision = std::make_unique<Decision>(prepared, options);
     plan.correspondence = decision->make(all_ids<SlabId>(prepared.slab_count()), work).value();
     builds = std::make_unique<SlabBuilds>(prepared, *decision, plan, options, work);
