@@ -29,7 +29,7 @@ SectionDivision divide_section(const SectionStack& stack, SectionId s, double le
   std::size_t inserted = 0;
   for (const EdgeDivision& edge : edges) inserted += edge.parts - 1;
   if (inserted > kMostInserted) {
-    result.refused = "that would take " + std::to_string(inserted) + " vertices";
+    result.refused = "it would take " + std::to_string(inserted) + " vertices";
     return result;
   }
   SectionStack alone;
@@ -46,7 +46,8 @@ Warning not_divided(SectionId s, const std::string& reason) {
   Place place;
   place.section = s.index();
   return {
-      "its contours have few vertices, and are taken as they are: long edges cannot be divided, " +
+      "its contours have few vertices and are taken as they are, since dividing their long edges "
+      "fails: " +
           reason,
       place};
 }

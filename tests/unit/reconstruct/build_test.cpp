@@ -43,6 +43,7 @@ ReconstructOptions labelled(Criterion criterion, std::string_view labels) {
   options.execution.threads = 1;
   options.correspondence.criterion = criterion;
   options.correspondence.labels = labels_from(labels);
+  options.divide_coarse = false;  // nothing has to be refined then
   return options;
 }
 

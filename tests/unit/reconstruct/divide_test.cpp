@@ -75,43 +75,48 @@ TEST(DivideCoarse, TooManyVerticesAreToldAndTheSectionIsTakenAsItIs) {
   const auto made = reconstruct_and_check(stack_of({rings, square}, {0, 1}), {});
   ASSERT_TRUE(made);
   EXPECT_EQ(made->result.report.dividing_vertices, 12U);  // of the square
-  ASSERT_EQ(warned(made->result, "divided"), 1U);
+  ASSERT_EQ(warned(made->result, "dividing"), 1U);
   for (const Warning& warning : made->result.warnings) {
-    if (warning.message.find("divided") == std::string::npos) continue;
+    if (warning.message.find("dividing") == std::string::npos) continue;
     EXPECT_EQ(warning.where.section, 0U);
     EXPECT_NE(warning.message.find("vertices"), std::string::npos) << warning.message;
   }
 }
 
-// Two slanted edges an ulp apart: points on them coincide once rounded.
-SectionStack an_ulp_apart() {
-  const double x = std::nextafter(1.0, 2.0);
-  SectionStack stack;
-  stack.sections.resize(2);
-  Section& lower = stack.sections[SectionId(0)];
-  lower.contours.push_back({{{0, 0}, {1, 3}, {-3, 3}}});
-  lower.contours.push_back({{{x - 1, 0}, {4, 3}, {x, 3}}});
-  Section& upper = stack.sections[SectionId(1)];
-  upper.z = 1;
-  upper.contours.push_back({{{-3, 1}, {4, 1.5}, {4, 2}, {-3, 2}}});
-  return stack;
+// Contours a few ulps wide: points on two of their edges coincide once rounded.
+TEST(DivideCoarse, WhereRoundingLeavesNoRoomTheSectionIsTakenAsItIs) {
+  for (const std::uint64_t seed : {13U, 55U}) {
+    const GeneratedStack generated = generate(StackKind::few_ulps, seed);
+    std::vector<std::size_t> refused;
+    for (const SectionId s : generated.stack.sections.ids()) {
+      const SectionDivision division = divide_section(generated.stack, s, 0);
+      if (!division.refused) continue;
+      EXPECT_TRUE(division.edges.empty());
+      EXPECT_NE(division.refused->find("rounding"), std::string::npos) << *division.refused;
+      refused.push_back(s.index());
+    }
+    ASSERT_FALSE(refused.empty());
+    const auto made = reconstruct_and_check(generated.stack, {});
+    ASSERT_TRUE(made);
+    EXPECT_EQ(warned(made->result, "rounding"), refused.size());
+  }
 }
 
-TEST(DivideCoarse, WhereRoundingLeavesNoRoomTheSectionIsTakenAsItIs) {
-  const SectionStack stack = an_ulp_apart();
-  ASSERT_TRUE(validate(stack).ok());
-  const double least_long = 0;
-  const SectionDivision lower = divide_section(stack, SectionId(0), least_long);
-  EXPECT_TRUE(lower.edges.empty());
-  ASSERT_TRUE(lower.refused.has_value());
-  EXPECT_NE(lower.refused->find("rounding"), std::string::npos);
-  EXPECT_FALSE(divide_section(stack, SectionId(1), least_long).edges.empty());
-  const auto made = reconstruct(stack);
-  const auto undivided = reconstruct(stack, as_given());
-  EXPECT_EQ(made.ok(), undivided.ok());
-  if (made) {
-    EXPECT_EQ(warned(*made, "divided"), 1U);
+// Squares of which some slab, divided, has no room for a model; its sections alone go without.
+TEST(DivideCoarse, WhereASlabIsRefusedItsSectionsAreTakenAsTheyAre) {
+  const GeneratedStack generated = generate(StackKind::checkerboard, 107);
+  const auto made = reconstruct_and_check(generated.stack, {});
+  ASSERT_TRUE(made);
+  ASSERT_GT(generated.stack.sections.size(), 2U);
+  ASSERT_EQ(warned(made->result, "dividing"), 2U);
+  std::vector<std::size_t> sections;
+  for (const Warning& warning : made->result.warnings) {
+    if (warning.message.find("dividing") == std::string::npos) continue;
+    EXPECT_NE(warning.message.find("room"), std::string::npos) << warning.message;
+    sections.push_back(warning.where.section.value());
   }
+  EXPECT_EQ(sections, (std::vector<std::size_t>{1, 2}));
+  EXPECT_GT(made->result.report.dividing_vertices, 0U);
 }
 
 }  // namespace
