@@ -124,7 +124,7 @@ TEST_F(ReconstructCommand, RepairsWhereAskedTo) {
       << made.err;
   const JsonValue json = run_json({"reconstruct", in_, "-o", out_, "--repair"});
   EXPECT_EQ(json.at("repair").at("changes").number, 2);
-  EXPECT_EQ(json.at("warnings").array.size(), 3U);  // and that contours are coarse
+  EXPECT_EQ(json.at("warnings").array.size(), 2U);
   EXPECT_EQ(run({"check", out_, in_, "--repair"}).code, 0);
   EXPECT_EQ(run({"check", out_, in_}).code, 3);
   expect_failure({"reconstruct", in_, "-o", out_ + "2.vtu", "--repair-distance", "1"}, 2, "usage",
