@@ -68,6 +68,14 @@ struct TETLOFT_API ConformingSection {
   [[nodiscard]] TriangleId find_triangle(PlaneVertexId u, PlaneVertexId v, PlaneVertexId w) const;
 };
 
+/// A contour edge that is divided into equal parts: from vertex `edge` to its successor.
+struct EdgeDivision {
+  ContourId contour;
+  std::size_t edge = 0;
+  std::uint32_t parts = 1;
+  friend bool operator==(const EdgeDivision&, const EdgeDivision&) = default;
+};
+
 struct ConformOptions {
   /// Contours whose edges are refined until they are Gabriel: none, or one flag for each.
   IdVector<ContourId, bool> gabriel = {};
@@ -77,7 +85,12 @@ struct ConformOptions {
   /// Points off the region and its contours: contour edges are split until none of these lies in
   /// the circumcircle of a triangle inside the region. They become no vertices.
   std::vector<Point2> apart = {};
-  /// At most so many vertices are inserted; 0: as ConformingOptions has it.
+  /// Edges that are divided before anything else, by contour and edge, each once. What lies between
+  /// parts are split vertices, computed from the edge's canonical lower end and rounded, none where
+  /// parts are below the spacing of doubles. Together with them the contours must be valid.
+  std::vector<EdgeDivision> divided = {};
+  /// At most so many vertices are inserted, those that divide edges not counted; 0: as
+  /// ConformingOptions has it.
   std::size_t most_inserted = 0;
   Execution execution = {};
 };
@@ -86,8 +99,9 @@ struct ConformOptions {
 /// what changed is validated again. Fails (unrepresentable, naming contour and vertex) where
 /// rounding leaves no valid conforming section, (invalid_input) where an interior vertex is not
 /// inside or a contour has fewer than three finite vertices, (usage) where there are not as many
-/// Gabriel flags as contours, and (work_limit, naming contour and vertex) where more than
-/// `most_inserted` vertices would be inserted.
+/// Gabriel flags as contours, or divisions are out of order or of edges that there are not, and
+/// (work_limit, naming contour and vertex) where more than `most_inserted` vertices would be
+/// inserted.
 [[nodiscard]] TETLOFT_API Result<ConformingSection> conform(const Section& section, SectionId id,
                                                             const ConformOptions& options = {});
 

@@ -34,6 +34,11 @@ struct ReconstructOptions {
   std::optional<std::size_t> between = 0;
   /// The engine that triangulates the slabs; automatic means slab. The result is the same.
   DelaunayEngine delaunay = DelaunayEngine::automatic;
+  /// Divide long edges of contours of few vertices where they differ from section to section: what
+  /// lies between follows both contours then. Where sections have many vertices, as from images, no
+  /// edge is. Sections for which that is too much, or that have no valid model so, are taken as
+  /// they are, with a warning.
+  bool divide_coarse = true;
   /// Thickness of the solid made from a single section, centred on its plane. Without it a
   /// tenth of the larger side of the bounding box is taken, and a warning given.
   std::optional<double> thickness = {};
@@ -52,8 +57,9 @@ struct Reconstruction {
   ReconstructReport report;
   /// The components as a partition of contours.
   ContourPartition partition;
-  /// Links that were dropped, and hints where a remedy is known: contours too coarse (refine()),
-  /// most regions without a partner (gaps, units), far too many tets (snap()); each once.
+  /// Links that were dropped, sections whose coarse contours could not be divided, and hints where
+  /// a remedy is known: contours too coarse and not divided (refine()), most regions without a
+  /// partner (gaps, units), far too many tets (snap()); each once.
   std::vector<Warning> warnings;
 };
 

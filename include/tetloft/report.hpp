@@ -57,7 +57,8 @@ struct ReconstructReport {
   std::size_t sections_given_up = 0;  ///< of slabs that would have been other than implied
   std::size_t contours = 0;
   std::size_t input_vertices = 0;
-  std::size_t split_vertices = 0;
+  std::size_t split_vertices = 0;     ///< inserted on contours
+  std::size_t dividing_vertices = 0;  ///< of these, the ones that divide coarse contours
   std::size_t vertices = 0;
   std::size_t tets = 0;
   std::size_t components = 0;

@@ -20,8 +20,9 @@ using namespace internal;
 namespace {
 
 Result<void> refuse_other_options(const Arguments& arguments) {
-  for (const char* option : {"--correspondence", "--overlap", "--no-chain", "--no-lone", "--voids",
-                             "--labels", "--between", "--ends", "--thickness", "--delaunay"}) {
+  for (const char* option :
+       {"--correspondence", "--overlap", "--no-chain", "--no-lone", "--no-divide", "--voids",
+        "--labels", "--between", "--ends", "--thickness", "--delaunay"}) {
     if (arguments.text(option)) {
       return usage_error(std::string("option ") + option + " has no meaning with --method geiger");
     }

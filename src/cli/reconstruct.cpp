@@ -40,6 +40,10 @@ Usage reconstruct_usage() {
                "nonato (default), or geiger: the older algorithm that it is compared with, which "
                "keeps none of the guarantees (--verify tells which it broke)"},
         sections_between("--between", "none"),
+        Option{"--no-divide", "",
+               "take contours of few vertices as they are, where the default divides their long "
+               "edges, so that what lies between follows both of two such contours; nothing is "
+               "divided in sections of many vertices, as from images"},
         Option{"--ends", "HOW",
                "the ends of the stack: flat (default) at the outer sections, or half a gap "
                "beyond them"},
@@ -83,6 +87,7 @@ Result<Request> request_of(const Arguments& arguments, Console& console) {
   const auto ends = arguments.choice("--ends", {"flat", "half"});
   if (!ends) return ends.error();
   request.options.ends = ends->value_or(0) == 0 ? Ends::flat : Ends::half;
+  request.options.divide_coarse = !arguments.has("--no-divide");
   const auto thickness = arguments.number("--thickness");
   if (!thickness) return thickness.error();
   if (thickness->has_value() && !is_length(**thickness)) {
@@ -138,6 +143,7 @@ std::string to_json(const Reconstruction& result, const StackInput& input, const
   json.member("contours", report.contours);
   json.member("input_vertices", report.input_vertices);
   json.member("split_vertices", report.split_vertices);
+  json.member("dividing_vertices", report.dividing_vertices);
   json.member("vertices", result.model.points.size());
   json.member("tets", result.model.tets.size());
   json.member("components", result.model.component_count);
@@ -182,8 +188,11 @@ std::string to_text(const Reconstruction& result, const StackInput& input, const
                           : " and " + std::to_string(report.sections_given_up) + " given up") +
                      ", ") +
           counted(report.contours, "contour") + ", " + std::to_string(report.input_vertices) +
-          " input vertices and " + std::to_string(report.split_vertices) +
-          " inserted on contours\n";
+          " input vertices and " + std::to_string(report.split_vertices) + " inserted on contours" +
+          (report.dividing_vertices > 0
+               ? ", " + std::to_string(report.dividing_vertices) + " of them to divide coarse ones"
+               : "") +
+          '\n';
   text += counted(result.model.tets.size(), "tet") + ", " +
           std::to_string(result.model.points.size()) + " vertices, " +
           counted(result.model.component_count, "component") + ", volume " +

@@ -5,9 +5,11 @@
 #include <string>
 #include <utility>
 
+#include "core/guard.hpp"
 #include "core/sort_distinct.hpp"
 #include "reconstruct/decide_between.hpp"
 #include "reconstruct/decide_voids.hpp"
+#include "reconstruct/divide.hpp"
 #include "reconstruct/layered_slab.hpp"
 #include "reconstruct/stack_errors.hpp"
 
@@ -35,15 +37,21 @@ std::optional<Error> SlabBuilds::run() {
     });
     if (stuck == outcome_.end()) return std::nullopt;
     const SlabId slab(stuck - outcome_.begin());
-    const auto* const apart = std::get_if<Unconnectable>(&*stuck);
-    Result<std::vector<SlabId>> touched =
-        apart != nullptr ? drop(slab, *apart) : refine(slab, std::get<RefineHere>(*stuck));
+    Result<std::vector<SlabId>> touched = mend(slab);
     if (!touched) return touched.error();
     to_build = std::move(*touched);
   }
 }
 
+Result<std::vector<SlabId>> SlabBuilds::mend(SlabId slab) {
+  const SlabOutcome outcome = outcome_[slab];
+  if (const auto* refused = std::get_if<Unrepresentable>(&outcome)) return undivide(slab, *refused);
+  if (const auto* apart = std::get_if<Unconnectable>(&outcome)) return drop(slab, *apart);
+  return refine(slab, std::get<RefineHere>(outcome));
+}
+
 std::optional<Error> SlabBuilds::build(const std::vector<SlabId>& slabs) {
+  const bool first_round = built_ == 0;
   built_ += slabs.size();
   return first_error(
       slabs, options_.execution.threads, work_, [&](SlabId slab) -> std::optional<Error> {
@@ -52,12 +60,50 @@ std::optional<Error> SlabBuilds::build(const std::vector<SlabId>& slabs) {
             {plan_.correspondence.links[slab], plan_.voids ? &plan_.voids->links[slab] : nullptr},
             plan_.between[slab],
             {options_.delaunay, options_.work_limit, plan_.may_ask[slab] != 0});
-        if (!outcome) return outcome.error();
-        outcome_[slab] = std::move(*outcome);
-        if (auto* refused = std::get_if<Unrepresentable>(&outcome_[slab])) return refused->error;
-        if (refinements_ == 0) work_.step_done();  // each slab counts once
+        if (outcome) {
+          outcome_[slab] = std::move(*outcome);
+        } else if (is_refusal(outcome.error().code)) {
+          outcome_[slab] = Unrepresentable{outcome.error()};
+        } else {
+          return outcome.error();
+        }
+        const auto* refused = std::get_if<Unrepresentable>(&outcome_[slab]);
+        if (refused != nullptr && !is_divided(slab)) return refused->error;
+        if (first_round) work_.step_done();  // each slab counts once
         return std::nullopt;
       });
+}
+
+bool SlabBuilds::is_divided(SlabId slab) const {
+  return !plan_.divided[lower_section(slab)].empty() || !plan_.divided[upper_section(slab)].empty();
+}
+
+std::optional<Error> SlabBuilds::undivide(SectionId s, const std::string& reason,
+                                          std::vector<SlabId>& touched) {
+  if (auto error = prepared_.conform_section(s, plan_.gabriel[s], plan_.apart[s])) return error;
+  plan_.divided[s].clear();
+  warnings_.push_back(not_divided(s, reason));
+  if (s.index() > 0) touched.emplace_back(s.value() - 1);
+  if (s.index() < outcome_.size()) touched.emplace_back(s.value());
+  return std::nullopt;
+}
+
+Result<std::vector<SlabId>> SlabBuilds::undivide(SlabId slab, const Unrepresentable& refused) {
+  std::vector<SlabId> touched;
+  for (const bool upper : {false, true}) {
+    const SectionId s = section_of(slab, upper);
+    if (plan_.divided[s].empty()) continue;
+    if (auto error = undivide(s, refused.error.message, touched)) return *error;
+  }
+  if (auto error = decide_anew(touched)) return *error;
+  sort_distinct(touched);
+  return touched;
+}
+
+std::optional<Error> SlabBuilds::decide_anew(std::vector<SlabId>& touched) {
+  if (!decision_.depends_on_triangulations()) return std::nullopt;
+  sort_distinct(touched);
+  return adopt(decision_.make(touched, work_), touched);
 }
 
 // Contours refined to Gabriel edges: regions that overlap then have an own–own edge of D between
@@ -76,21 +122,25 @@ Result<std::vector<SlabId>> SlabBuilds::refine(SlabId slab, const RefineHere& wa
       if (std::find(apart.begin(), apart.end(), p) == apart.end()) apart.push_back(p);
     }
     if (gabriel == plan_.gabriel[s] && apart == plan_.apart[s]) continue;
-    if (auto error = prepared_.conform_section(s, gabriel, apart)) {
-      if (!wanted.optional || !is_refusal(error->code)) return *error;
+    auto error = prepared_.conform_section(s, gabriel, apart, plan_.divided[s]);
+    if (error && wanted.optional && is_refusal(error->code)) {
       plan_.may_ask[slab] = 0;
       continue;
     }
+    const bool undivided = error && is_refusal(error->code) && !plan_.divided[s].empty();
+    if (error && !undivided) return *error;
     plan_.gabriel[s] = std::move(gabriel);
     plan_.apart[s] = std::move(apart);
+    if (undivided) {
+      if (auto failed = undivide(s, error->message, touched)) return *failed;
+      continue;
+    }
     if (s.index() > 0) touched.emplace_back(s.value() - 1);
     if (s.index() < outcome_.size()) touched.emplace_back(s.value());
   }
   if (wanted.optional && touched.empty()) plan_.may_ask[slab] = 0;
   touched.push_back(slab);
-  if (decision_.depends_on_triangulations()) {
-    if (auto error = adopt(decision_.make(touched, work_), touched)) return *error;
-  }
+  if (auto error = decide_anew(touched)) return *error;
   sort_distinct(touched);
   return touched;
 }

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "reconstruct/decide.hpp"
@@ -28,6 +29,8 @@ class SlabBuilds {
   /// The solids of slabs and, as planned, ends, from below; handed out.
   [[nodiscard]] std::vector<Part> take_parts();
 
+  /// Of sections that are not divided after all, since no slab could be built so.
+  [[nodiscard]] const std::vector<Warning>& warnings() const { return warnings_; }
   /// How often a slab was built, each counted as often as it was.
   [[nodiscard]] std::size_t built() const { return built_; }
   /// How often contours were refined.
@@ -35,7 +38,16 @@ class SlabBuilds {
 
  private:
   [[nodiscard]] std::optional<Error> build(const std::vector<SlabId>& slabs);
-  // These two return the slabs to build again.
+  [[nodiscard]] bool is_divided(SlabId slab) const;
+  // Takes contours as they are where the slab is refused with divided ones, or a section is; adds
+  // the slabs that this touches.
+  [[nodiscard]] std::optional<Error> undivide(SectionId s, const std::string& reason,
+                                              std::vector<SlabId>& touched);
+  // What links rest on has changed with the triangulations of the sections of these slabs.
+  [[nodiscard]] std::optional<Error> decide_anew(std::vector<SlabId>& touched);
+  // What a slab that is none yet needs. These return the slabs to build again.
+  [[nodiscard]] Result<std::vector<SlabId>> mend(SlabId slab);
+  [[nodiscard]] Result<std::vector<SlabId>> undivide(SlabId slab, const Unrepresentable& refused);
   [[nodiscard]] Result<std::vector<SlabId>> refine(SlabId slab, const RefineHere& wanted);
   [[nodiscard]] Result<std::vector<SlabId>> drop(SlabId slab, const Unconnectable& apart);
   // Plans by it from now on; adds the slabs whose links are others.
@@ -51,6 +63,7 @@ class SlabBuilds {
   IdVector<SlabId, SlabOutcome> outcome_;
   std::size_t built_ = 0;
   std::uint64_t refinements_ = 0;
+  std::vector<Warning> warnings_;
 };
 
 }  // namespace tetloft::internal

@@ -49,12 +49,13 @@ void warn_of_dropped(const StackCandidates& candidates,
   }
 }
 
-void warn(BuiltStack& built) {
+void warn(BuiltStack& built, const ReconstructOptions& options) {
   const PreparedStack& prepared = built.prepared;
   const Correspondence& decided = built.plan.correspondence;
   warn_of_dropped(decided.candidates, prepared.nestings, built.warnings);
-  for (const auto& hint : {hint_of_missing_partners(prepared, decided.candidates),
-                           hint_of_coarse_contours(prepared, decided)}) {
+  for (const auto& hint :
+       {hint_of_missing_partners(prepared, decided.candidates),
+        options.divide_coarse ? std::nullopt : hint_of_coarse_contours(prepared, decided)}) {
     if (hint) built.warnings.push_back(*hint);
   }
 }
@@ -69,6 +70,7 @@ void warn(BuiltStack& built) {
   plan.exponent = prepared.exponent;
   plan.gabriel.resize(prepared.section_count());
   plan.apart.resize(prepared.section_count());
+  plan.divided = std::move(prepared.divisions);
   Result<std::optional<EndPlanes>> ends = place_ends(prepared, options, built.warnings);
   if (!ends) return ends.error();
   plan.ends = *ends;
@@ -90,9 +92,12 @@ void warn(BuiltStack& built) {
   clock.end(Step::between);
   SlabBuilds builds(prepared, decision, plan, options, work);
   if (auto error = builds.run()) return error;
+  for (const std::vector<Warning>& told : {prepared.warnings, builds.warnings()}) {
+    built.warnings.insert(built.warnings.end(), told.begin(), told.end());
+  }
   built.parts = builds.take_parts();
   built.refinements = builds.refinements();
-  warn(built);
+  warn(built, options);
   return std::nullopt;
 }
 

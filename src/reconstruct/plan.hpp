@@ -6,6 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include <tetloft/conforming_section.hpp>
+
 #include "between/inner_sections.hpp"
 #include "correspondence/correspondence.hpp"
 
@@ -27,6 +29,8 @@ struct Plan {
   /// The points that circles of triangles inside a section's region must not hold
   /// (ConformOptions::apart), by section.
   IdVector<SectionId, std::vector<Point2>> apart;
+  /// How coarse contours are divided (ConformOptions::divided), by section.
+  IdVector<SectionId, std::vector<EdgeDivision>> divided;
   /// Which slabs may still ask for finer contours (SlabOptions::may_ask).
   IdVector<SlabId, std::uint8_t> may_ask;
   Correspondence correspondence;

@@ -19,24 +19,28 @@ struct PreparedStack {
   int exponent = 0;
   IdVector<SectionId, Nesting> nestings;
   IdVector<SectionId, ConformingSection> sections;
+  /// What the sections were conformed with.
+  IdVector<SectionId, std::vector<EdgeDivision>> divisions;
+  std::vector<Warning> warnings;  ///< of coarse contours that are not divided
   double work_limit = kDefaultWorkLimit;
 
   [[nodiscard]] std::size_t section_count() const { return stack.sections.size(); }
   /// Requires a section, as validate() does.
   [[nodiscard]] std::size_t slab_count() const { return section_count() - 1; }
 
-  /// Conforms a section; the edges of the given contours become Gabriel (empty: none), and `apart`
-  /// is as in ConformOptions. Leaves it as it was where that fails.
+  /// Conforms a section; the edges of the given contours become Gabriel (empty: none), `apart` and
+  /// `divided` are as in ConformOptions. Leaves it as it was where that fails.
   [[nodiscard]] std::optional<Error> conform_section(SectionId s,
                                                      const IdVector<ContourId, bool>& gabriel = {},
-                                                     const std::vector<Point2>& apart = {});
+                                                     const std::vector<Point2>& apart = {},
+                                                     const std::vector<EdgeDivision>& divided = {});
 };
 
 /// Are the sections needed as conforming ones?
 enum class Conform : std::uint8_t { all, none };
 
-/// Validates, nests and conforms all sections, each a step of the work. Errors are in the unit
-/// given.
+/// Validates, nests and conforms all sections, coarse contours divided if the options say so, each
+/// a step of the work. Errors are in the unit given.
 [[nodiscard]] Result<PreparedStack> prepare(const SectionStack& given, Unit unit,
                                             const ReconstructOptions& options, WatchedWork& work,
                                             Conform conform = Conform::all);

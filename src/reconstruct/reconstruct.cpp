@@ -58,6 +58,9 @@ Result<std::optional<Reconstruction>> reconstruct_in(Unit unit, const SectionSta
   ReconstructReport& report = result.report;
   add_up(built->parts, report);
   count(report.rules, Rule::gabriel_refinement, built->refinements);
+  for (const std::vector<EdgeDivision>& section : built->plan.divided) {
+    for (const EdgeDivision& edge : section) report.dividing_vertices += edge.parts - 1;
+  }
   std::optional<Model> model = take_model(*built);
   if (!model) return std::optional<Reconstruction>();
   result.model = std::move(*model);

@@ -21,6 +21,7 @@ constexpr std::size_t kVector = sizeof(std::uint64_t);
 constexpr std::size_t kLink = 2 * sizeof(std::uint32_t);
 constexpr std::size_t kCandidate = kLink + 3 + 5 * sizeof(double);
 constexpr std::size_t kMotion = 2 * sizeof(std::uint32_t) + 1 + 2 * sizeof(double);
+constexpr std::size_t kDivision = 2 * sizeof(std::uint32_t) + sizeof(std::uint64_t);
 constexpr std::size_t kPieceBytes = 5 * sizeof(std::uint32_t) + 1;
 
 void put_gabriel(const Plan& plan, RecordWriter& out) {
@@ -60,6 +61,30 @@ void get_apart(RecordReader& in, Plan& plan) {
       p.x = in.get<double>();
       p.y = in.get<double>();
       in.require(std::isfinite(p.x) && std::isfinite(p.y), "has a point that is not finite");
+    }
+  }
+}
+
+void put_divided(const Plan& plan, RecordWriter& out) {
+  out.put_count(plan.divided.size());
+  for (const std::vector<EdgeDivision>& section : plan.divided) {
+    out.put_count(section.size());
+    for (const EdgeDivision& division : section) {
+      out.put(division.contour);
+      out.put(static_cast<std::uint64_t>(division.edge));
+      out.put(division.parts);
+    }
+  }
+}
+
+void get_divided(RecordReader& in, Plan& plan) {
+  plan.divided.resize(in.get_count(kVector));
+  for (auto& section : plan.divided) {
+    section.resize(in.get_count(kDivision));
+    for (EdgeDivision& division : section) {
+      division.contour = in.get<ContourId>();
+      division.edge = in.get<std::uint64_t>();
+      division.parts = in.get<std::uint32_t>();
     }
   }
 }
@@ -199,12 +224,17 @@ void check_plan(const Plan& plan, RecordReader& in) {
   check_correspondence(plan.correspondence, plan.gabriel.size(), "region", in);
   if (plan.voids) check_correspondence(*plan.voids, plan.gabriel.size(), "void", in);
   if (in.refused()) return;
-  in.require(
-      plan.apart.size() == plan.gabriel.size() && plan.may_ask.size() + 1 == plan.gabriel.size(),
-      "plans some of its sections");
+  in.require(plan.apart.size() == plan.gabriel.size() &&
+                 plan.divided.size() == plan.gabriel.size() &&
+                 plan.may_ask.size() + 1 == plan.gabriel.size(),
+             "plans some of its sections");
   for (const SectionId s : plan.gabriel.ids()) {
     in.require(plan.gabriel[s].empty() || plan.gabriel[s].size() == partition[s].size(),
                "refines some of its contours");
+    for (const EdgeDivision& division : plan.divided[s]) {
+      in.require(division.contour.index() < partition[s].size() && division.parts > 0,
+                 "divides a contour it lacks, or into nothing");
+    }
     // The frame of a complement is a contour more, and its exterior a void in every section.
     in.require(!plan.voids || (plan.voids->partition[s].size() == partition[s].size() + 1 &&
                                !plan.voids->component[s].empty()),
@@ -282,6 +312,7 @@ std::string to_record(const Plan& plan) {
   out.put(plan.ends ? plan.ends->above : 0);
   put_gabriel(plan, out);
   put_apart(plan, out);
+  put_divided(plan, out);
   out.put_all(plan.may_ask);
   put_correspondence(plan.correspondence, out);
   put_motions(plan.motions, out);
@@ -304,6 +335,7 @@ Result<Plan> plan_from_record(std::string_view bytes, const std::string& name) {
     in.require(std::isfinite(below) && std::isfinite(above), "has an end that is not finite");
     get_gabriel(in, plan);
     get_apart(in, plan);
+    get_divided(in, plan);
     plan.may_ask.raw() = in.get_all<std::uint8_t>();
     get_correspondence(in, plan.correspondence);
     get_motions(in, plan.motions);

@@ -11,6 +11,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -18,6 +19,7 @@
 
 #include "core/guard.hpp"
 #include "sections/conforming_section.hpp"
+#include "sections/equal_parts.hpp"
 #include "sections/nesting.hpp"
 #include "sections/scaling.hpp"
 
@@ -27,40 +29,67 @@ using namespace internal;
 
 namespace {
 
-// Contour vertices numbered through; segment i starts at vertex i.
+// Contour vertices, and those that divide edges, numbered through; segment i starts at vertex i.
 struct Flat {
   std::vector<Point2> points;
   std::vector<Segment> segments;
   std::vector<ContourId> contour;
-  std::vector<std::size_t> vertex;  // index in its contour
+  std::vector<std::size_t> vertex;  // index in its contour, or that of the edge it divides
+  std::vector<bool> divides;        // is not of the contour
 };
 
 // Points of the interior come last, on no segment.
-Flat flatten(const Section& section, std::span<const Point2> interior) {
+Flat flatten(const Section& section, std::span<const EdgeDivision> divided,
+             std::span<const Point2> interior) {
   Flat flat;
-  for (std::size_t c = 0; c < section.contours.size(); ++c) {
-    const std::vector<Point2>& vertices = section.contours[ContourId(c)].vertices;
+  auto division = divided.begin();
+  for (const ContourId c : section.contours.ids()) {
+    const std::vector<Point2>& vertices = section.contours[c].vertices;
     const std::size_t first = flat.points.size();
     for (std::size_t v = 0; v < vertices.size(); ++v) {
-      flat.points.push_back(vertices[v]);
-      flat.segments.push_back(
-          {PlaneVertexId(first + v), PlaneVertexId(first + (v + 1) % vertices.size())});
-      flat.contour.emplace_back(c);
-      flat.vertex.push_back(v);
+      const std::size_t start = flat.points.size();
+      const bool is_divided =
+          division != divided.end() && division->contour == c && division->edge == v;
+      sections::append_parts(vertices[v], vertices[(v + 1) % vertices.size()],
+                             is_divided ? (division++)->parts : 1, flat.points);
+      flat.contour.resize(flat.points.size(), c);
+      flat.vertex.resize(flat.points.size(), v);
+      flat.divides.resize(flat.points.size(), true);
+      flat.divides[start] = false;
+    }
+    const std::size_t end = flat.points.size();
+    for (std::size_t v = first; v < end; ++v) {
+      flat.segments.push_back({PlaneVertexId(v), PlaneVertexId(v + 1 < end ? v + 1 : first)});
     }
   }
   flat.points.insert(flat.points.end(), interior.begin(), interior.end());
   return flat;
 }
 
+bool are_divisions_of(const Section& section, std::span<const EdgeDivision> divided) {
+  const EdgeDivision* before = nullptr;
+  for (const EdgeDivision& division : divided) {
+    const bool is_edge = division.contour.index() < section.contours.size() &&
+                         division.edge < section.contours[division.contour].vertices.size() &&
+                         division.parts > 0;
+    if (!is_edge) return false;
+    if (before != nullptr &&
+        std::tie(division.contour, division.edge) <= std::tie(before->contour, before->edge)) {
+      return false;
+    }
+    before = &division;
+  }
+  return true;
+}
+
 class Conformer {
  public:
-  Conformer(const Section& section, SectionId id, std::span<const Point2> interior,
-            std::span<const Point2> apart)
+  Conformer(const Section& section, SectionId id, std::span<const EdgeDivision> divided,
+            std::span<const Point2> interior, std::span<const Point2> apart)
       : section_(section), id_(id), apart_(apart) {
     result_.z = section.z;
     result_.nesting = nest(section);
-    flat_ = flatten(section, interior);
+    flat_ = flatten(section, divided, interior);
   }
 
   Result<ConformingSection> run(const ConformOptions& asked) {
@@ -166,7 +195,7 @@ class Conformer {
         result_.contour[from] = flat_.contour[s];
         result_.next[from] = to;
         result_.edge_of[from] = flat_.vertex[s];
-        if (k == 0) result_.input_vertex[from] = flat_.vertex[s];
+        if (k == 0 && !flat_.divides[s]) result_.input_vertex[from] = flat_.vertex[s];
       }
     }
     IdVector<PlaneVertexId, std::uint8_t> interior(n, 0);
@@ -316,7 +345,8 @@ std::optional<Result<ConformingSection>> conform_in_unit(const Section& section,
   std::vector<Point2> apart = options.apart;
   for (Point2& p : apart) p = scaled(p, exponent);
   const Section in_unit = sections::scaled_in_plane(section, exponent);
-  Result<ConformingSection> result = Conformer(in_unit, id, inside, apart).run(options);
+  Result<ConformingSection> result =
+      Conformer(in_unit, id, options.divided, inside, apart).run(options);
   if (!result) {
     Error error = result.error();
     if (error.where.point) {
@@ -340,6 +370,10 @@ Result<ConformingSection> conform(const Section& section, SectionId id,
     if (!options.gabriel.empty() && options.gabriel.size() != section.contours.size()) {
       return Error{ErrorCode::usage, "gabriel needs one flag for each contour", {}};
     }
+    if (!are_divisions_of(section, options.divided)) {
+      return Error{
+          ErrorCode::usage, "divisions need edges of the section, in order, each once", {}};
+    }
     if (!sections::has_contours(section)) {
       Error error{ErrorCode::invalid_input, "contours of fewer than three finite vertices", {}};
       error.where.section = id.index();
@@ -351,7 +385,7 @@ Result<ConformingSection> conform(const Section& section, SectionId id,
     again.execution.progress = nullptr;
     Result<ConformingSection> result =
         in_unit ? *std::move(in_unit)
-                : Conformer(section, id, again.interior, again.apart).run(again);
+                : Conformer(section, id, again.divided, again.interior, again.apart).run(again);
     if (result) result->gabriel = options.gabriel;
     return result;
   });

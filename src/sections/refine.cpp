@@ -11,6 +11,7 @@
 #include "core/option_rules.hpp"
 #include "core/parallel.hpp"
 #include "core/watched_work.hpp"
+#include "sections/equal_parts.hpp"
 #include "sections/validation.hpp"
 
 namespace tetloft {
@@ -31,21 +32,6 @@ template <class Visit>
 void for_each_edge(const Contour& contour, const Visit& visit) {
   const std::size_t n = contour.vertices.size();
   for (std::size_t k = 0; k < n; ++k) visit(contour.vertices[k], contour.vertices[(k + 1) % n]);
-}
-
-// Points are computed from the edge's lower end, whichever way the contour runs.
-void append_parts(const Point2& a, const Point2& b, double parts, std::vector<Point2>& points) {
-  const bool forward = canonical_less(a, b);
-  const Point2& low = forward ? a : b;
-  const Point2& high = forward ? b : a;
-  points.push_back(a);
-  const auto n = static_cast<std::size_t>(parts);
-  for (std::size_t k = 1; k < n; ++k) {
-    const double t = static_cast<double>(forward ? k : n - k) / parts;
-    const Point2 p{low.x + t * (high.x - low.x), low.y + t * (high.y - low.y)};
-    // Parts below the spacing of doubles are none.
-    if (p != points.back() && p != b) points.push_back(p);
-  }
 }
 
 Result<Refined> refine_all(const SectionStack& stack, double length, const Execution& execution) {
@@ -73,7 +59,7 @@ Result<Refined> refine_all(const SectionStack& stack, double length, const Execu
     for (Contour& contour : section.contours) {
       std::vector<Point2> points;
       for_each_edge(contour, [&](const Point2& a, const Point2& b) {
-        append_parts(a, b, parts_of(a, b, length), points);
+        sections::append_parts(a, b, static_cast<std::size_t>(parts_of(a, b, length)), points);
       });
       result.inserted += points.size() - contour.vertices.size();
       contour.vertices = std::move(points);

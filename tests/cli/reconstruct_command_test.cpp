@@ -124,7 +124,7 @@ TEST_F(ReconstructCommand, RepairsWhereAskedTo) {
       << made.err;
   const JsonValue json = run_json({"reconstruct", in_, "-o", out_, "--repair"});
   EXPECT_EQ(json.at("repair").at("changes").number, 2);
-  EXPECT_EQ(json.at("warnings").array.size(), 3U);  // and that contours are coarse
+  EXPECT_EQ(json.at("warnings").array.size(), 2U);
   EXPECT_EQ(run({"check", out_, in_, "--repair"}).code, 0);
   EXPECT_EQ(run({"check", out_, in_}).code, 3);
   expect_failure({"reconstruct", in_, "-o", out_ + "2.vtu", "--repair-distance", "1"}, 2, "usage",
@@ -247,11 +247,12 @@ TEST_F(ReconstructCommand, LeavesNoFileWhenTheSurfaceCannotBeWritten) {
 TEST_F(ReconstructCommand, HintsAtRemediesInWarnings) {
   // A square of side 4, and one turned by 45 degrees; then apart from it.
   test::put(in_, "S 2\nv 4 z 0\n{ 0 0 4 0 4 4 0 4 }\nv 4 z 1\n{ 2 -1 5 2 2 5 -1 2 }\n");
-  const Outcome coarse = run({"reconstruct", in_, "-o", out_});
+  EXPECT_TRUE(run({"reconstruct", in_, "-o", out_}).err.empty());  // it is divided
+  const Outcome coarse = run({"reconstruct", in_, "-o", out_, "--no-divide"});
   EXPECT_EQ(coarse.code, 0);
   EXPECT_NE(coarse.err.find("warning: " + in_ + ": contours have few vertices"), std::string::npos)
       << coarse.err;
-  EXPECT_TRUE(run({"reconstruct", in_, "-o", out_, "--refine", "0.5"}).err.empty());
+  EXPECT_TRUE(run({"reconstruct", in_, "-o", out_, "--no-divide", "--refine", "0.5"}).err.empty());
   test::put(in_, "S 2\nv 4 z 0\n{ 0 0 4 0 4 4 0 4 }\nv 4 z 1\n{ 9 0 13 0 13 4 9 4 }\n");
   for (const std::vector<std::string>& words :
        {std::vector<std::string>{"reconstruct", in_, "-o", out_}, {"links", in_}}) {
@@ -263,6 +264,22 @@ TEST_F(ReconstructCommand, HintsAtRemediesInWarnings) {
         "gap, 1, over the size of a region, 4, is 0.25; sections are too far apart, or z has "
         "another unit than x and y");
   }
+}
+
+TEST_F(ReconstructCommand, DividesCoarseContours) {
+  const std::string loft = std::string(TETLOFT_DATA_DIR) + "/cases/loft.cnt";
+  const JsonValue divided = run_json({"reconstruct", loft, "-o", out_});
+  EXPECT_EQ(divided.at("dividing_vertices").number, 24);
+  EXPECT_GT(divided.at("volume").number, 1800);
+  EXPECT_EQ(run({"check", out_, loft}).code, 0);
+  const JsonValue as_given = run_json({"reconstruct", loft, "-o", out_, "--no-divide"});
+  EXPECT_EQ(as_given.at("dividing_vertices").number, 0);
+  EXPECT_LT(as_given.at("volume").number, 1600);
+  EXPECT_EQ(as_given.at("warnings").array.size(), 1U);
+  EXPECT_NE(run({"reconstruct", loft, "-o", out_}).out.find("24 of them to divide coarse ones"),
+            std::string::npos);
+  expect_failure({"reconstruct", loft, "-o", out_, "--no-divide", "--method", "geiger"}, 2, "usage",
+                 "--no-divide");
 }
 
 TEST_F(ReconstructCommand, RefinesLongEdges) {

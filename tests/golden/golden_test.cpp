@@ -15,7 +15,10 @@
 namespace tetloft::testing {
 namespace {
 
-constexpr std::array<const char*, 4> kNames{"triangular_prism", "fork", "ring", "nested_hole"};
+// One with coarse contours divided; as they are, models are small.
+constexpr std::string_view kDivided = "loft";
+constexpr std::array<const char*, 5> kNames{"triangular_prism", "fork", "ring", "nested_hole",
+                                            "loft"};
 
 // Hex floats leave some freedom; with a leading 1 (0 for zero) and no trailing zeros the
 // text is unique.
@@ -53,7 +56,8 @@ Result<std::string> reconstructed(const std::string& name) {
   const Result<ReadStack> read =
       read_cnt(std::string(TETLOFT_DATA_DIR) + "/cases/" + name + ".cnt");
   if (!read) return read.error();
-  const Result<Reconstruction> result = reconstruct(read->stack);
+  const Result<Reconstruction> result =
+      reconstruct(read->stack, {.divide_coarse = name == kDivided});
   if (!result) return result.error();
   return text_of(result->model);
 }

@@ -187,6 +187,8 @@ Attempt attempt(const GeneratedStack& generated, Criterion criterion, Excuse exc
   options.correspondence = generated.correspondence;
   options.correspondence.criterion = criterion;
   options.between = between;
+  // Coarse contours as they are, too: they are degenerate as few others are.
+  options.divide_coarse = criterion == Criterion::moved;
   options.thickness = 1;  // shrinking may leave one section
   options.execution.threads = 1;
   const Result<Reconstruction> one = reconstruct(generated.stack, options);

@@ -77,6 +77,7 @@ constexpr std::array kKinds{
     Kind{StackKind::touching_holes, "touching_holes", draft_touching_holes},
     Kind{StackKind::rings, "rings", draft_rings},
     Kind{StackKind::lattice_pores, "lattice_pores", draft_lattice_pores},
+    Kind{StackKind::coarse_lofts, "coarse_lofts", draft_coarse_lofts},
 };
 
 constexpr auto kAllKinds = [] {

@@ -61,6 +61,7 @@ enum class StackKind : std::uint8_t {
   touching_holes,  ///< holes that share an edge, a piece of one or a vertex in projection
   rings,           ///< thin rings that hardly overlap, or not; and discs over them
   lattice_pores,   ///< bitmaps of blocks with pores and notches of a few pixels
+  coarse_lofts,    ///< contours of few vertices turned, moved, crossed, and beside fine ones
 };
 
 [[nodiscard]] std::span<const StackKind> all_kinds();

@@ -45,6 +45,7 @@ SectionStack draft_u_over_blobs(Prng& prng);
 SectionStack draft_crossing_bars(Prng& prng);
 SectionStack draft_oblique(Prng& prng);
 SectionStack draft_large_contours(Prng& prng);
+SectionStack draft_coarse_lofts(Prng& prng);
 
 // kinds_rare.cpp
 SectionStack draft_interlocking(Prng& prng);

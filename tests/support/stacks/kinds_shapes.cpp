@@ -105,6 +105,35 @@ SectionStack draft_oblique(Prng& prng) {
   return stack_of(layers, heights(prng, layers.size()));
 }
 
+namespace {
+
+// Up to 12 vertices: a rectangle, thin or not, or a regular polygon.
+Contour coarse_contour(Prng& prng) {
+  if (prng.chance(0.4)) return regular_polygon({0, 0}, prng.between(1, 3), number(prng, 3, 12), 0);
+  const double half = prng.between(1, 4);
+  const double other = prng.chance(0.3) ? half : log_uniform(prng, 0.2, 3);
+  return rectangle({-half, -other}, {half, other});
+}
+
+}  // namespace
+
+SectionStack draft_coarse_lofts(Prng& prng) {
+  std::vector<Layer> layers(number(prng, 2, 4));
+  for (Layer& layer : layers) {
+    const bool fine = prng.chance(0.15);
+    layer = {fine ? regular_polygon({0, 0}, prng.between(1, 4), number(prng, 24, 48), 0)
+                  : coarse_contour(prng)};
+    if (prng.chance(0.2)) layer.push_back(rectangle({-0.15, -0.15}, {0.15, 0.15}));
+    if (prng.chance(0.2)) layer.push_back(rectangle({4.5, -2}, {5.5, prng.between(0, 2)}));
+    if (prng.chance(0.7)) rotate(layer, prng.between(0, kPi));
+    const Point2 by = displaced(prng, {0, 0}, prng.chance(0.5) ? 0 : 1.5);
+    for (Contour& contour : layer) {
+      for (Point2& p : contour.vertices) p = {p.x + by.x, p.y + by.y};
+    }
+  }
+  return stack_of(layers, heights(prng, layers.size()));
+}
+
 SectionStack draft_large_contours(Prng& prng) {
   // Two circles about different centres: D has as many tets as the product of their vertices.
   const std::size_t most = prng.chance(0.02) ? 1000 : 600;

@@ -31,6 +31,7 @@ struct Phases {
     prepared = prepare(stack, Unit::as_given, options, work).value();
     plan.gabriel.resize(prepared.section_count());
     plan.apart.resize(prepared.section_count());
+    plan.divided = prepared.divisions;
     decision = std::make_unique<Decision>(prepared, options);
     plan.correspondence = decision->make(all_ids<SlabId>(prepared.slab_count()), work).value();
     builds = std::make_unique<SlabBuilds>(prepared, *decision, plan, options, work);
@@ -42,6 +43,7 @@ ReconstructOptions labelled(Criterion criterion, std::string_view labels) {
   options.execution.threads = 1;
   options.correspondence.criterion = criterion;
   options.correspondence.labels = labels_from(labels);
+  options.divide_coarse = false;  // nothing has to be refined then
   return options;
 }
 

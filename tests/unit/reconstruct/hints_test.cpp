@@ -27,8 +27,8 @@ Contour polygon(std::size_t n, double x, double radius, double turned = 0) {
   return contour;
 }
 
-std::vector<Warning> warnings_of(const SectionStack& stack) {
-  const Result<Reconstruction> made = reconstruct(stack);
+std::vector<Warning> warnings_of(const SectionStack& stack, bool divide_coarse = true) {
+  const Result<Reconstruction> made = reconstruct(stack, {.divide_coarse = divide_coarse});
   EXPECT_TRUE(made.ok()) << to_string(made.error());
   return made ? made->warnings : std::vector<Warning>();
 }
@@ -61,16 +61,17 @@ TEST(Hints, AreNotGivenOfSoundStacks) {
 
 TEST(Hints, NameALengthForCoarseContours) {
   const SectionStack turned = stack_of_boxes({{polygon(4, 0, 10)}, {polygon(4, 0, 10, 0.5)}});
-  const auto warnings = warnings_of(turned);
+  EXPECT_TRUE(warnings_of(turned).empty());  // they are divided
+  const auto warnings = warnings_of(turned, false);
   ASSERT_EQ(warnings.size(), 1U);
   // An eighth of the side of 14.14.
   EXPECT_NE(warnings[0].message.find("at most 1.8 (--refine)"), std::string::npos)
       << warnings[0].message;
   const Result<Refined> refined = refine(turned, 1.8);
   ASSERT_TRUE(refined.ok());
-  EXPECT_TRUE(warnings_of(refined->stack).empty());
+  EXPECT_TRUE(warnings_of(refined->stack, false).empty());
   // In the unit of the stack.
-  EXPECT_NE(warnings_of(times(turned, 0x1p10))[0].message.find("at most 1.8e+03 "),
+  EXPECT_NE(warnings_of(times(turned, 0x1p10), false)[0].message.find("at most 1.8e+03 "),
             std::string::npos);
 }
 
@@ -81,7 +82,7 @@ TEST(Hints, OfCoarseContoursAreNotGivenWhereNothingIsLost) {
         stack_of_boxes({{polygon(5, 0, 10)}, {polygon(5, 0, 10)}, {}}),
         stack_of_boxes({{box(0, 0, 2, 8)}, {box(0, 0, 2, 7.9)}}),
         stack_of_boxes({{box(0, 0, 2, 2)}, {box(50, 0, 52, 2)}})}) {
-    EXPECT_EQ(telling(warnings_of(stack), "--refine"), 0U);
+    EXPECT_EQ(telling(warnings_of(stack, false), "--refine"), 0U);
   }
 }
 

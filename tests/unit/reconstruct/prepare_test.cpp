@@ -73,11 +73,13 @@ TEST(Prepare, EverySectionIsConformedAndAStepOfTheWork) {
   ASSERT_TRUE(made.ok());
   EXPECT_EQ(steps, stack.sections.size());
   for (const SectionId s : stack.sections.ids()) {
-    const ConformingSection alone = conform(stack.sections[s], s).value();
+    const ConformingSection alone =
+        conform(stack.sections[s], s, {.divided = made->divisions[s]}).value();
     const ConformingSection& section = made->sections[s];
     ASSERT_EQ(section.vertex_count(), alone.vertex_count());
     EXPECT_EQ(section.z, stack.sections[s].z);
     EXPECT_EQ(section.internal, alone.internal);
+    EXPECT_GT(section.vertex_count(), conform(stack.sections[s], s).value().vertex_count());
     EXPECT_EQ(made->nestings[s].outer, nest(stack.sections[s]).outer);
   }
 }

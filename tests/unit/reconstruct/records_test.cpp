@@ -66,14 +66,15 @@ std::string slab_file(SlabId s) { return "slab" + std::to_string(s.value()); }
 
 // Phase 1 on one machine; the slabs are built here only to learn which contours have to be refined.
 std::optional<Error> plan_into(const Folder& folder, const SectionStack& stack,
-                               const ReconstructOptions& options) {
+                               const ReconstructOptions& options, Unit unit) {
   WatchedWork work(options.execution, 0);
-  Result<PreparedStack> prepared = prepare(stack, Unit::of_the_stack, options, work);
+  Result<PreparedStack> prepared = prepare(stack, unit, options, work);
   if (!prepared) return prepared.error();
   Plan plan;
   plan.exponent = prepared->exponent;
   plan.gabriel.resize(prepared->section_count());
   plan.apart.resize(prepared->section_count());
+  plan.divided = prepared->divisions;
   std::vector<Warning> warnings;
   plan.ends = *place_ends(*prepared, options, warnings);
   Decision decision(*prepared, options);
@@ -131,8 +132,8 @@ IdVector<SectionId, Nesting> complements_of(
   return nestings;
 }
 
-// Phase 3.
-Model glued(const Folder& folder) {
+// Phase 3. None where the model is none in the unit given.
+std::optional<Model> glued(const Folder& folder) {
   Plan plan = plan_from_record(folder.read("plan"), "plan").value();
   IdVector<SectionId, ConformingSection> sections;
   for (const SectionId s : plan.gabriel.ids()) sections.push_back(section_of_file(folder, s));
@@ -163,7 +164,7 @@ Model glued(const Folder& folder) {
   model.motions = plan.motions;
   model.void_links = std::move(of_voids.links);
   model.deviations = std::move(of_voids.deviations);
-  EXPECT_TRUE(scale_exactly(model, -plan.exponent));
+  if (!scale_exactly(model, -plan.exponent)) return std::nullopt;
   return model;
 }
 
@@ -190,15 +191,21 @@ void expect_same_through_files(const SectionStack& stack, const ReconstructOptio
                                Prng& prng, Seen& seen) {
   const Result<Reconstruction> direct = reconstruct(stack, options);
   if (!direct) return;
-  const Folder folder;
-  const auto error = plan_into(folder, stack, options);
-  EXPECT_FALSE(error) << to_string(*error);
-  std::vector<SlabId> order = all_ids<SlabId>(stack.sections.size() - 1);
-  for (std::size_t k = order.size(); k > 1; --k) {
-    std::swap(order[k - 1], order[static_cast<std::size_t>(prng.below(k))]);
+  std::optional<Model> model;
+  for (const Unit unit : {Unit::of_the_stack, Unit::as_given}) {
+    if (model) continue;
+    const Folder folder;
+    const auto error = plan_into(folder, stack, options, unit);
+    EXPECT_FALSE(error) << to_string(*error);
+    std::vector<SlabId> order = all_ids<SlabId>(stack.sections.size() - 1);
+    for (std::size_t k = order.size(); k > 1; --k) {
+      std::swap(order[k - 1], order[static_cast<std::size_t>(prng.below(k))]);
+    }
+    for (const SlabId slab : order) build_into(folder, slab);
+    model = glued(folder);
   }
-  for (const SlabId slab : order) build_into(folder, slab);
-  EXPECT_TRUE(same_bits(glued(folder), direct->model));
+  ASSERT_TRUE(model.has_value());
+  EXPECT_TRUE(same_bits(*model, direct->model));
   seen.add(direct->model);
 }
 
@@ -271,6 +278,8 @@ Plan plan_of_two_sections() {
   plan.exponent = -7;
   plan.gabriel.resize(2);
   plan.apart.resize(2);
+  plan.divided.resize(2);
+  plan.divided[SectionId(1)] = {{ContourId(0), 3, 4}, {ContourId(2), 0, 16}};
   plan.may_ask.assign(1, 1);
   plan.between.push_back(one_section_between());
   plan.apart[SectionId(0)] = {{0.5, -0.25}, {-0.0, 3}};
@@ -368,6 +377,9 @@ TEST(Records, PlansWithCandidatesOrMotionsThatThereAreNotAreRefused) {
            {"sections between", [](Plan&p, LinkCandidate&) { between_of(p).links.pop_back(); }},
            {"region between", [](Plan&p, LinkCandidate&) { between_of(p).links[0][1].above = RegionId(2); }},
            {"region between", [](Plan&p, LinkCandidate&) { between_of(p).links[1][0].above = RegionId(2); }},
+           {"some of its sections", [](Plan&p, LinkCandidate&) { p.divided.resize(1); }},
+           {"divides", [](Plan&p, LinkCandidate&) { p.divided[SectionId(1)][1].contour = ContourId(3); }},
+           {"divides", [](Plan&p, LinkCandidate&) { p.divided[SectionId(1)][0].parts = 0; }},
            {"motion", [](Plan&p, LinkCandidate&) { p.motions[0].by.x = kInfinity; }},
            {"motion", [](Plan&p, LinkCandidate&) { p.motions[1].by.y = -kInfinity; }},
            {"contour", [](Plan&p, LinkCandidate&) { p.motions[0].contour = ContourId(3); }},
@@ -388,7 +400,7 @@ TEST(Records, WhatIsSignedButWrongIsRefusedOrStillInBounds) {
   const SectionStack stack =
       stack_of_boxes({{box(0, 0, 4, 2)}, {box(0, 0, 3, 2), box(5, 0, 6, 2)}, {box(1, 0, 2, 2)}});
   const Folder folder;
-  ASSERT_FALSE(plan_into(folder, stack, {}));
+  ASSERT_FALSE(plan_into(folder, stack, {}, Unit::of_the_stack));
   build_into(folder, SlabId(0));
   Prng prng(914);
   std::size_t refused = 0;

@@ -70,8 +70,10 @@ TEST(VoidSamples, HolesWithIslandsOfOtherLabelsAreClosed) {
 
 // Between the islands no tet has four corners of the one class until edges are divided.
 TEST(VoidSamples, WallsBetweenIslandsMayNeedDividedContours) {
-  const auto coarse = reconstruct(void_case("label_island_3"), with_labels("l3.txt"));
-  const auto divided = reconstruct(void_case("label_island_4"), with_labels("l3.txt"));
+  ReconstructOptions as_given = with_labels("l3.txt");
+  as_given.divide_coarse = false;
+  const auto coarse = reconstruct(void_case("label_island_3"), as_given);
+  const auto divided = reconstruct(void_case("label_island_4"), as_given);
   ASSERT_TRUE(coarse.ok() && divided.ok());
   EXPECT_EQ(coarse->report.split_vertices, 0U);
   EXPECT_GT(divided->report.split_vertices, 0U);
