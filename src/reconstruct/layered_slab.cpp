@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "core/guard.hpp"
 #include "core/union_find.hpp"
 #include "reconstruct/inner_links.hpp"
 #include "reconstruct/layered_voids.hpp"
