@@ -20,6 +20,7 @@
 #include "reconstruct/build.hpp"
 #include "reconstruct/decide.hpp"
 #include "reconstruct/decide_voids.hpp"
+#include "reconstruct/divide.hpp"
 #include "reconstruct/ends.hpp"
 #include "reconstruct/glue.hpp"
 #include "reconstruct/hints.hpp"
@@ -130,8 +131,8 @@ Result<std::optional<Reconstruction>> make(PreparedStack& prepared,
   warn_of_dropped(plan.correspondence.candidates, prepared.nestings, result.warnings);
   for (const auto& hint :
        {hint_of_missing_partners(prepared, plan.correspondence.candidates),
-        options.divide_coarse ? std::nullopt
-                              : hint_of_coarse_contours(prepared, plan.correspondence)}) {
+        divides_coarse(options) ? std::nullopt
+                                : hint_of_coarse_contours(prepared, plan.correspondence)}) {
     if (hint) result.warnings.push_back(*hint);
   }
   std::vector<Part> parts = builds.take_parts();
