@@ -36,8 +36,8 @@ struct ReconstructOptions {
   DelaunayEngine delaunay = DelaunayEngine::automatic;
   /// Divide long edges of contours of few vertices where they differ from section to section: what
   /// lies between follows both contours then. Where sections have many vertices, as from images, no
-  /// edge is. Sections for which that is too much, or that have no valid model so, are taken as
-  /// they are, with a warning.
+  /// edge is; nor by Criterion::reverse, which asks D of the contours as they are. Sections for
+  /// which that is too much, or that have no valid model so, are taken as they are, with a warning.
   bool divide_coarse = true;
   /// Thickness of the solid made from a single section, centred on its plane. Without it a
   /// tenth of the larger side of the bounding box is taken, and a warning given.

@@ -95,15 +95,8 @@ Result<std::vector<SlabId>> SlabBuilds::undivide(SlabId slab, const Unrepresenta
     if (plan_.divided[s].empty()) continue;
     if (auto error = undivide(s, refused.error.message, touched)) return *error;
   }
-  if (auto error = decide_anew(touched)) return *error;
   sort_distinct(touched);
   return touched;
-}
-
-std::optional<Error> SlabBuilds::decide_anew(std::vector<SlabId>& touched) {
-  if (!decision_.depends_on_triangulations()) return std::nullopt;
-  sort_distinct(touched);
-  return adopt(decision_.make(touched, work_), touched);
 }
 
 // Contours refined to Gabriel edges: regions that overlap then have an own–own edge of D between
@@ -140,7 +133,9 @@ Result<std::vector<SlabId>> SlabBuilds::refine(SlabId slab, const RefineHere& wa
   }
   if (wanted.optional && touched.empty()) plan_.may_ask[slab] = 0;
   touched.push_back(slab);
-  if (auto error = decide_anew(touched)) return *error;
+  if (decision_.depends_on_triangulations()) {
+    if (auto error = adopt(decision_.make(touched, work_), touched)) return *error;
+  }
   sort_distinct(touched);
   return touched;
 }

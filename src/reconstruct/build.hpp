@@ -43,8 +43,6 @@ class SlabBuilds {
   // the slabs that this touches.
   [[nodiscard]] std::optional<Error> undivide(SectionId s, const std::string& reason,
                                               std::vector<SlabId>& touched);
-  // What links rest on has changed with the triangulations of the sections of these slabs.
-  [[nodiscard]] std::optional<Error> decide_anew(std::vector<SlabId>& touched);
   // What a slab that is none yet needs. These return the slabs to build again.
   [[nodiscard]] Result<std::vector<SlabId>> mend(SlabId slab);
   [[nodiscard]] Result<std::vector<SlabId>> undivide(SlabId slab, const Unrepresentable& refused);

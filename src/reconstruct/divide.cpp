@@ -16,6 +16,10 @@ constexpr std::size_t kMostInserted = 4096;
 
 }  // namespace
 
+bool divides_coarse(const ReconstructOptions& options) {
+  return options.divide_coarse && options.correspondence.criterion != Criterion::reverse;
+}
+
 SectionDivision divide_section(const SectionStack& stack, SectionId s, double least_long) {
   const Section& section = stack.sections[s];
   std::vector<const Section*> neighbours;

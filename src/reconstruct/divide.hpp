@@ -6,10 +6,15 @@
 #include <vector>
 
 #include <tetloft/conforming_section.hpp>
+#include <tetloft/reconstruct.hpp>
 #include <tetloft/result.hpp>
 #include <tetloft/section_stack.hpp>
 
 namespace tetloft::internal {
+
+/// Are coarse contours divided by these options? Reverse tetrahedra are those of the contours as
+/// they are.
+[[nodiscard]] bool divides_coarse(const ReconstructOptions& options);
 
 /// How a section is divided, or why it is not.
 struct SectionDivision {

@@ -11,6 +11,7 @@
 #include "reconstruct/decide.hpp"
 #include "reconstruct/decide_between.hpp"
 #include "reconstruct/decide_voids.hpp"
+#include "reconstruct/divide.hpp"
 #include "reconstruct/ends.hpp"
 #include "reconstruct/hints.hpp"
 #include "reconstruct/stack_errors.hpp"
@@ -55,7 +56,7 @@ void warn(BuiltStack& built, const ReconstructOptions& options) {
   warn_of_dropped(decided.candidates, prepared.nestings, built.warnings);
   for (const auto& hint :
        {hint_of_missing_partners(prepared, decided.candidates),
-        options.divide_coarse ? std::nullopt : hint_of_coarse_contours(prepared, decided)}) {
+        divides_coarse(options) ? std::nullopt : hint_of_coarse_contours(prepared, decided)}) {
     if (hint) built.warnings.push_back(*hint);
   }
 }

@@ -86,7 +86,7 @@ Result<PreparedStack> prepare(const SectionStack& given, Unit unit,
   prepared.stack = sections::scaled(given, prepared.exponent);
   prepared.nestings.resize(prepared.section_count());
   prepared.sections.resize(prepared.section_count());
-  Conforming sections(prepared, options.divide_coarse && conform == Conform::all);
+  Conforming sections(prepared, divides_coarse(options) && conform == Conform::all);
   auto error = first_error(all_ids<SectionId>(prepared.section_count()), options.execution.threads,
                            work, [&](SectionId s) {
                              prepared.nestings[s] = nest(prepared.stack.sections[s]);

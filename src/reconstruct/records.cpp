@@ -228,6 +228,7 @@ void check_plan(const Plan& plan, RecordReader& in) {
                  plan.divided.size() == plan.gabriel.size() &&
                  plan.may_ask.size() + 1 == plan.gabriel.size(),
              "plans some of its sections");
+  if (in.refused()) return;
   for (const SectionId s : plan.gabriel.ids()) {
     in.require(plan.gabriel[s].empty() || plan.gabriel[s].size() == partition[s].size(),
                "refines some of its contours");

@@ -92,6 +92,7 @@ TEST(AttachedChi, IsThatOfTheSolid) {
       options.correspondence.criterion = Criterion::overlap;
       options.correspondence.chain = options.correspondence.lone = false;
       options.correspondence.voids.rule = VoidRule::free;
+      options.divide_coarse = false;
       const auto made = reconstruct(stack, options);
       if (!made.ok() ||
           fired(*made, Rule::opened_pit) + fired(*made, Rule::gabriel_refinement) > 0) {

@@ -27,14 +27,16 @@ TEST(Topology, SealedFacesAreOpened) {
        {std::pair{"bars", 1L}, {"slit_over_two", 0L}, {"two_over_two", 1L}}) {
     SCOPED_TRACE(name);
     const SectionStack stack = sample("cases/voids/" + std::string(name) + ".cnt");
-    const auto checked = reconstruct_and_check(stack);
+    ReconstructOptions as_given;
+    as_given.divide_coarse = false;
+    const auto checked = reconstruct_and_check(stack, as_given);
     ASSERT_TRUE(checked);
     EXPECT_EQ(genus(checked->report), due);
     EXPECT_EQ(checked->report.deviations, 0U);
     EXPECT_GT(fired(checked->result, Rule::opened_face) + checked->result.report.split_vertices,
               0U);
     // By no rule for voids they stay as completion leaves them.
-    ReconstructOptions free;
+    ReconstructOptions free = as_given;
     free.correspondence.voids.rule = VoidRule::free;
     const auto sealed = reconstruct(stack, free);
     ASSERT_TRUE(sealed.ok());
