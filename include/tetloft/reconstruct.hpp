@@ -27,10 +27,11 @@ enum class Ends : std::uint8_t {
 struct ReconstructOptions {
   CorrespondenceOptions correspondence = {};
   Ends ends = Ends::flat;
-  /// Sections put between two neighbouring given ones, interpolated, for the shape between: so many,
-  /// or, without a number, as many as the slab's gap and contour edges call for (none where sections
-  /// are dense). The given ones stay bit for bit. A slab gets none where its solid would hang
-  /// together in another way, or have another topology, than the links of regions and voids imply.
+  /// Sections put between two neighbouring given ones, interpolated, for the shape between: so
+  /// many, or, without a number, as many as the slab's gap and contour edges call for (none where
+  /// sections are dense). The given ones stay bit for bit. A slab gets none where its solid would
+  /// hang together in another way, or have another topology, than the links of regions and voids
+  /// imply.
   std::optional<std::size_t> between = 0;
   /// The engine that triangulates the slabs; automatic means slab. The result is the same.
   DelaunayEngine delaunay = DelaunayEngine::automatic;

@@ -16,7 +16,7 @@ using between::LayerLink;
 constexpr std::size_t kPoint = 2 * sizeof(double);
 constexpr std::size_t kLayerLink = 2 * sizeof(std::uint32_t);
 // Of vectors of vectors: their counts.
-constexpr std::size_t kVector = sizeof(std::uint64_t);
+constexpr std::size_t kInnerVector = sizeof(std::uint64_t);
 
 void put_section(const Section& section, RecordWriter& out) {
   out.put(section.z);
@@ -33,7 +33,7 @@ void put_section(const Section& section, RecordWriter& out) {
 Section get_section(RecordReader& in) {
   Section section;
   section.z = in.get<double>();
-  section.contours.resize(in.get_count(kVector));
+  section.contours.resize(in.get_count(kInnerVector));
   for (Contour& contour : section.contours) {
     contour.vertices.resize(in.get_count(kPoint));
     for (Point2& p : contour.vertices) {
@@ -70,7 +70,7 @@ void put_inner(const InnerSections& inner, RecordWriter& out) {
 
 InnerSections get_inner(RecordReader& in, std::size_t lower, std::size_t upper) {
   InnerSections inner;
-  const std::size_t sections = in.get_count(kVector);
+  const std::size_t sections = in.get_count(kInnerVector);
   for (std::size_t k = 0; k < sections && !in.refused(); ++k) {
     InnerSection mid;
     mid.section = get_section(in);
@@ -85,7 +85,7 @@ InnerSections get_inner(RecordReader& in, std::size_t lower, std::size_t upper) 
                "puts regions between that are of no class");
     inner.sections.push_back(std::move(mid));
   }
-  inner.links.resize(in.get_count(kVector));
+  inner.links.resize(in.get_count(kInnerVector));
   in.require(inner.links.size() == (sections == 0 ? 0 : sections + 1),
              "links some of the sections between");
   for (std::size_t k = 0; k < inner.links.size() && !in.refused(); ++k) {
