@@ -21,7 +21,8 @@ struct BetweenOptions {
   CorrespondenceOptions correspondence = {};
   /// How many, as ReconstructOptions::between says.
   std::optional<std::size_t> sections = std::nullopt;
-  double work_limit = kDefaultWorkLimit;  ///< as of a reconstruction
+  bool divide_coarse = true;              ///< as of a reconstruction
+  double work_limit = kDefaultWorkLimit;  ///< likewise
   Execution execution = {};               ///< threads share the sections and slabs
 };
 
@@ -52,9 +53,12 @@ struct LongStack {
 /// The stack with the sections that reconstruct() puts between the given ones, with `between` =
 /// options.sections and the same correspondence: those of slabs whose solids took them, so it takes
 /// as long. Reconstructed by LongStack::correspondence it keeps all guarantees as a stack of its
-/// own; and the solid is the one that the shorter stack gives, unless in either a slab asked for
-/// finer contours to get the topology that links imply (Rule::gabriel_refinement): one between
-/// inserted sections does not ask while it is a part of the shorter stack's.
+/// own; and the solid is the one that the shorter stack gives, unless in either
+/// (1) a slab asked for finer contours to get the topology that links imply
+/// (Rule::gabriel_refinement): one between inserted sections does not ask while it is a part of the
+/// shorter stack's;
+/// (2) coarse contours were divided (ReconstructOptions::divide_coarse): how, depends on the
+/// neighbouring sections, which are others in the longer stack.
 /// Refused as by reconstruct().
 [[nodiscard]] TETLOFT_API Result<LongStack> between(const SectionStack& stack,
                                                     const BetweenOptions& options = {});

@@ -44,8 +44,8 @@ Usage between_usage() {
       "(sections), components, decisions (counts), and sections ([z, inserted, slab or section of "
       "the given stack, component of each contour]). Nothing is written when the command fails."};
   for (const Option& option : stack_options()) usage.options.push_back(option);
-  for (const Option& option :
-       {kWorkLimitOption, kThreadsOption, kJsonOption, kQuietOption, kHelpOption}) {
+  for (const Option& option : {kNoDivideOption, kWorkLimitOption, kThreadsOption, kJsonOption,
+                               kQuietOption, kHelpOption}) {
     usage.options.push_back(option);
   }
   return usage;
@@ -83,6 +83,7 @@ struct BetweenRequest {
   const auto sections = sections_between_option(arguments, "--sections", std::nullopt);
   if (!sections) return sections.error();
   request.options.sections = *sections;
+  request.options.divide_coarse = !arguments.has("--no-divide");
   const auto correspondence = correspondence_options(arguments, console);
   if (!correspondence) return correspondence.error();
   request.options.correspondence = *correspondence;

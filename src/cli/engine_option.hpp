@@ -27,6 +27,12 @@ inline const Option kWorkLimitOption{
     "tets per vertex that a slab may take, and a 16th as many vertices inserted into a section, "
     "before it is refused with exit code 7 (default 128, which no sane stack reaches; under 2^15 "
     "vertices as for 2^15)"};
+/// Likewise.
+inline const Option kNoDivideOption{
+    "--no-divide", "",
+    "take contours of few vertices as they are, where the default divides their long "
+    "edges, so that what lies between follows both of two such contours; nothing is "
+    "divided in sections of many vertices, as from images"};
 /// What --work-limit says, above 0; `standard` if it was not given.
 [[nodiscard]] Result<double> work_limit_option(const Arguments& arguments, double standard);
 

@@ -39,11 +39,7 @@ Usage reconstruct_usage() {
        {Option{"--method", "NAME",
                "nonato (default), or geiger: the older algorithm that it is compared with, which "
                "keeps none of the guarantees (--verify tells which it broke)"},
-        sections_between("--between", "none"),
-        Option{"--no-divide", "",
-               "take contours of few vertices as they are, where the default divides their long "
-               "edges, so that what lies between follows both of two such contours; nothing is "
-               "divided in sections of many vertices, as from images"},
+        sections_between("--between", "none"), kNoDivideOption,
         Option{"--ends", "HOW",
                "the ends of the stack: flat (default) at the outer sections, or half a gap "
                "beyond them"},

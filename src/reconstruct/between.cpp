@@ -45,6 +45,7 @@ Result<LongStack> between(const SectionStack& stack, const BetweenOptions& optio
     ReconstructOptions asked;
     asked.correspondence = options.correspondence;
     asked.between = options.sections;
+    asked.divide_coarse = options.divide_coarse;
     asked.work_limit = options.work_limit;
     asked.execution = options.execution;
     return in_either_unit(asked, [&](Unit unit, const ReconstructOptions& in_unit) {

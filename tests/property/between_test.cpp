@@ -79,6 +79,8 @@ Solid solid_of(const Model& model) {
   return solid;
 }
 
+bool was_divided(const Reconstruction& made) { return made.report.dividing_vertices > 0; }
+
 bool was_refined(const Reconstruction& made) {
   return made.report.rules[static_cast<std::size_t>(Rule::gabriel_refinement)] > 0;
 }
@@ -127,7 +129,7 @@ CorrespondenceOptions asked_of(const GeneratedStack& generated, std::uint64_t se
 }
 
 struct Tally {
-  std::size_t stacks = 0, inserted = 0, voids = 0, same = 0;
+  std::size_t stacks = 0, inserted = 0, voids = 0, same = 0, divided = 0;
 };
 
 void expect_guarantees(const Reconstruction& longer, const LongStack& made,
@@ -157,10 +159,12 @@ void expect_read_back(const SectionStack& stack) {
   }
 }
 
-void try_stack(const SectionStack& stack, const CorrespondenceOptions& asked, std::size_t sections,
-               Tally& tally) {
-  const auto shorter = reconstruct(stack, {.correspondence = asked, .between = sections});
-  const auto made = between(stack, {.correspondence = asked, .sections = sections});
+void try_stack(const SectionStack& stack, const BetweenOptions& options, Tally& tally) {
+  const CorrespondenceOptions& asked = options.correspondence;
+  const auto shorter = reconstruct(stack, {.correspondence = asked,
+                                           .between = options.sections,
+                                           .divide_coarse = options.divide_coarse});
+  const auto made = between(stack, options);
   ASSERT_EQ(made.ok(), shorter.ok());
   if (!made) {
     EXPECT_EQ(to_string(made.error()), to_string(shorter.error()));
@@ -175,18 +179,21 @@ void try_stack(const SectionStack& stack, const CorrespondenceOptions& asked, st
     EXPECT_EQ(made->component[s], shorter->partition[made->source[s].section]);
   }
 
-  const auto longer = reconstruct(made->stack, {.correspondence = made->correspondence});
+  const auto longer = reconstruct(made->stack, {.correspondence = made->correspondence,
+                                                .divide_coarse = options.divide_coarse});
   ASSERT_TRUE(longer.ok()) << to_string(longer.error());
   EXPECT_EQ(longer->model.component_count, shorter->model.component_count);
   EXPECT_TRUE(same_partition(made->component, longer->partition));
   expect_guarantees(*longer, *made, *shorter, stack, asked);
   const bool same = solid_of(longer->model) == solid_of(shorter->model);
-  EXPECT_TRUE(same || was_refined(*shorter) || was_refined(*longer));
+  const bool divided = was_divided(*shorter) || was_divided(*longer);
+  EXPECT_TRUE(same || divided || was_refined(*shorter) || was_refined(*longer));
   expect_read_back(made->stack);
   ++tally.stacks;
   tally.inserted += inserted;
   tally.voids += made->correspondence.voids.decisions.size();
   if (same) ++tally.same;
+  if (divided) ++tally.divided;
 }
 
 TEST(Between, OfRandomStacksIsAStackOfItsOwn) {
@@ -194,21 +201,28 @@ TEST(Between, OfRandomStacksIsAStackOfItsOwn) {
   for (const StackKind kind : kKinds) {
     for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
       const GeneratedStack generated = generate(kind, seed);
+      BetweenOptions options;
+      options.correspondence = asked_of(generated, seed);
       for (const std::size_t sections : {1U, 2U}) {
-        SCOPED_TRACE(std::string(name_of(kind)) + " seed " + std::to_string(seed) + ", " +
-                     std::to_string(sections) + " between");
-        try_stack(generated.stack, asked_of(generated, seed), sections, tally);
+        for (const bool divide : {false, true}) {
+          SCOPED_TRACE(std::string(name_of(kind)) + " seed " + std::to_string(seed) + ", " +
+                       std::to_string(sections) + " between" + (divide ? ", divided" : ""));
+          options.sections = sections;
+          options.divide_coarse = divide;
+          try_stack(generated.stack, options, tally);
+        }
       }
     }
   }
   std::printf(
-      "between: %zu stacks, %zu sections put between, %zu decisions on voids; %zu the same "
-      "solid\n",
-      tally.stacks, tally.inserted, tally.voids, tally.same);
-  EXPECT_GT(tally.stacks, 75U);
-  EXPECT_GT(tally.inserted, 150U);
-  EXPECT_GT(tally.voids, 50U);
-  EXPECT_GT(tally.same, 60U);
+      "between: %zu stacks, %zu sections put between, %zu decisions on voids; %zu the same solid, "
+      "%zu divided\n",
+      tally.stacks, tally.inserted, tally.voids, tally.same, tally.divided);
+  EXPECT_GT(tally.stacks, 150U);
+  EXPECT_GT(tally.inserted, 300U);
+  EXPECT_GT(tally.voids, 100U);
+  EXPECT_GT(tally.same, 120U);
+  EXPECT_GT(tally.divided, 20U);
 }
 
 }  // namespace
