@@ -19,7 +19,8 @@ struct Beside {
 };
 
 /// The cubic Hermite polynomial at one share of the gap. Its slopes at both sections are those of
-/// parabolas through three neighbours, but for how far they leave the chord: kBend times as far.
+/// parabolas through three neighbours, but for how far they leave the chord: kBend times as far, and
+/// less where the third is nearer than a gap.
 class SectionCubic {
  public:
   SectionCubic(double share, const Beside& beside)
@@ -35,13 +36,13 @@ class SectionCubic {
     double from_upper = 0;
     if (beside_.behind) {
       const double far = *beside_.behind;
-      from_lower = ((p[lower] - p[behind]) / far - chord) / (1 + far);
+      from_lower = ((p[lower] - p[behind]) / far - chord) * (reach(far) / (1 + far));
       // What ends there is round there: a section beyond the end tells little of the slope.
       if (beside_.ends_behind) from_lower = std::min(from_lower, chord);
     }
     if (beside_.beyond) {
       const double far = *beside_.beyond;
-      from_upper = ((p[beyond] - p[upper]) / far - chord) / (1 + far);
+      from_upper = ((p[beyond] - p[upper]) / far - chord) * (reach(far) / (1 + far));
       if (beside_.ends_beyond) from_upper = std::max(from_upper, chord);
     }
     // At the end of the stack the parabola of the other three goes on.
@@ -53,6 +54,8 @@ class SectionCubic {
 
  private:
   static constexpr double kBend = 1.5;
+  /// A slope told over a short way says as little of a long one.
+  [[nodiscard]] static double reach(double far) { return std::min(far, 1.0); }
 
   double share_;
   double at_lower_, at_upper_;

@@ -33,6 +33,16 @@ TEST(SectionCubic, BulgesWhereNeighboursFallOff) {
   EXPECT_DOUBLE_EQ(SectionCubic(0.5, {1.0, 1.0}).at({-8, 0, 0, -8}), 1.5);
 }
 
+// Two sections a hair apart tell next to nothing of a wide slab beside them.
+TEST(SectionCubic, TrustsASlopeAsFarAsItWasTold) {
+  for (const double far : {0x1p-4, 0x1p-10, 0x1p-40}) {
+    const double v = SectionCubic(0.5, {far, 1.0}).at({1, 0, 0, 0});
+    EXPECT_LT(v, 0);
+    EXPECT_GT(v, -0.2);
+  }
+  EXPECT_DOUBLE_EQ(SectionCubic(0.5, {1.0, 1.0}).at({1, 0, 0, 0}), -0.09375);
+}
+
 TEST(SectionCubic, GoesOnAsAParabolaWhereTheStackEnds) {
   EXPECT_DOUBLE_EQ(SectionCubic(0.5, {std::nullopt, 1.0}).at({0, 0, 0, 8}), -1.5);
   EXPECT_DOUBLE_EQ(SectionCubic(0.5, {1.0, std::nullopt}).at({8, 0, 0, 0}), -1.5);
