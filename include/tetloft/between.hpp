@@ -42,17 +42,19 @@ struct LongStack {
   /// with the contours of inserted sections, which belong to no further components.
   IdVector<SectionId, IdVector<ContourId, ComponentId>> component;
   std::size_t components = 0;
-  /// With it, and no other options, the longer stack has the components and voids of the shorter
-  /// one: by overlap, without chains and lone regions, a decision on each pair of regions, and of
-  /// voids, that is linked, or would be by the rule, or overlaps without being linked. Sorted by
-  /// (slab, region, region). By VoidRule::free there are none of voids.
+  /// With it, and with no sections between (ReconstructOptions::between = 0), the longer stack has
+  /// the components and voids of the shorter one: by overlap, without chains and lone regions, a
+  /// decision on each pair of regions, and of voids, that is linked, or would be by the rule, or
+  /// overlaps without being linked. Sorted by (slab, region, region). By VoidRule::free there are
+  /// none of voids.
   CorrespondenceOptions correspondence;
   std::vector<Warning> warnings;  ///< those of a reconstruction
 };
 
 /// The stack with the sections that reconstruct() puts between the given ones, with `between` =
 /// options.sections and the same correspondence: those of slabs whose solids took them, so it takes
-/// as long. Reconstructed by LongStack::correspondence it keeps all guarantees as a stack of its
+/// as long. Reconstructed by LongStack::correspondence, with
+/// nothing put between, it keeps all guarantees as a stack of its
 /// own; and the solid is the one that the shorter stack gives, unless in either
 /// (1) a slab asked for finer contours to get the topology that links imply
 /// (Rule::gabriel_refinement): one between inserted sections does not ask while it is a part of the

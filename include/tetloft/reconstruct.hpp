@@ -31,8 +31,8 @@ struct ReconstructOptions {
   /// many, or, without a number, as many as the slab's gap and contour edges call for (none where
   /// sections are dense). The given ones stay bit for bit. A slab gets none where its solid would
   /// hang together in another way, or have another topology, than the links of regions and voids
-  /// imply.
-  std::optional<std::size_t> between = 0;
+  /// imply. 0: none.
+  std::optional<std::size_t> between = std::nullopt;
   /// The engine that triangulates the slabs; automatic means slab. The result is the same.
   DelaunayEngine delaunay = DelaunayEngine::automatic;
   /// Divide long edges of contours of few vertices where they differ from section to section: what

@@ -39,7 +39,8 @@ Usage between_usage() {
       "Given sections stay as they are, bit for bit. The others are those that reconstruct "
       "--between puts between with the same options. So that the longer stack has the components "
       "and voids of the shorter one give it to reconstruct, or check, with the FILE of "
-      "--labels-out as --labels, --correspondence overlap, --no-chain, --no-lone, and --voids free "
+      "--labels-out as --labels, --correspondence overlap, --no-chain, --no-lone, --between none, "
+      "and --voids free "
       "if the shorter one had it. --json: slices and contours of the longer stack, inserted "
       "(sections), components, decisions (counts), and sections ([z, inserted, slab or section of "
       "the given stack, component of each contour]). Nothing is written when the command fails."};

@@ -39,7 +39,7 @@ Usage reconstruct_usage() {
        {Option{"--method", "NAME",
                "nonato (default), or geiger: the older algorithm that it is compared with, which "
                "keeps none of the guarantees (--verify tells which it broke)"},
-        sections_between("--between", "none"), kNoDivideOption,
+        sections_between("--between", "auto"), kNoDivideOption,
         Option{"--ends", "HOW",
                "the ends of the stack: flat (default) at the outer sections, or half a gap "
                "beyond them"},
@@ -77,7 +77,7 @@ Result<Request> request_of(const Arguments& arguments, Console& console) {
   const auto prepared = preparation(arguments);
   if (!prepared) return prepared.error();
   request.preparation = *prepared;
-  const auto between = sections_between_option(arguments, "--between", 0);
+  const auto between = sections_between_option(arguments, "--between", std::nullopt);
   if (!between) return between.error();
   request.options.between = *between;
   const auto ends = arguments.choice("--ends", {"flat", "half"});

@@ -180,6 +180,7 @@ void try_stack(const SectionStack& stack, const BetweenOptions& options, Tally& 
   }
 
   const auto longer = reconstruct(made->stack, {.correspondence = made->correspondence,
+                                                .between = 0,
                                                 .divide_coarse = options.divide_coarse});
   ASSERT_TRUE(longer.ok()) << to_string(longer.error());
   EXPECT_EQ(longer->model.component_count, shorter->model.component_count);

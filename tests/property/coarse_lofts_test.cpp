@@ -21,6 +21,7 @@ namespace {
 Reconstruction made(const SectionStack& stack, bool divide) {
   ReconstructOptions options;
   options.divide_coarse = divide;
+  options.between = 0;
   auto result = reconstruct(stack, options);
   EXPECT_TRUE(result.ok()) << to_string(result.error());
   return result ? *std::move(result) : Reconstruction();

@@ -104,7 +104,7 @@ TEST(DivideCoarse, WhereRoundingLeavesNoRoomTheSectionIsTakenAsItIs) {
 // Squares of which some slab, divided, has no room for a model; its sections alone go without.
 TEST(DivideCoarse, WhereASlabIsRefusedItsSectionsAreTakenAsTheyAre) {
   const GeneratedStack generated = generate(StackKind::checkerboard, 107);
-  const auto made = reconstruct_and_check(generated.stack, {});
+  const auto made = reconstruct_and_check(generated.stack, {.between = 0});
   ASSERT_TRUE(made);
   ASSERT_GT(generated.stack.sections.size(), 2U);
   ASSERT_EQ(warned(made->result, "dividing"), 2U);

@@ -28,7 +28,8 @@ Contour polygon(std::size_t n, double x, double radius, double turned = 0) {
 }
 
 std::vector<Warning> warnings_of(const SectionStack& stack, bool divide_coarse = true) {
-  const Result<Reconstruction> made = reconstruct(stack, {.divide_coarse = divide_coarse});
+  const Result<Reconstruction> made =
+      reconstruct(stack, {.between = 0, .divide_coarse = divide_coarse});
   EXPECT_TRUE(made.ok()) << to_string(made.error());
   return made ? made->warnings : std::vector<Warning>();
 }
