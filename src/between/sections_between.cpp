@@ -21,19 +21,26 @@ using between::SlabClass;
 constexpr double kMostByItself = 5;
 // Sections are this many contour edges apart, at least.
 constexpr double kEdgesPerLayer = 2;
-// Steps of the lattice: half a contour edge, if that divides the larger side of the sections into
-// so many parts at least, and at most.
+// Steps of the lattice: half a contour edge, or a quarter of the width if that is less; of which
+// the larger side of the sections has so many at least, and at most.
 constexpr double kLeastSteps = 64;
 constexpr double kMostSteps = 512;
 // Distances matter as far as a gap: one much larger than the sections takes a coarser lattice.
 constexpr double kMostStepsPerGap = 64;
 
-// The contours of a section as a set: each from its lowest vertex on, towards the lower of that
-// one's neighbours, by their lowest vertices.
-std::vector<std::vector<Point2>> canonical_contours(const Section& section) {
-  std::vector<std::vector<Point2>> contours;
-  for (const Contour& contour : section.contours) {
-    std::vector<Point2> vertices = contour.vertices;
+// A contour from its lowest vertex on, towards the lower of that one's neighbours.
+struct CanonicalContour {
+  std::vector<Point2> vertices;
+  bool hole = false;
+  friend bool operator==(const CanonicalContour&, const CanonicalContour&) = default;
+};
+
+// The contours of a section as a set, by their lowest vertices.
+std::vector<CanonicalContour> canonical_contours(const LinkedStack& stacked, SectionId s) {
+  std::vector<CanonicalContour> contours;
+  const auto& depth = stacked.nestings[s].depth;
+  for (const ContourId c : depth.ids()) {
+    std::vector<Point2> vertices = stacked.stack.sections[s].contours[c].vertices;
     std::rotate(
         vertices.begin(),
         std::min_element(vertices.begin(), vertices.end(),
@@ -42,53 +49,61 @@ std::vector<std::vector<Point2>> canonical_contours(const Section& section) {
     if (canonical_less(vertices.back(), vertices[1])) {
       std::reverse(vertices.begin() + 1, vertices.end());
     }
-    contours.push_back(std::move(vertices));
+    contours.push_back({std::move(vertices), depth[c] % 2 != 0});
   }
-  std::sort(contours.begin(), contours.end(),
-            [](const auto& a, const auto& b) { return canonical_less(a.front(), b.front()); });
+  std::sort(contours.begin(), contours.end(), [](const auto& a, const auto& b) {
+    return canonical_less(a.vertices.front(), b.vertices.front());
+  });
   return contours;
 }
 
-/// The contour edges of a section, or two.
+/// The contour edges of a section, or two, and what they bound.
 struct Edges {
   double length = 0;
+  double area = 0;
   std::size_t count = 0;
   Box2 box;
 
   [[nodiscard]] double mean() const { return length / static_cast<double>(count); }
   [[nodiscard]] double side() const { return std::max(box.x1 - box.x0, box.y1 - box.y0); }
+  /// Of long strips of this area, and these edges around them, the width.
+  [[nodiscard]] double width() const { return 2 * area / length; }
 };
 
-Edges edges_of(const std::vector<std::vector<Point2>>& contours) {
+Edges edges_of(const std::vector<CanonicalContour>& contours) {
   Edges edges;
-  for (const std::vector<Point2>& contour : contours) {
-    Point2 last = contour.back();
-    for (const Point2& p : contour) {
+  for (const CanonicalContour& contour : contours) {
+    const Point2& first = contour.vertices.front();
+    Point2 last = contour.vertices.back();
+    double twice_area = 0;
+    for (const Point2& p : contour.vertices) {
       const double dx = p.x - last.x;
       const double dy = p.y - last.y;
       edges.length += std::sqrt(dx * dx + dy * dy);
+      twice_area += (last.x - first.x) * dy - (last.y - first.y) * dx;
       edges.box.add(p);
       last = p;
     }
-    edges.count += contour.size();
+    edges.area += (contour.hole ? -0.5 : 0.5) * std::abs(twice_area);
+    edges.count += contour.vertices.size();
   }
   return edges;
 }
 
 Edges joined(const Edges& a, const Edges& b) {
-  Edges both{a.length + b.length, a.count + b.count, a.box};
+  Edges both{a.length + b.length, a.area + b.area, a.count + b.count, a.box};
   both.box.add(b.box);
   return both;
 }
 
 Edges edges_of(const LinkedStack& stacked, SlabId slab) {
-  return joined(edges_of(canonical_contours(stacked.stack.sections[lower_section(slab)])),
-                edges_of(canonical_contours(stacked.stack.sections[upper_section(slab)])));
+  return joined(edges_of(canonical_contours(stacked, lower_section(slab))),
+                edges_of(canonical_contours(stacked, upper_section(slab))));
 }
 
 double step_of(const Edges& edges, double gap) {
-  const double step =
-      std::clamp(edges.mean() / 2, edges.side() / kMostSteps, edges.side() / kLeastSteps);
+  const double fine = std::min({edges.mean() / 2, edges.width() / 4, edges.side() / kLeastSteps});
+  const double step = std::max(fine, edges.side() / kMostSteps);
   return std::max(step, gap / kMostStepsPerGap);
 }
 
@@ -169,13 +184,13 @@ class Classes {
 }  // namespace
 
 std::size_t automatic_count(const LinkedStack& stacked, SlabId slab) {
-  const Section& lower = stacked.stack.sections[lower_section(slab)];
-  const Section& upper = stacked.stack.sections[upper_section(slab)];
-  const auto below = canonical_contours(lower);
-  const auto above = canonical_contours(upper);
+  const auto below = canonical_contours(stacked, lower_section(slab));
+  const auto above = canonical_contours(stacked, upper_section(slab));
   if (below == above) return 0;
   const Edges edges = joined(edges_of(below), edges_of(above));
-  const double count = (upper.z - lower.z) / (kEdgesPerLayer * edges.mean());
+  const double gap =
+      stacked.stack.sections[upper_section(slab)].z - stacked.stack.sections[lower_section(slab)].z;
+  const double count = gap / (kEdgesPerLayer * edges.mean());
   return static_cast<std::size_t>(std::clamp(count, 0.0, kMostByItself));
 }
 
