@@ -123,9 +123,11 @@ Run reconstruct_file(const std::string& path, unsigned threads) {
   return run;
 }
 
+// Peers triangulate the slabs between the given sections; so nothing is put between.
 Run reconstruct_stack(const SectionStack& stack, unsigned threads) {
   const Clock clock;
   ReconstructOptions options;
+  options.between = 0;
   options.execution.threads = threads;
   const Reconstruction solid = value_of(reconstruct(stack, options));
   Run run{clock.seconds(), solid.model.tets.size()};

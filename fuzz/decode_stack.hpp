@@ -25,6 +25,8 @@ inline DecodedStack decode_stack(Bytes& bytes) {
   if ((flags & 1) != 0) decoded.options.correspondence.criterion = Criterion::reverse;
   if ((flags & 2) != 0) decoded.options.ends = Ends::half;
   if ((flags & 4) != 0) decoded.options.correspondence.tau = 0.25;
+  if ((flags & 24) == 8) decoded.options.between = 0;
+  if ((flags & 24) == 16) decoded.options.between = 3;
   const auto vertex = [&] {
     const std::uint8_t b = bytes.byte();
     return Point2{static_cast<double>(b & 15), static_cast<double>(b >> 4)};
