@@ -10,10 +10,7 @@ namespace tetloft::internal::between {
 
 namespace {
 
-constexpr double kStepCost = 0.1;
-constexpr double kPathValue = -0.5;
 constexpr double kBesidePath = 0.5;
-constexpr double kNever = std::numeric_limits<double>::infinity();
 
 // The samples of all layers, one layer after the other.
 class Layered {

@@ -1,7 +1,6 @@
 #include "between/cheapest_paths.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <queue>
 #include <utility>
 
@@ -9,11 +8,7 @@
 
 namespace tetloft::internal::between {
 
-namespace {
-
-constexpr double kNever = std::numeric_limits<double>::infinity();
-
-}  // namespace
+namespace {}  // namespace
 
 SampleSteps straight_steps(const motion::LatticeWindow& window) {
   const auto nx = static_cast<std::int64_t>(window.nx());

@@ -4,12 +4,19 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
 #include "motion/lattice_window.hpp"
 
 namespace tetloft::internal::between {
+
+/// A step costs this, and the square of how far outside it is; kNever where no path may go. What a
+/// path makes solid gets kPathValue.
+inline constexpr double kStepCost = 0.1;
+inline constexpr double kNever = std::numeric_limits<double>::infinity();
+inline constexpr double kPathValue = -0.5;
 
 /// What it costs to step on the sample at this place; infinite where no path may go.
 using SampleCost = std::function<double(std::uint32_t)>;

@@ -1,4 +1,5 @@
 #include "between/chords.hpp"
+#include "between/segment_distance.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,17 +13,6 @@ double squared_length(const Point2& a, const Point2& b) {
   const double dx = b.x - a.x;
   const double dy = b.y - a.y;
   return dx * dx + dy * dy;
-}
-
-double squared_distance(const Point2& p, const Point2& a, const Point2& b) {
-  const double length2 = squared_length(a, b);
-  double t = 0;
-  if (length2 > 0) t = ((p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y)) / length2;
-  t = t > 0 ? t : 0;
-  t = t < 1 ? t : 1;
-  const double ex = (p.x - a.x) - t * (b.x - a.x);
-  const double ey = (p.y - a.y) - t * (b.y - a.y);
-  return ex * ex + ey * ey;
 }
 
 }  // namespace

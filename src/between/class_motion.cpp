@@ -35,7 +35,7 @@ constexpr double kEvenness = 1.0;  // motions are smoothed by as much, in gaps
 constexpr double kStiffness = 0.01;
 constexpr double kNeighbours = 0.5;
 // Misfits as much above the least, in gaps squared, weigh a sixteenth.
-constexpr double kTolerance = 0.01;
+constexpr double kMisfitTolerance = 0.01;
 // A class does not move if both sections share as much of what either covers.
 constexpr double kAtRest = 0.95;
 // A section farther beyond the slab, in gaps, says nothing of it.
@@ -220,7 +220,7 @@ Vote vote_of(const std::vector<Half>& halves, const Misfits& misfit, std::size_t
     least = std::min(least, e[node]);
     all += e[node];
   }
-  constexpr double kScale = 1 / (kTolerance * kStepsPerGap * kStepsPerGap);
+  constexpr double kScale = 1 / (kMisfitTolerance * kStepsPerGap * kStepsPerGap);
   double sum = 0;
   Point2 mean;
   for (std::size_t m = 0; m < halves.size(); ++m) {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "between/segment_distance.hpp"
 #include "spatial/box_tree.hpp"
 
 namespace tetloft::internal::between {
@@ -139,18 +140,6 @@ void label_rows(const std::vector<LatticeContour>& contours, const LatticeWindow
     // Those beyond the window close the row.
     for (; next != passages.end() && next->j == j; ++next) around.pass(next->contour);
   }
-}
-
-double squared_distance(const Point2& p, const Point2& a, const Point2& b) {
-  const double dx = b.x - a.x;
-  const double dy = b.y - a.y;
-  const double length2 = dx * dx + dy * dy;
-  double t = length2 > 0 ? ((p.x - a.x) * dx + (p.y - a.y) * dy) / length2 : 0;
-  t = t > 0 ? t : 0;
-  t = t < 1 ? t : 1;
-  const double ex = (p.x - a.x) - t * dx;
-  const double ey = (p.y - a.y) - t * dy;
-  return ex * ex + ey * ey;
 }
 
 // Gives samples in no region to the nearest one.

@@ -1,17 +1,12 @@
 #include "between/joins.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "between/cheapest_paths.hpp"
 
 namespace tetloft::internal::between {
 
 namespace {
-
-constexpr double kStepCost = 0.1;
-constexpr double kPathValue = -0.5;
-constexpr double kNever = std::numeric_limits<double>::infinity();
 
 // What paths between the parts of a group cost.
 class JoinCost {

@@ -19,8 +19,8 @@ struct Beside {
 };
 
 /// The cubic Hermite polynomial at one share of the gap. Its slopes at both sections are those of
-/// parabolas through three neighbours, but for how far they leave the chord: kBend times as far, and
-/// less where the third is nearer than a gap.
+/// parabolas through three neighbours, but for how far they leave the chord: kBend times as far,
+/// and less where the third is nearer than a gap.
 class SectionCubic {
  public:
   SectionCubic(double share, const Beside& beside)

@@ -1,7 +1,6 @@
 #include "between/void_repair.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -11,10 +10,8 @@ namespace tetloft::internal::between {
 
 namespace {
 
-constexpr double kStepCost = 0.1;
 constexpr double kFilled = -0.5;
 constexpr double kOpened = 0.5;
-constexpr double kNever = std::numeric_limits<double>::infinity();
 
 // Beside the numbers of groups that are connected below and above:
 constexpr std::uint32_t kNoGroup = 0xFFFFFFFFU;
