@@ -54,7 +54,7 @@ inline constexpr int kSteps = 8;
 struct ReconstructReport {
   std::size_t slices = 0;
   std::size_t sections_between = 0;   ///< put between the slices
-  std::size_t sections_given_up = 0;  ///< of slabs that would have been other than implied
+  std::size_t sections_given_up = 0;  ///< of slabs that they did not fit
   std::size_t contours = 0;
   std::size_t input_vertices = 0;
   std::size_t split_vertices = 0;     ///< inserted on contours

@@ -165,7 +165,9 @@ class Interpolation {
     for (std::size_t s = 0; s < 4; ++s) {
       field_[s].far = reach_;
       if (edges_[s].empty()) continue;
+      // Some gaps away nothing is near; farther off doubles do not measure.
       const double most = std::max(1 - share_[s], share_[s]) * longest;
+      if (!(most < kLargestUnits)) continue;
       const LatticeWindow looked_at =
           window.widened(static_cast<std::int64_t>(std::ceil(most)) + 1);
       const LatticeWindow reached = window_around(edges_[s].box(), reach_ + 1);

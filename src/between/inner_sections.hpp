@@ -2,6 +2,7 @@
 // or bar opens and closes within the slab.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include <tetloft/ids.hpp>
@@ -47,6 +48,8 @@ struct InnerSections {
   /// links[k]: between layers k and k + 1; layer 0 is the slab's lower section, the last its upper
   /// one. Sorted.
   std::vector<std::vector<LayerLink>> links;
+  /// How many were to be put between.
+  std::size_t wanted = 0;
 };
 
 /// None where nothing can be put between without changing which regions hang together, or where

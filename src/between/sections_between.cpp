@@ -27,6 +27,10 @@ constexpr double kLeastSteps = 64;
 constexpr double kMostSteps = 512;
 // Distances matter as far as a gap: one much larger than the sections takes a coarser lattice.
 constexpr double kMostStepsPerGap = 64;
+// Of all classes and layers of a slab; windows of classes may lie over each other, hundreds deep.
+constexpr double kMostSamples = 0x1p24;
+constexpr int kMostHalvings = 2;
+constexpr double kWindowMargin = 8;  // of a window, in steps
 
 // A contour from its lowest vertex on, towards the lower of that one's neighbours.
 struct CanonicalContour {
@@ -181,6 +185,28 @@ class Classes {
   SlabRegions regions_;
 };
 
+double samples_of(const SlabClass& c, double step, double around) {
+  Box2 box;
+  for (const Around where : {Around::lower, Around::upper}) {
+    for (const Contour* contour : c.outlines.contours[where]) {
+      for (const Point2& p : contour->vertices) box.add(p);
+    }
+  }
+  return ((box.x1 - box.x0 + around) / step + kWindowMargin) *
+         ((box.y1 - box.y0 + around) / step + kWindowMargin);
+}
+
+// Makes the lattice coarser until the windows of all classes, each in all layers, have few enough
+// samples. False where it would tell nothing any more.
+bool has_room(between::SlabShape& shape, double gap) {
+  for (int halvings = 0; halvings <= kMostHalvings; ++halvings, shape.step *= 2) {
+    double samples = 0;
+    for (const SlabClass& c : shape.classes) samples += samples_of(c, shape.step, gap);
+    if (samples * static_cast<double>(shape.at.size() + 2) <= kMostSamples) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::size_t automatic_count(const LinkedStack& stacked, SlabId slab) {
@@ -201,18 +227,21 @@ between::InnerSections sections_between(const LinkedStack& stacked, SlabId slab,
   if (layers == 0 || edges.count == 0) return {};
   const SectionId below = lower_section(slab);
   const SectionId above = upper_section(slab);
-  between::SlabShape shape{
-      stacked.stack.sections[below],
-      stacked.stack.sections[above],
-      stacked.nestings[below],
-      stacked.nestings[above],
-      Classes(stacked, slab).make(),
-      step_of(edges, stacked.stack.sections[above].z - stacked.stack.sections[below].z),
-      {}};
+  const double gap = stacked.stack.sections[above].z - stacked.stack.sections[below].z;
+  between::SlabShape shape{stacked.stack.sections[below],
+                           stacked.stack.sections[above],
+                           stacked.nestings[below],
+                           stacked.nestings[above],
+                           Classes(stacked, slab).make(),
+                           step_of(edges, gap),
+                           {}};
   for (std::size_t k = 1; k <= layers; ++k) {
     shape.at.push_back(static_cast<double>(k) / static_cast<double>(layers + 1));
   }
-  return between::trace_between(shape);
+  between::InnerSections inner;
+  if (has_room(shape, gap)) inner = between::trace_between(shape);
+  inner.wanted = layers;
+  return inner;
 }
 
 }  // namespace tetloft::internal

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/guard.hpp"
+#include "core/option_rules.hpp"
 
 namespace tetloft::internal {
 
@@ -53,6 +54,7 @@ bool is_valid(const Section& section) {
 }  // namespace
 
 void put_inner(const InnerSections& inner, RecordWriter& out) {
+  out.put(static_cast<std::uint64_t>(inner.wanted));
   out.put_count(inner.sections.size());
   for (const InnerSection& mid : inner.sections) {
     put_section(mid.section, out);
@@ -70,6 +72,8 @@ void put_inner(const InnerSections& inner, RecordWriter& out) {
 
 InnerSections get_inner(RecordReader& in, std::size_t lower, std::size_t upper) {
   InnerSections inner;
+  inner.wanted = in.get<std::uint64_t>();
+  in.require(inner.wanted <= kMostBetween, "puts too many sections between");
   const std::size_t sections = in.get_count(kInnerVector);
   for (std::size_t k = 0; k < sections && !in.refused(); ++k) {
     InnerSection mid;

@@ -278,14 +278,24 @@ Result<SlabOutcome> build_slab_between(SlabId id, const ConformingSection& lower
                                        const ConformingSection& upper, const SlabLinks& links,
                                        const between::InnerSections& inner,
                                        const SlabOptions& options) {
-  if (inner.sections.empty()) return build_slab(id, lower, upper, links, options);
+  const auto given_up = static_cast<std::uint32_t>(std::max(inner.wanted, inner.sections.size()));
+  if (inner.sections.empty()) {
+    Result<SlabOutcome> plain = build_slab(id, lower, upper, links, options);
+    if (plain && std::holds_alternative<SlabSolid>(*plain)) {
+      std::get<SlabSolid>(*plain).sections_given_up = given_up;
+    }
+    return plain;
+  }
   LayeredSlab layers(id, lower, upper, links, inner, options);
   const std::optional<std::size_t> lost = layers.prepare();
   std::optional<SlabSolid> layered;
   if (lost && *lost == 0) layered = layers.build();
   if (layered && departure(*layered) == 0) return SlabOutcome(std::move(*layered));
   Result<SlabOutcome> plain = build_slab(id, lower, upper, links, options);
-  if (!plain) return plain;
+  if (!plain) {
+    if (layered && is_refusal(plain.error().code)) return SlabOutcome(std::move(*layered));
+    return plain;
+  }
   auto* const solid = std::get_if<SlabSolid>(&*plain);
   if (lost && *lost != 0 && (solid == nullptr || departure(*solid) >= *lost)) {
     layered = layers.build();
@@ -295,9 +305,7 @@ Result<SlabOutcome> build_slab_between(SlabId id, const ConformingSection& lower
   if (layered && (unbuildable || (solid != nullptr && departure(*layered) <= departure(*solid)))) {
     return SlabOutcome(std::move(*layered));
   }
-  if (solid != nullptr) {
-    solid->sections_given_up = static_cast<std::uint32_t>(inner.sections.size());
-  }
+  if (solid != nullptr) solid->sections_given_up = given_up;
   return plain;
 }
 

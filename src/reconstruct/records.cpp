@@ -293,7 +293,7 @@ void get_pieces(RecordReader& in, SlabSolid& solid) {
 
 // Of a plan checked so far.
 void get_between(RecordReader& in, Plan& plan) {
-  const std::size_t slabs = in.get_count(2 * kVector);
+  const std::size_t slabs = in.get_count(3 * kVector);
   in.require(slabs == plan.correspondence.links.size(), "plans some of its sections");
   if (in.refused()) return;
   const auto& component = plan.correspondence.component;
