@@ -32,10 +32,9 @@ std::int32_t region_chi(const Nesting& nesting, RegionId r) {
 
 class LayeredSlab {
  public:
-  LayeredSlab(SlabId id, const ConformingSection& lower, const ConformingSection& upper,
+  LayeredSlab(const ConformingSection& lower, const ConformingSection& upper,
               const SlabLinks& links, const InnerSections& inner, const SlabOptions& options)
-      : id_(id),
-        links_(links),
+      : links_(links),
         inner_(inner),
         options_(options),
         classes_(lower, upper, links.regions),
@@ -78,6 +77,12 @@ class LayeredSlab {
     solid.unrealised = std::move(realised->unrealised);
     solid.united_voids = std::move(realised->united);
     return solid;
+  }
+
+  /// Adds what building took, whether anything came of it.
+  void charge(SlabSolid& solid) const {
+    solid.work += work_;
+    for (std::size_t s = 0; s < kSteps; ++s) solid.seconds[s] += seconds_[s];
   }
 
  private:
@@ -145,6 +150,8 @@ class LayeredSlab {
           {region_links_[slab], void_links_.empty() ? nullptr : &void_links_[slab]}, options_);
       if (!accepted(outcome)) return false;
       if (auto* solid = std::get_if<SlabSolid>(&*outcome)) {
+        work_ += solid->work;
+        for (std::size_t s = 0; s < kSteps; ++s) seconds_[s] += solid->seconds[s];
         solids_[k++] = std::move(*solid);
         continue;
       }
@@ -194,7 +201,7 @@ class LayeredSlab {
         all.constructed.push_back(mid.point3(v));
         all.origin.push_back(PointOrigin::inserted);
       }
-      all.work += mid.vertex_count();
+      work_ += mid.vertex_count();
     }
     for (std::size_t k = 0; k < slab_count(); ++k) {
       add(k, vertices, all);
@@ -206,6 +213,7 @@ class LayeredSlab {
         all.chi[class_of(k, r)] -= region_chi(nesting, r);
       }
     }
+    charge(all);
     return all;
   }
 
@@ -242,12 +250,9 @@ class LayeredSlab {
       all.chi[class_in_slab(of_part.regions(c).front())] += solid.chi[c];
     }
     for (std::size_t r = 0; r < kRules; ++r) all.rules[r] += solid.rules[r];
-    for (std::size_t s = 0; s < kSteps; ++s) all.seconds[s] += solid.seconds[s];
-    all.work += solid.work;
     all.smallest_lift = std::min(all.smallest_lift, solid.smallest_lift);
   }
 
-  SlabId id_;
   const SlabLinks& links_;
   const InnerSections& inner_;
   SlabOptions options_;
@@ -261,6 +266,9 @@ class LayeredSlab {
   IdVector<SlabId, std::vector<Link>> region_links_;
   IdVector<SlabId, std::vector<Link>> void_links_;
   std::vector<std::optional<SlabSolid>> solids_;
+  // Of all slabs built.
+  StepSeconds seconds_{};
+  std::uint64_t work_ = 0;
 };
 
 // How far the topology is from what was decided.
@@ -286,7 +294,7 @@ Result<SlabOutcome> build_slab_between(SlabId id, const ConformingSection& lower
     }
     return plain;
   }
-  LayeredSlab layers(id, lower, upper, links, inner, options);
+  LayeredSlab layers(lower, upper, links, inner, options);
   const std::optional<std::size_t> lost = layers.prepare();
   std::optional<SlabSolid> layered;
   if (lost && *lost == 0) layered = layers.build();
@@ -305,7 +313,10 @@ Result<SlabOutcome> build_slab_between(SlabId id, const ConformingSection& lower
   if (layered && (unbuildable || (solid != nullptr && departure(*layered) <= departure(*solid)))) {
     return SlabOutcome(std::move(*layered));
   }
-  if (solid != nullptr) solid->sections_given_up = given_up;
+  if (solid != nullptr) {
+    solid->sections_given_up = given_up;
+    layers.charge(*solid);
+  }
   return plain;
 }
 

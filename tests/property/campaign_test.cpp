@@ -1,6 +1,11 @@
 // A few hundred stacks in every run of the tests; tetloft_campaign runs any number.
 #include <gtest/gtest.h>
 
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <optional>
+
 #include <tetloft/links.hpp>
 #include <tetloft/reconstruct.hpp>
 
@@ -101,6 +106,28 @@ TEST(LinkCampaign, EveryModelKeepsTheGuarantees) {
   }
   std::printf("links: %zu models, %zu refused\n", models, refused);
   EXPECT_GT(models, 9 * seeds);
+}
+
+// As many sections between as gaps call for, and numbers of them.
+TEST(BetweenCampaign, EveryModelKeepsTheGuarantees) {
+  using tetloft::testing::Outcome;
+  std::size_t models = 0;
+  std::size_t tried = 0;
+  for (const auto kind : tetloft::testing::all_kinds()) {
+    if (tetloft::testing::has_large_triangulations(kind)) continue;
+    for (std::uint64_t seed = 1; seed <= 1 + TETLOFT_CAMPAIGN_COUNT / 10; ++seed) {
+      const auto generated = tetloft::testing::generate(kind, seed);
+      const std::optional<std::size_t> between =
+          seed % 2 == 0 ? std::optional(std::size_t{1 + seed % 3}) : std::nullopt;
+      const auto attempt = tetloft::testing::attempt(generated, Criterion::moved,
+                                                     tetloft::testing::excuse_of(kind), between);
+      ++tried;
+      models += attempt.outcome == Outcome::model ? 1U : 0U;
+      EXPECT_LE(attempt.outcome, Outcome::refused)
+          << name_of(kind) << " seed " << seed << ": " << attempt.detail;
+    }
+  }
+  EXPECT_GT(10 * models, 9 * tried);
 }
 
 }  // namespace

@@ -78,6 +78,7 @@ constexpr std::array kKinds{
     Kind{StackKind::rings, "rings", draft_rings},
     Kind{StackKind::lattice_pores, "lattice_pores", draft_lattice_pores},
     Kind{StackKind::coarse_lofts, "coarse_lofts", draft_coarse_lofts},
+    Kind{StackKind::thin_parts, "thin_parts", draft_thin_parts},
 };
 
 constexpr auto kAllKinds = [] {

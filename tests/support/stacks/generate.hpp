@@ -62,6 +62,7 @@ enum class StackKind : std::uint8_t {
   rings,           ///< thin rings that hardly overlap, or not; and discs over them
   lattice_pores,   ///< bitmaps of blocks with pores and notches of a few pixels
   coarse_lofts,    ///< contours of few vertices turned, moved, crossed, and beside fine ones
+  thin_parts,      ///< tubes, sheets and shells that lean by more than they are thick
 };
 
 [[nodiscard]] std::span<const StackKind> all_kinds();

@@ -46,6 +46,7 @@ SectionStack draft_crossing_bars(Prng& prng);
 SectionStack draft_oblique(Prng& prng);
 SectionStack draft_large_contours(Prng& prng);
 SectionStack draft_coarse_lofts(Prng& prng);
+SectionStack draft_thin_parts(Prng& prng);
 
 // kinds_rare.cpp
 SectionStack draft_interlocking(Prng& prng);

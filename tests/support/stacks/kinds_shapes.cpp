@@ -134,6 +134,27 @@ SectionStack draft_coarse_lofts(Prng& prng) {
   return stack_of(layers, heights(prng, layers.size()));
 }
 
+SectionStack draft_thin_parts(Prng& prng) {
+  std::vector<Layer> layers(number(prng, 2, 5));
+  const double lean = prng.between(1.1, 2.5);  // in thicknesses, from section to section
+  const std::size_t shape = number(prng, 0, 2);
+  const std::size_t corners = number(prng, 12, 40);
+  const double thick = prng.between(0.3, 0.8);
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    const double moved = lean * thick * static_cast<double>(i);
+    if (shape == 0) {
+      layers[i] = {regular_polygon({moved, 0}, thick / 2, corners, 0)};
+    } else if (shape == 1) {
+      layers[i] = {rectangle({-6, moved}, {6, moved + thick}, prng.chance(0.5) ? 1 : 12)};
+    } else {  // a cone
+      const double inner = 2 + moved;
+      layers[i] = {regular_polygon({0, 0}, inner + thick, corners, 0),
+                   regular_polygon({0, 0}, inner, corners, 0)};
+    }
+  }
+  return stack_of(layers, heights(prng, layers.size()));
+}
+
 SectionStack draft_large_contours(Prng& prng) {
   // Two circles about different centres: D has as many tets as the product of their vertices.
   const std::size_t most = prng.chance(0.02) ? 1000 : 600;

@@ -19,6 +19,8 @@ inline Contour box(double x0, double y0, double x1, double y1) {
   return {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}};
 }
 
+inline Contour plate() { return box(0, 0, 20, 20); }
+
 /// Sections at z = 0, gap, 2 gap, …
 inline SectionStack stack_of(const std::vector<std::vector<Contour>>& layers, double gap = 1) {
   SectionStack stack;

@@ -20,11 +20,10 @@ namespace {
 using checking::Link;
 using checking::StackVoids;
 using testing::box;
+using testing::plate;
 using testing::stack_of;
 
 constexpr ContourId kOutside;
-
-Contour plate() { return box(0, 0, 20, 20); }
 
 // Voids of two sections, by (lower, upper): 0 is the exterior, holes go by their lowest vertices.
 using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;

@@ -26,11 +26,10 @@ namespace {
 using checking::Link;
 using checking::StackVoids;
 using testing::box;
+using testing::plate;
 using testing::stack_of;
 
 constexpr ContourId kOutside;
-
-Contour plate() { return box(0, 0, 20, 20); }
 
 // chi of each group of the only slab, by its lowest region.
 using Chi = std::map<std::size_t, long>;
