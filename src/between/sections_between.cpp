@@ -29,7 +29,8 @@ constexpr double kMostSteps = 512;
 constexpr double kMostStepsPerGap = 64;
 // Of all classes and layers of a slab; windows of classes may lie over each other, hundreds deep.
 constexpr double kMostSamples = 0x1p24;
-constexpr int kMostHalvings = 2;
+constexpr int kMostCoarsenings =
+    2;  // of the step that contours ask for; beyond that it tells little
 constexpr double kWindowMargin = 8;  // of a window, in steps
 
 // A contour from its lowest vertex on, towards the lower of that one's neighbours.
@@ -100,9 +101,27 @@ Edges joined(const Edges& a, const Edges& b) {
   return both;
 }
 
-Edges edges_of(const LinkedStack& stacked, SlabId slab) {
-  return joined(edges_of(canonical_contours(stacked, lower_section(slab))),
-                edges_of(canonical_contours(stacked, upper_section(slab))));
+// A slab's two sections, as far as they decide how finely it is looked at.
+struct SlabEdges {
+  Edges edges;
+  double gap = 0;
+  bool prismatic = false;  ///< both have the same contours
+};
+
+SlabEdges slab_edges(const LinkedStack& stacked, SlabId slab) {
+  const auto below = canonical_contours(stacked, lower_section(slab));
+  const auto above = canonical_contours(stacked, upper_section(slab));
+  const auto& sections = stacked.stack.sections;
+  return {joined(edges_of(below), edges_of(above)),
+          sections[upper_section(slab)].z - sections[lower_section(slab)].z, below == above};
+}
+
+// As many as contour edges go into the gap, about: what shows is sections much farther apart than
+// vertices. None where they are not, nor where both sections are the same.
+std::size_t automatic_count(const SlabEdges& slab) {
+  if (slab.prismatic) return 0;
+  const double count = slab.gap / (kEdgesPerLayer * slab.edges.mean());
+  return static_cast<std::size_t>(std::clamp(count, 0.0, kMostByItself));
 }
 
 double step_of(const Edges& edges, double gap) {
@@ -198,8 +217,8 @@ double samples_of(const SlabClass& c, double step, double around) {
 
 // Makes the lattice coarser until the windows of all classes, each in all layers, have few enough
 // samples. False where it would tell nothing any more.
-bool has_room(between::SlabShape& shape, double gap) {
-  for (int halvings = 0; halvings <= kMostHalvings; ++halvings, shape.step *= 2) {
+bool fit_lattice(between::SlabShape& shape, double gap) {
+  for (int coarsenings = 0; coarsenings <= kMostCoarsenings; ++coarsenings, shape.step *= 2) {
     double samples = 0;
     for (const SlabClass& c : shape.classes) samples += samples_of(c, shape.step, gap);
     if (samples * static_cast<double>(shape.at.size() + 2) <= kMostSamples) return true;
@@ -209,37 +228,25 @@ bool has_room(between::SlabShape& shape, double gap) {
 
 }  // namespace
 
-std::size_t automatic_count(const LinkedStack& stacked, SlabId slab) {
-  const auto below = canonical_contours(stacked, lower_section(slab));
-  const auto above = canonical_contours(stacked, upper_section(slab));
-  if (below == above) return 0;
-  const Edges edges = joined(edges_of(below), edges_of(above));
-  const double gap =
-      stacked.stack.sections[upper_section(slab)].z - stacked.stack.sections[lower_section(slab)].z;
-  const double count = gap / (kEdgesPerLayer * edges.mean());
-  return static_cast<std::size_t>(std::clamp(count, 0.0, kMostByItself));
-}
-
 between::InnerSections sections_between(const LinkedStack& stacked, SlabId slab,
                                         std::optional<std::size_t> count) {
-  const std::size_t layers = count ? *count : automatic_count(stacked, slab);
-  const Edges edges = edges_of(stacked, slab);
-  if (layers == 0 || edges.count == 0) return {};
+  const SlabEdges edges = slab_edges(stacked, slab);
+  const std::size_t layers = count ? *count : automatic_count(edges);
+  if (layers == 0 || edges.edges.count == 0) return {};
   const SectionId below = lower_section(slab);
   const SectionId above = upper_section(slab);
-  const double gap = stacked.stack.sections[above].z - stacked.stack.sections[below].z;
   between::SlabShape shape{stacked.stack.sections[below],
                            stacked.stack.sections[above],
                            stacked.nestings[below],
                            stacked.nestings[above],
                            Classes(stacked, slab).make(),
-                           step_of(edges, gap),
+                           step_of(edges.edges, edges.gap),
                            {}};
   for (std::size_t k = 1; k <= layers; ++k) {
     shape.at.push_back(static_cast<double>(k) / static_cast<double>(layers + 1));
   }
   between::InnerSections inner;
-  if (has_room(shape, gap)) inner = between::trace_between(shape);
+  if (fit_lattice(shape, edges.gap)) inner = between::trace_between(shape);
   inner.wanted = layers;
   return inner;
 }

@@ -23,14 +23,10 @@ struct LinkedStack {
   const IdVector<SlabId, std::vector<Link>>& links;
 };
 
-/// How many sections a slab gets if nobody says: as many as contour edges go into the gap, about,
-/// since sections much farther apart than vertices are what shows; none where they are not, nor
-/// where the two sections are the same.
-[[nodiscard]] std::size_t automatic_count(const LinkedStack& stacked, SlabId slab);
-
-/// The sections between those of the slab, `count` or by itself; none where none can be put without
-/// changing what hangs together. A function of the four sections around the slab and of the links
-/// between them: it depends neither on the order of contours nor on where they start.
+/// The sections between those of the slab, `count` or, without a number, as many as contour edges
+/// go into the gap, about, and none where sections are dense or the same; none where none can be
+/// put without changing what hangs together. A function of the four sections around the slab and of
+/// the links between them: it depends neither on the order of contours nor on where they start.
 [[nodiscard]] between::InnerSections sections_between(const LinkedStack& stacked, SlabId slab,
                                                       std::optional<std::size_t> count);
 
