@@ -29,8 +29,8 @@ constexpr double kMostSteps = 512;
 constexpr double kMostStepsPerGap = 64;
 // Of all classes and layers of a slab; windows of classes may lie over each other, hundreds deep.
 constexpr double kMostSamples = 0x1p24;
-constexpr int kMostCoarsenings =
-    2;  // of the step that contours ask for; beyond that it tells little
+// So often the step that contours ask for is doubled for that; beyond, it tells little.
+constexpr int kMostCoarsenings = 2;
 constexpr double kWindowMargin = 8;  // of a window, in steps
 
 // A contour from its lowest vertex on, towards the lower of that one's neighbours.
