@@ -1,0 +1,692 @@
+/* tetloft for C, and for every language that calls C: solids from planar cross sections.
+ *
+ * Status. A function that can fail returns a tetloft_status, TETLOFT_OK (0) on success; what went
+ * wrong, and where, is then told by tetloft_last_error() and tetloft_last_place(), for each thread
+ * its own, until its next call that fails. On failure outputs are set to NULL or 0, if they can be.
+ * No exception leaves a function, and none is thrown across it; memory that ends is a status.
+ *
+ * Handles. What a function makes is reached through a handle, which belongs to the caller and is
+ * given back by the _free function of its type (NULL: nothing is done). A handle is a name, not an
+ * address: it must not be dereferenced. NULL, a handle that was freed, one of another type or a
+ * made-up one is answered by TETLOFT_BAD_HANDLE.
+ *
+ * Arrays. Arrays that the library owns (const …**) are valid until their handle is freed; their
+ * sizes are told beside them, in elements as said there. An empty one may be NULL. Arrays of the
+ * caller come with the number of elements that they hold; an input array may be NULL if that is 0.
+ * An output that does not fit is answered by TETLOFT_TOO_SMALL, the number needed is told all the
+ * same, and nothing is written; capacity 0 and NULL ask for the number alone.
+ *
+ * Structs of options and results begin with their version: set it by the …_defaults() function (of
+ * options), or to the …_VERSION of this header (of results). A version that the library does not
+ * know is TETLOFT_USAGE. Where options are taken, NULL means defaults.
+ *
+ * Texts are UTF-8 as far as their sources are, end with a zero byte, and are the library's: valid
+ * as long as the handle that they come from. Ids are zero-based; TETLOFT_NO_ID means none.
+ *
+ * Threads. Every function may be called from any thread at any time: what a handle names never
+ * changes once it is made (but for tetloft_stop, which is made to be shared), and a handle may be
+ * freed while other calls still work with it: they end as if it were there. Arrays and texts of a
+ * freed handle are gone. Results do not depend on threads.
+ *
+ * Lengths are in the units of the input. The contracts of the functions are those of the C++
+ * headers named beside them. */
+#ifndef TETLOFT_TETLOFT_H
+#define TETLOFT_TETLOFT_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#if defined(TETLOFT_SHARED) && defined(_WIN32)
+#if defined(TETLOFT_BUILDING)
+#define TETLOFT_C_API __declspec(dllexport)
+#else
+#define TETLOFT_C_API __declspec(dllimport)
+#endif
+#elif defined(TETLOFT_SHARED)
+#define TETLOFT_C_API __attribute__((visibility("default")))
+#else
+#define TETLOFT_C_API
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* --- status --------------------------------------------------------------------------------- */
+
+/* Those from 2 to 7 and from 70 on are the exit codes of the command line. */
+typedef enum tetloft_status {
+  TETLOFT_OK = 0,
+  TETLOFT_USAGE = 2,           /* arguments that are missing, contradict each other, or are none */
+  TETLOFT_INVALID_INPUT = 3,   /* the input is not a valid stack, mesh, label or point set */
+  TETLOFT_IO = 4,              /* a file cannot be read or written */
+  TETLOFT_UNREPRESENTABLE = 5, /* double precision holds no valid model of this input */
+  TETLOFT_CANCELLED = 6,       /* stopped at the caller's wish */
+  TETLOFT_WORK_LIMIT = 7,      /* more work than the limit allows; a higher one may succeed */
+  TETLOFT_BAD_HANDLE = 8,      /* NULL, freed, of another type, or no handle at all */
+  TETLOFT_TOO_SMALL = 9,       /* the caller's array does not hold the result */
+  TETLOFT_INTERNAL = 70,       /* a defect of the library */
+  TETLOFT_OUT_OF_MEMORY = 71,
+  TETLOFT_UNFIT_ARITHMETIC = 72 /* compiled or run without the arithmetic that exactness needs */
+} tetloft_status;
+
+#define TETLOFT_NO_ID UINT32_C(0xFFFFFFFF)
+
+/* "0.1.0", of the library that runs. */
+TETLOFT_C_API const char* tetloft_version(void);
+
+/* "invalid_input"; "unknown" for a number that is no status. */
+TETLOFT_C_API const char* tetloft_status_name(int status);
+
+/* Of this thread's last failure: place and message in one line, as the command line prints it;
+ * empty if there was none. Valid until this thread's next failure. */
+TETLOFT_C_API const char* tetloft_last_error(void);
+/* The message without the place. */
+TETLOFT_C_API const char* tetloft_last_message(void);
+
+/* Where something is wrong; what is not known is −1, NULL or 0. */
+#define TETLOFT_PLACE_VERSION 1
+typedef struct tetloft_place {
+  uint32_t version;
+  const char* file; /* valid until this thread's next failure */
+  int64_t line;     /* one-based */
+  int64_t section;  /* zero-based, like all below */
+  int64_t slab;     /* between sections `slab` and `slab + 1` */
+  int64_t contour;
+  int64_t vertex;
+  int32_t has_point;
+  double point[3]; /* if has_point */
+} tetloft_place;
+/* Of this thread's last failure. */
+TETLOFT_C_API tetloft_status tetloft_last_place(tetloft_place* place);
+
+/* Warnings that a function gave: something that was mended, or that one should know. Where a
+ * function takes `warnings`, NULL means that they are not wanted; otherwise the caller gets a
+ * handle, of no warnings perhaps. */
+typedef struct tetloft_warnings tetloft_warnings;
+TETLOFT_C_API tetloft_status tetloft_warnings_count(const tetloft_warnings* warnings,
+                                                    size_t* count);
+/* Place and message in one line. */
+TETLOFT_C_API tetloft_status tetloft_warnings_text(const tetloft_warnings* warnings, size_t index,
+                                                   const char** text);
+TETLOFT_C_API tetloft_status tetloft_warnings_free(tetloft_warnings* warnings);
+
+/* --- how a function runs (tetloft/execution.hpp) -------------------------------------------- */
+
+/* A stop button: pressed from any thread, it ends the calls that it was given to with
+ * TETLOFT_CANCELLED; it stays pressed. */
+typedef struct tetloft_stop tetloft_stop;
+TETLOFT_C_API tetloft_status tetloft_stop_create(tetloft_stop** stop);
+TETLOFT_C_API tetloft_status tetloft_stop_request(tetloft_stop* stop);
+TETLOFT_C_API tetloft_status tetloft_stop_free(tetloft_stop* stop);
+
+/* Steps done and in all; called from any thread, one call at a time. Not 0: the call ends with
+ * TETLOFT_CANCELLED. */
+typedef int (*tetloft_progress)(void* user, size_t done, size_t all);
+
+#define TETLOFT_EXECUTION_VERSION 1
+typedef struct tetloft_execution {
+  uint32_t version;
+  uint32_t threads;          /* 0: as many as the machine offers */
+  tetloft_stop* stop;        /* NULL: none */
+  tetloft_progress progress; /* NULL: none */
+  void* user;                /* handed to progress */
+} tetloft_execution;
+TETLOFT_C_API tetloft_status tetloft_execution_defaults(tetloft_execution* execution);
+
+/* --- bytes ---------------------------------------------------------------------------------- */
+
+typedef struct tetloft_bytes tetloft_bytes;
+TETLOFT_C_API tetloft_status tetloft_bytes_data(const tetloft_bytes* bytes, const void** data,
+                                                size_t* size);
+TETLOFT_C_API tetloft_status tetloft_bytes_free(tetloft_bytes* bytes);
+
+/* --- formats (tetloft/formats.hpp) ---------------------------------------------------------- */
+
+/* Bits of tetloft_format: what a file can hold. */
+enum {
+  TETLOFT_CONTENTS_STACK = 1,
+  TETLOFT_CONTENTS_MODEL = 2,
+  TETLOFT_CONTENTS_SURFACE = 4,
+  TETLOFT_CONTENTS_POINTS = 8,
+  TETLOFT_CONTENTS_LABELS = 16,
+  TETLOFT_CONTENTS_LINES = 32
+};
+
+#define TETLOFT_FORMAT_VERSION 1
+typedef struct tetloft_format {
+  uint32_t version;
+  const char* name; /* for read and write options; texts are valid for ever */
+  const char* summary;
+  const char* extension; /* the usual one, with the dot */
+  uint32_t reads;        /* TETLOFT_CONTENTS_… */
+  uint32_t writes;
+} tetloft_format;
+TETLOFT_C_API size_t tetloft_format_count(void);
+TETLOFT_C_API tetloft_status tetloft_format_info(size_t index, tetloft_format* format);
+
+#define TETLOFT_READ_OPTIONS_VERSION 1
+typedef struct tetloft_read_options {
+  uint32_t version;
+  int32_t unchecked;  /* not 0: stacks are not validated */
+  const char* format; /* by name; NULL: it is recognised */
+} tetloft_read_options;
+TETLOFT_C_API tetloft_status tetloft_read_options_defaults(tetloft_read_options* options);
+
+#define TETLOFT_WRITE_OPTIONS_VERSION 1
+typedef struct tetloft_write_options {
+  uint32_t version;
+  int32_t ascii;      /* not 0: text, where the format has both */
+  const char* format; /* by name; NULL: as the extension says; required for bytes */
+} tetloft_write_options;
+TETLOFT_C_API tetloft_status tetloft_write_options_defaults(tetloft_write_options* options);
+
+/* --- stacks of sections (tetloft/sections.hpp, tetloft/formats.hpp) -------------------------- */
+
+/* Sections by increasing z, of closed contours, the first vertex not repeated at the end. */
+typedef struct tetloft_stack tetloft_stack;
+
+/* Copies: z and contour_counts have section_count elements, vertex_counts contour_count, xy
+ * 2 · vertex_count coordinates x y x y …; contours follow each other section by section, vertices
+ * contour by contour. TETLOFT_USAGE where the counts do not add up. The geometry is not validated
+ * here; functions that need a valid stack do. */
+TETLOFT_C_API tetloft_status tetloft_stack_create(const double* z, const size_t* contour_counts,
+                                                  size_t section_count, const size_t* vertex_counts,
+                                                  size_t contour_count, const double* xy,
+                                                  size_t vertex_count, tetloft_stack** stack);
+TETLOFT_C_API tetloft_status tetloft_stack_read(const char* path,
+                                                const tetloft_read_options* options,
+                                                tetloft_stack** stack, tetloft_warnings** warnings);
+/* From bytes; `name` stands for the file in messages and tells the extension. */
+TETLOFT_C_API tetloft_status tetloft_stack_parse(const void* data, size_t size, const char* name,
+                                                 const tetloft_read_options* options,
+                                                 tetloft_stack** stack,
+                                                 tetloft_warnings** warnings);
+TETLOFT_C_API tetloft_status tetloft_stack_write(const tetloft_stack* stack, const char* path,
+                                                 const tetloft_write_options* options,
+                                                 tetloft_warnings** warnings);
+TETLOFT_C_API tetloft_status tetloft_stack_format(const tetloft_stack* stack,
+                                                  const tetloft_write_options* options,
+                                                  tetloft_bytes** bytes,
+                                                  tetloft_warnings** warnings);
+TETLOFT_C_API tetloft_status tetloft_stack_free(tetloft_stack* stack);
+
+/* Any of the outputs may be NULL. */
+TETLOFT_C_API tetloft_status tetloft_stack_counts(const tetloft_stack* stack, size_t* sections,
+                                                  size_t* contours, size_t* vertices);
+TETLOFT_C_API tetloft_status tetloft_stack_section(const tetloft_stack* stack, size_t section,
+                                                   double* z, size_t* contours);
+/* 2 · vertices coordinates. */
+TETLOFT_C_API tetloft_status tetloft_stack_contour(const tetloft_stack* stack, size_t section,
+                                                   size_t contour, const double** xy,
+                                                   size_t* vertices);
+/* Twice the signed area, positive if counter-clockwise. */
+TETLOFT_C_API tetloft_status tetloft_stack_twice_area(const tetloft_stack* stack, size_t section,
+                                                      size_t contour, double* twice_area);
+/* For each contour of a section the innermost one around it, how many are around it (odd: a hole),
+ * and the region that it bounds. Each array is NULL, or has room for `capacity`. */
+TETLOFT_C_API tetloft_status tetloft_stack_nesting(const tetloft_stack* stack, size_t section,
+                                                   uint32_t* parent, uint32_t* depth,
+                                                   uint32_t* region, size_t capacity,
+                                                   size_t* contours, size_t* regions);
+TETLOFT_C_API tetloft_status tetloft_stack_validate(const tetloft_stack* stack,
+                                                    const tetloft_execution* execution);
+/* A valid stack instead of one that is none; `distance`: how far the boundary may move, below 0 the
+ * default; the warnings are all changes (tetloft/repair.hpp, as the two below). */
+TETLOFT_C_API tetloft_status tetloft_stack_repair(const tetloft_stack* stack, double distance,
+                                                  const tetloft_execution* execution,
+                                                  tetloft_stack** repaired,
+                                                  tetloft_warnings** changes);
+TETLOFT_C_API tetloft_status tetloft_stack_snap(const tetloft_stack* stack, int bits,
+                                                const tetloft_execution* execution,
+                                                tetloft_stack** snapped);
+TETLOFT_C_API tetloft_status tetloft_stack_refine(const tetloft_stack* stack, double length,
+                                                  const tetloft_execution* execution,
+                                                  tetloft_stack** refined);
+
+/* --- correspondence (tetloft/correspondence.hpp, tetloft/voids.hpp) ------------------------- */
+
+/* A user's label on one contour, and decision on one link. */
+typedef struct tetloft_label {
+  uint32_t section;
+  uint32_t contour;
+  uint32_t label;
+} tetloft_label;
+typedef struct tetloft_decision {
+  uint32_t slab;
+  uint32_t lower; /* contour of the section below; of voids TETLOFT_NO_ID: the exterior */
+  uint32_t upper;
+  int32_t join; /* 0: part, or of voids close */
+} tetloft_decision;
+
+typedef struct tetloft_labels tetloft_labels;
+TETLOFT_C_API tetloft_status tetloft_labels_create(
+    const tetloft_label* labels, size_t label_count, const tetloft_decision* decisions,
+    size_t decision_count, const tetloft_label* hole_labels, size_t hole_label_count,
+    const tetloft_decision* void_decisions, size_t void_decision_count, tetloft_labels** out);
+TETLOFT_C_API tetloft_status tetloft_labels_read(const char* path, tetloft_labels** labels);
+TETLOFT_C_API tetloft_status tetloft_labels_parse(const void* data, size_t size, const char* name,
+                                                  tetloft_labels** labels);
+TETLOFT_C_API tetloft_status tetloft_labels_write(const tetloft_labels* labels, const char* path);
+TETLOFT_C_API tetloft_status tetloft_labels_free(tetloft_labels* labels);
+
+typedef enum tetloft_criterion {
+  TETLOFT_OVERLAP = 0,
+  TETLOFT_REVERSE = 1, /* Definition 2 of Nonato et al. (2000) */
+  TETLOFT_MOVED = 2
+} tetloft_criterion;
+typedef enum tetloft_void_rule {
+  TETLOFT_VOIDS_OVERLAP = 0,
+  TETLOFT_VOIDS_NEAR = 1,
+  TETLOFT_VOIDS_FREE = 2
+} tetloft_void_rule;
+
+#define TETLOFT_CORRESPONDENCE_VERSION 1
+typedef struct tetloft_correspondence {
+  uint32_t version;
+  int32_t criterion; /* tetloft_criterion */
+  double tau;        /* threshold in [0, 1); below 0: the criterion's default */
+  int32_t chain;
+  int32_t lone;
+  int32_t void_rule;            /* tetloft_void_rule */
+  double void_reach;            /* of TETLOFT_VOIDS_NEAR, in gaps */
+  const tetloft_labels* labels; /* NULL: none */
+} tetloft_correspondence;
+TETLOFT_C_API tetloft_status tetloft_correspondence_defaults(tetloft_correspondence* options);
+
+/* A link between two regions, or two voids, of neighbouring sections: made, or nearly so. */
+typedef struct tetloft_link {
+  uint32_t slab;
+  uint32_t lower; /* outer contour; of voids the hole, TETLOFT_NO_ID: the exterior */
+  uint32_t upper;
+  int32_t evidence; /* see tetloft_evidence_name() */
+  int32_t fate;     /* 0: made; see tetloft_fate_name() */
+  double ratio;
+  double moved;
+  double distance; /* in gaps */
+  double margin;
+  double lead; /* NaN: no other pair came into question */
+} tetloft_link;
+/* "overlap", "made", …; "unknown" for a number that is none. */
+TETLOFT_C_API const char* tetloft_evidence_name(int evidence);
+TETLOFT_C_API const char* tetloft_fate_name(int fate);
+
+/* What belongs together, without making the solid (tetloft/links.hpp). */
+typedef struct tetloft_links tetloft_links;
+TETLOFT_C_API tetloft_status tetloft_links_find(const tetloft_stack* stack,
+                                                const tetloft_correspondence* options,
+                                                const tetloft_execution* execution,
+                                                tetloft_links** links, tetloft_warnings** warnings);
+TETLOFT_C_API tetloft_status tetloft_links_regions(const tetloft_links* links,
+                                                   const tetloft_link** array, size_t* count);
+TETLOFT_C_API tetloft_status tetloft_links_voids(const tetloft_links* links,
+                                                 const tetloft_link** array, size_t* count);
+TETLOFT_C_API tetloft_status tetloft_links_counts(const tetloft_links* links, size_t* components,
+                                                  size_t* cavities);
+/* The component of each contour of a section. */
+TETLOFT_C_API tetloft_status tetloft_links_partition(const tetloft_links* links, size_t section,
+                                                     const uint32_t** component, size_t* contours);
+TETLOFT_C_API tetloft_status tetloft_links_free(tetloft_links* links);
+
+/* --- reconstruction (tetloft/reconstruct.hpp, tetloft/between.hpp) --------------------------- */
+
+typedef struct tetloft_model tetloft_model;
+
+typedef enum tetloft_ends { TETLOFT_ENDS_FLAT = 0, TETLOFT_ENDS_HALF = 1 } tetloft_ends;
+typedef enum tetloft_engine {
+  TETLOFT_ENGINE_AUTOMATIC = 0,
+  TETLOFT_ENGINE_INCREMENTAL = 1,
+  TETLOFT_ENGINE_SLAB = 2
+} tetloft_engine;
+
+#define TETLOFT_RECONSTRUCT_OPTIONS_VERSION 1
+typedef struct tetloft_reconstruct_options {
+  uint32_t version;
+  const tetloft_correspondence* correspondence; /* NULL: defaults */
+  int32_t ends;                                 /* tetloft_ends */
+  int32_t engine;                               /* tetloft_engine; the result is the same */
+  int64_t between;       /* sections put between two given ones; −1: as many as are called for */
+  int32_t divide_coarse; /* not 0: long edges of contours of few vertices are divided */
+  double thickness;      /* of a single section; 0: a tenth of its larger side */
+  double work_limit;     /* tets per vertex */
+  const tetloft_execution* execution; /* NULL: defaults */
+} tetloft_reconstruct_options;
+TETLOFT_C_API tetloft_status
+tetloft_reconstruct_options_defaults(tetloft_reconstruct_options* options);
+
+TETLOFT_C_API tetloft_status tetloft_reconstruct(const tetloft_stack* stack,
+                                                 const tetloft_reconstruct_options* options,
+                                                 tetloft_model** model,
+                                                 tetloft_warnings** warnings);
+
+/* The stack with sections put between (tetloft/between.hpp), and, unless `decisions` is NULL, the
+ * decisions on all links of the longer one. Of the options ends, engine and thickness are not
+ * looked at. */
+TETLOFT_C_API tetloft_status tetloft_between(const tetloft_stack* stack,
+                                             const tetloft_reconstruct_options* options,
+                                             tetloft_stack** longer, tetloft_labels** decisions,
+                                             tetloft_warnings** warnings);
+
+/* What a reconstruction tells of itself (tetloft/report.hpp). */
+#define TETLOFT_REPORT_VERSION 1
+typedef struct tetloft_report {
+  uint32_t version;
+  uint64_t slices;
+  uint64_t sections_between;
+  uint64_t sections_given_up;
+  uint64_t contours;
+  uint64_t input_vertices;
+  uint64_t split_vertices;
+  uint64_t dividing_vertices;
+  uint64_t vertices;
+  uint64_t tets;
+  uint64_t components;
+  double volume;
+  double smallest_lift;
+  uint64_t work;
+  double seconds; /* wall clock */
+} tetloft_report;
+/* TETLOFT_USAGE for a model that was read or created. */
+TETLOFT_C_API tetloft_status tetloft_model_report(const tetloft_model* model,
+                                                  tetloft_report* report);
+
+/* --- models (tetloft/model.hpp) ------------------------------------------------------------- */
+
+/* Copies: 3 · point_count coordinates, 4 · tet_count point ids. So that any mesh can be checked
+ * and written. */
+TETLOFT_C_API tetloft_status tetloft_model_create(const double* xyz, size_t point_count,
+                                                  const uint32_t* tets, size_t tet_count,
+                                                  tetloft_model** model);
+TETLOFT_C_API tetloft_status tetloft_model_read(const char* path,
+                                                const tetloft_read_options* options,
+                                                tetloft_model** model, tetloft_warnings** warnings);
+TETLOFT_C_API tetloft_status tetloft_model_parse(const void* data, size_t size, const char* name,
+                                                 const tetloft_read_options* options,
+                                                 tetloft_model** model,
+                                                 tetloft_warnings** warnings);
+TETLOFT_C_API tetloft_status tetloft_model_write(const tetloft_model* model, const char* path,
+                                                 const tetloft_write_options* options,
+                                                 tetloft_warnings** warnings);
+TETLOFT_C_API tetloft_status tetloft_model_format(const tetloft_model* model,
+                                                  const tetloft_write_options* options,
+                                                  tetloft_bytes** bytes,
+                                                  tetloft_warnings** warnings);
+/* The boundary alone. */
+TETLOFT_C_API tetloft_status tetloft_model_write_surface(const tetloft_model* model,
+                                                         const char* path,
+                                                         const tetloft_write_options* options,
+                                                         tetloft_warnings** warnings);
+TETLOFT_C_API tetloft_status tetloft_model_format_surface(const tetloft_model* model,
+                                                          const tetloft_write_options* options,
+                                                          tetloft_bytes** bytes,
+                                                          tetloft_warnings** warnings);
+TETLOFT_C_API tetloft_status tetloft_model_free(tetloft_model* model);
+
+/* Arrays: of points three coordinates each, of tets four point ids each, positive; then one value
+ * for each tet, or point; empty where the model has none. */
+TETLOFT_C_API tetloft_status tetloft_model_points(const tetloft_model* model, const double** xyz,
+                                                  size_t* points);
+TETLOFT_C_API tetloft_status tetloft_model_tets(const tetloft_model* model, const uint32_t** tets,
+                                                size_t* count);
+TETLOFT_C_API tetloft_status tetloft_model_tet_components(const tetloft_model* model,
+                                                          const uint32_t** component,
+                                                          size_t* count);
+TETLOFT_C_API tetloft_status tetloft_model_tet_slabs(const tetloft_model* model,
+                                                     const uint32_t** slab, size_t* count);
+/* See tetloft_tet_kind_name(). */
+TETLOFT_C_API tetloft_status tetloft_model_tet_kinds(const tetloft_model* model,
+                                                     const uint8_t** kind, size_t* count);
+/* TETLOFT_NO_ID between sections; off the contours. */
+TETLOFT_C_API tetloft_status tetloft_model_point_sections(const tetloft_model* model,
+                                                          const uint32_t** section, size_t* count);
+TETLOFT_C_API tetloft_status tetloft_model_point_contours(const tetloft_model* model,
+                                                          const uint32_t** contour, size_t* count);
+/* See tetloft_point_origin_name(). */
+TETLOFT_C_API tetloft_status tetloft_model_point_origins(const tetloft_model* model,
+                                                         const uint8_t** origin, size_t* count);
+TETLOFT_C_API const char* tetloft_tet_kind_name(int kind);
+TETLOFT_C_API const char* tetloft_point_origin_name(int origin);
+
+TETLOFT_C_API tetloft_status tetloft_model_component_count(const tetloft_model* model,
+                                                           size_t* components);
+TETLOFT_C_API tetloft_status tetloft_model_volume(const tetloft_model* model, double* volume);
+
+/* The boundary: triangles over the model's points, normals outwards. */
+typedef struct tetloft_surface tetloft_surface;
+TETLOFT_C_API tetloft_status tetloft_model_boundary(const tetloft_model* model,
+                                                    tetloft_surface** surface);
+/* Three point ids each. */
+TETLOFT_C_API tetloft_status tetloft_surface_triangles(const tetloft_surface* surface,
+                                                       const uint32_t** triangles, size_t* count);
+/* The tet behind each triangle. */
+TETLOFT_C_API tetloft_status tetloft_surface_tets(const tetloft_surface* surface,
+                                                  const uint32_t** tets, size_t* count);
+/* The component (of the surface) of each triangle. */
+TETLOFT_C_API tetloft_status tetloft_surface_components(const tetloft_surface* surface,
+                                                        const uint32_t** component, size_t* count,
+                                                        size_t* components);
+/* Of one component; any output may be NULL. */
+TETLOFT_C_API tetloft_status tetloft_surface_topology(const tetloft_surface* surface,
+                                                      size_t component, size_t* vertices,
+                                                      size_t* edges, size_t* triangles,
+                                                      int64_t* genus);
+TETLOFT_C_API tetloft_status tetloft_surface_free(tetloft_surface* surface);
+
+/* Pictures, and the viewer's page, by the extension of `path` (.png, .svg, .html);
+ * tetloft/render.hpp. */
+typedef enum tetloft_colour {
+  TETLOFT_COLOUR_COMPONENT = 0,
+  TETLOFT_COLOUR_SLAB = 1,
+  TETLOFT_COLOUR_KIND = 2,
+  TETLOFT_COLOUR_DIHEDRAL = 3,
+  TETLOFT_COLOUR_EVIDENCE = 4
+} tetloft_colour;
+
+#define TETLOFT_RENDER_OPTIONS_VERSION 1
+typedef struct tetloft_render_options {
+  uint32_t version;
+  int32_t colour; /* tetloft_colour */
+  double azimuth; /* degrees */
+  double elevation;
+  int32_t width; /* pixels */
+  int32_t height;
+  int32_t cut_axis; /* 0 x, 1 y, 2 z; −1: no cut */
+  double cut_position;
+  double explode;    /* slabs are moved apart by so many mean heights */
+  double stretch;    /* z is drawn so many times as large */
+  int32_t edges;     /* not 0: edges of tets are drawn */
+  int32_t contours;  /* not 0: contours of `stack` are drawn */
+  int32_t white;     /* not 0: white background instead of none */
+  const char* title; /* of the page; NULL: none */
+  const tetloft_execution* execution;
+} tetloft_render_options;
+TETLOFT_C_API tetloft_status tetloft_render_options_defaults(tetloft_render_options* options);
+/* `stack` may be NULL: no contours are drawn. */
+TETLOFT_C_API tetloft_status tetloft_model_render(const tetloft_model* model,
+                                                  const tetloft_stack* stack, const char* path,
+                                                  const tetloft_render_options* options);
+
+/* --- check (tetloft/check.hpp) -------------------------------------------------------------- */
+
+#define TETLOFT_CHECK_OPTIONS_VERSION 1
+typedef struct tetloft_check_options {
+  uint32_t version;
+  const tetloft_correspondence* correspondence; /* NULL: defaults */
+  double split_ulps;
+  uint64_t places; /* how many to report for each failure */
+  int32_t recompute_motions;
+  int32_t strict;
+  const tetloft_execution* execution; /* NULL: defaults */
+} tetloft_check_options;
+TETLOFT_C_API tetloft_status tetloft_check_options_defaults(tetloft_check_options* options);
+
+/* A guarantee that fails is no failure of the call: see tetloft_verdict_pass(). */
+typedef struct tetloft_verdict tetloft_verdict;
+TETLOFT_C_API tetloft_status tetloft_check(const tetloft_model* model, const tetloft_stack* stack,
+                                           const tetloft_check_options* options,
+                                           tetloft_verdict** verdict);
+TETLOFT_C_API tetloft_status tetloft_verdict_pass(const tetloft_verdict* verdict, int* pass);
+/* Guarantee 1 to 5; any output may be NULL. not_asked: why it was not asked, empty if it was. */
+TETLOFT_C_API tetloft_status tetloft_verdict_guarantee(const tetloft_verdict* verdict, int number,
+                                                       const char** name, int* pass,
+                                                       const char** not_asked, size_t* failures);
+/* A condition that fails, how often, and the number of places told. */
+TETLOFT_C_API tetloft_status tetloft_verdict_failure(const tetloft_verdict* verdict, int number,
+                                                     size_t failure, const char** what,
+                                                     size_t* count, size_t* places);
+TETLOFT_C_API tetloft_status tetloft_verdict_place(const tetloft_verdict* verdict, int number,
+                                                   size_t failure, size_t place, const char** text);
+#define TETLOFT_FIGURES_VERSION 1
+typedef struct tetloft_figures {
+  uint32_t version;
+  uint64_t components;
+  double volume;
+  double overshoot; /* in gaps */
+  double smallest_dihedral_degrees;
+  double largest_split_ulps;
+  uint64_t inner_vertices;
+  uint64_t dropped_links;
+  int64_t cavities; /* −1: not known, as in the three below */
+  int64_t expected_cavities;
+  int64_t least_genus; /* INT64_MIN: not known, as below */
+  int64_t most_genus;
+  uint64_t deviations;
+  uint64_t forced_voids;
+  uint64_t unrealisable_voids;
+} tetloft_figures;
+TETLOFT_C_API tetloft_status tetloft_verdict_figures(const tetloft_verdict* verdict,
+                                                     tetloft_figures* figures);
+/* The genus of each boundary surface. */
+TETLOFT_C_API tetloft_status tetloft_verdict_genus(const tetloft_verdict* verdict,
+                                                   const int64_t** genus, size_t* count);
+TETLOFT_C_API tetloft_status tetloft_verdict_free(tetloft_verdict* verdict);
+
+/* --- tetrahedral meshes: star and link (tetloft/tet_mesh.hpp) -------------------------------- */
+
+typedef struct tetloft_mesh tetloft_mesh;
+
+typedef enum tetloft_link_kind {
+  TETLOFT_LINK_DISC = 0,
+  TETLOFT_LINK_SPHERE = 1,
+  TETLOFT_LINK_EMPTY = 2,
+  TETLOFT_LINK_COMPONENTS = 3, /* singular, as all below: falls into several components */
+  TETLOFT_LINK_PINCH = 4,      /* connected, but pinched */
+  TETLOFT_LINK_HOLES = 5       /* a connected surface, neither disc nor sphere */
+} tetloft_link_kind;
+
+/* Of 4 · tet_count vertex ids. */
+TETLOFT_C_API tetloft_status tetloft_mesh_create(size_t vertex_count, const uint32_t* tets,
+                                                 size_t tet_count, tetloft_mesh** mesh);
+TETLOFT_C_API tetloft_status tetloft_model_mesh(const tetloft_model* model, tetloft_mesh** mesh);
+TETLOFT_C_API tetloft_status tetloft_mesh_counts(const tetloft_mesh* mesh, size_t* vertices,
+                                                 size_t* tets);
+/* Four vertex ids each. */
+TETLOFT_C_API tetloft_status tetloft_mesh_tets(const tetloft_mesh* mesh, const uint32_t** tets,
+                                               size_t* count);
+/* By half-face (4 · tet + face, the face opposite that vertex of the tet) the half-face on the
+ * other side, TETLOFT_NO_ID on the boundary; count: 4 · tets. */
+TETLOFT_C_API tetloft_status tetloft_mesh_opposites(const tetloft_mesh* mesh,
+                                                    const uint32_t** opposite, size_t* count);
+/* The tets of a vertex, and of an edge, by id. */
+TETLOFT_C_API tetloft_status tetloft_mesh_star(const tetloft_mesh* mesh, uint32_t vertex,
+                                               uint32_t* tets, size_t capacity, size_t* count);
+TETLOFT_C_API tetloft_status tetloft_mesh_edge_star(const tetloft_mesh* mesh, uint32_t a,
+                                                    uint32_t b, uint32_t* tets, size_t capacity,
+                                                    size_t* count);
+/* The triangles opposite a vertex in its star, three ids each, and the edges opposite an edge, two
+ * each; capacity and count in triangles, and edges. */
+TETLOFT_C_API tetloft_status tetloft_mesh_link(const tetloft_mesh* mesh, uint32_t vertex,
+                                               uint32_t* triangles, size_t capacity, size_t* count);
+TETLOFT_C_API tetloft_status tetloft_mesh_edge_link(const tetloft_mesh* mesh, uint32_t a,
+                                                    uint32_t b, uint32_t* edges, size_t capacity,
+                                                    size_t* count);
+TETLOFT_C_API tetloft_status tetloft_mesh_link_kind(const tetloft_mesh* mesh, uint32_t vertex,
+                                                    tetloft_link_kind* kind);
+TETLOFT_C_API tetloft_status tetloft_mesh_edge_link_kind(const tetloft_mesh* mesh, uint32_t a,
+                                                         uint32_t b, tetloft_link_kind* kind);
+/* The vertices whose link is neither disc nor sphere nor empty. */
+TETLOFT_C_API tetloft_status tetloft_mesh_singular_vertices(const tetloft_mesh* mesh,
+                                                            uint32_t* vertices, size_t capacity,
+                                                            size_t* count);
+/* The half-faces without opposite. */
+TETLOFT_C_API tetloft_status tetloft_mesh_boundary(const tetloft_mesh* mesh, uint32_t* half_faces,
+                                                   size_t capacity, size_t* count);
+TETLOFT_C_API tetloft_status tetloft_mesh_free(tetloft_mesh* mesh);
+
+/* --- Delaunay triangulations (tetloft/delaunay.hpp) ------------------------------------------ */
+
+#define TETLOFT_DELAUNAY3_OPTIONS_VERSION 1
+typedef struct tetloft_delaunay3_options {
+  uint32_t version;
+  int32_t engine;     /* tetloft_engine */
+  uint64_t most_tets; /* 0: no limit */
+  const tetloft_execution* execution;
+} tetloft_delaunay3_options;
+TETLOFT_C_API tetloft_status tetloft_delaunay3_options_defaults(tetloft_delaunay3_options* options);
+/* Of 3 · point_count coordinates; the mesh's vertices are the points by index. `dimension` (of the
+ * affine hull; −1 without points) and `representative` may be NULL; the latter has room for
+ * point_count: the lowest index with the same point. */
+TETLOFT_C_API tetloft_status tetloft_delaunay3(const double* xyz, size_t point_count,
+                                               const tetloft_delaunay3_options* options,
+                                               tetloft_mesh** mesh, int* dimension,
+                                               uint32_t* representative);
+
+/* A triangulation of the plane. */
+typedef struct tetloft_triangulation tetloft_triangulation;
+/* Of 2 · point_count coordinates. */
+TETLOFT_C_API tetloft_status tetloft_delaunay2(const double* xy, size_t point_count,
+                                               const tetloft_execution* execution,
+                                               tetloft_triangulation** triangulation);
+/* With segments, two point ids each, that are unions of edges. */
+TETLOFT_C_API tetloft_status tetloft_conforming_delaunay2(const double* xy, size_t point_count,
+                                                          const uint32_t* segments,
+                                                          size_t segment_count,
+                                                          const tetloft_execution* execution,
+                                                          tetloft_triangulation** triangulation);
+/* Of a section of a stack, its contours being unions of edges (tetloft/conforming_section.hpp). */
+TETLOFT_C_API tetloft_status tetloft_stack_triangulate(const tetloft_stack* stack, size_t section,
+                                                       const tetloft_execution* execution,
+                                                       tetloft_triangulation** triangulation);
+/* Two coordinates each. */
+TETLOFT_C_API tetloft_status tetloft_triangulation_points(
+    const tetloft_triangulation* triangulation, const double** xy, size_t* count);
+/* Three point ids each, counter-clockwise. */
+TETLOFT_C_API tetloft_status tetloft_triangulation_triangles(
+    const tetloft_triangulation* triangulation, const uint32_t** triangles, size_t* count);
+/* Three triangles each, opposite vertex 0, 1, 2; TETLOFT_NO_ID on the hull. */
+TETLOFT_C_API tetloft_status tetloft_triangulation_neighbours(
+    const tetloft_triangulation* triangulation, const uint32_t** neighbours, size_t* count);
+/* Of a section: for each triangle, whether it lies in the region; else empty. */
+TETLOFT_C_API tetloft_status tetloft_triangulation_internal(
+    const tetloft_triangulation* triangulation, const uint8_t** internal, size_t* count);
+/* Of a conforming triangulation: the points of a segment from its first to its second end. */
+TETLOFT_C_API tetloft_status tetloft_triangulation_chain(const tetloft_triangulation* triangulation,
+                                                         size_t segment, const uint32_t** points,
+                                                         size_t* count);
+TETLOFT_C_API tetloft_status tetloft_triangulation_free(tetloft_triangulation* triangulation);
+
+/* --- points from files (tetloft/formats.hpp) ------------------------------------------------- */
+
+typedef struct tetloft_points tetloft_points;
+TETLOFT_C_API tetloft_status tetloft_points_read(const char* path,
+                                                 const tetloft_read_options* options,
+                                                 tetloft_points** points,
+                                                 tetloft_warnings** warnings);
+TETLOFT_C_API tetloft_status tetloft_points_parse(const void* data, size_t size, const char* name,
+                                                  const tetloft_read_options* options,
+                                                  tetloft_points** points,
+                                                  tetloft_warnings** warnings);
+/* Three coordinates each. */
+TETLOFT_C_API tetloft_status tetloft_points_data(const tetloft_points* points, const double** xyz,
+                                                 size_t* count);
+TETLOFT_C_API tetloft_status tetloft_points_free(tetloft_points* points);
+TETLOFT_C_API tetloft_status tetloft_points_write(const double* xyz, size_t point_count,
+                                                  const char* path,
+                                                  const tetloft_write_options* options,
+                                                  tetloft_warnings** warnings);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif /* TETLOFT_TETLOFT_H */
