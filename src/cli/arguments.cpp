@@ -46,6 +46,7 @@ std::string see_help(const Usage& usage) {
 
 Result<Arguments> Arguments::parse(const Usage& usage, const std::vector<std::string>& words) {
   Arguments arguments;
+  arguments.operand_words_ = usage.words;
   bool options_ended = false;
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string& word = words[i];
@@ -79,7 +80,7 @@ Result<Arguments> Arguments::parse(const Usage& usage, const std::vector<std::st
       }
       value = words[++i];
     }
-    if (!arguments.values_.emplace(option->name, value).second) {
+    if (!arguments.given_.emplace(option->name, Given{value, option->words}).second) {
       return usage_error("option " + display_name(*option) + " is given twice");
     }
   }
@@ -97,8 +98,8 @@ Result<Arguments> Arguments::parse(const Usage& usage, const std::vector<std::st
 }
 
 const std::string* Arguments::find(std::string_view option) const {
-  const auto found = values_.find(option);
-  return found == values_.end() ? nullptr : &found->second;
+  const auto found = given_.find(option);
+  return found == given_.end() ? nullptr : &found->second.value;
 }
 
 std::optional<std::string> Arguments::text(std::string_view option) const {
@@ -130,19 +131,32 @@ Result<std::optional<std::int64_t>> Arguments::integer(std::string_view option, 
   return number;
 }
 
-Result<std::optional<std::size_t>> Arguments::choice(
-    std::string_view option, const std::vector<std::string_view>& names) const {
-  const std::string* const value = find(option);
-  if (value == nullptr) return std::optional<std::size_t>();
-  const auto found = std::find(names.begin(), names.end(), *value);
-  if (found == names.end()) {
-    return usage_error("option " + std::string(option) + ": " + io::in_quotes(*value) + " is not " +
-                       list_of(names) + did_you_mean(*value, names));
-  }
-  return std::optional(static_cast<std::size_t>(found - names.begin()));
+namespace {
+
+// Which of `words` the value is; `of` says in messages what has that value.
+Result<std::size_t> chosen_word(const std::string& of, const std::string& value,
+                                const std::vector<std::string>& words) {
+  const auto found = std::find(words.begin(), words.end(), value);
+  if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
+  const std::vector<std::string_view> names(words.begin(), words.end());
+  return usage_error(of + io::in_quotes(value) + " is not " + list_of(names) +
+                     did_you_mean(value, names));
 }
 
-namespace {
+}  // namespace
+
+Result<std::optional<std::size_t>> Arguments::choice(std::string_view option) const {
+  const auto given = given_.find(option);
+  if (given == given_.end()) return std::optional<std::size_t>();
+  const auto word =
+      chosen_word("option " + std::string(option) + ": ", given->second.value, given->second.words);
+  if (!word) return word.error();
+  return std::optional(*word);
+}
+
+Result<std::size_t> Arguments::chosen_operand() const {
+  return chosen_word("", operands_.front(), operand_words_);
+}
 
 void append_wrapped(std::string& text, std::string_view paragraph, std::size_t indent) {
   constexpr std::size_t kWidth = 80;
@@ -163,8 +177,6 @@ void append_wrapped(std::string& text, std::string_view paragraph, std::size_t i
   }
   text += '\n';
 }
-
-}  // namespace
 
 std::string help_text(const Usage& usage) {
   constexpr std::size_t kHelpColumn = 30;

@@ -1,6 +1,7 @@
 // Command lines: which options a command has, and what was given.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -17,6 +18,8 @@ struct Option {
   std::string value;  ///< what it takes ("TAU"); empty for a flag
   std::string help;
   std::string alias = {};  ///< "-o"
+  /// The words that it takes as value, alone (choice()) or beside others.
+  std::vector<std::string> words = {};
 };
 
 /// What a command takes: for parsing and for --help.
@@ -26,6 +29,8 @@ struct Usage {
   std::vector<std::string> operands;  ///< all are required
   std::vector<Option> options;
   std::string notes;  ///< further help, one paragraph
+  /// Of a command whose operand is a word: those that there are.
+  std::vector<std::string> words = {};
 };
 
 class Arguments {
@@ -37,6 +42,8 @@ class Arguments {
                                                const std::vector<std::string>& words);
 
   [[nodiscard]] const std::string& operand(std::size_t i) const { return operands_[i]; }
+  /// Which of the usage's words the operand is, by index.
+  [[nodiscard]] Result<std::size_t> chosen_operand() const;
   [[nodiscard]] bool has(std::string_view option) const { return find(option) != nullptr; }
   [[nodiscard]] std::optional<std::string> text(std::string_view option) const;
   /// The option as a finite number; empty if it was not given.
@@ -45,19 +52,25 @@ class Arguments {
   [[nodiscard]] Result<std::optional<std::int64_t>> integer(std::string_view option,
                                                             std::int64_t least,
                                                             std::int64_t largest) const;
-  /// Which of `names` the option is, by index; empty if it was not given.
-  [[nodiscard]] Result<std::optional<std::size_t>> choice(
-      std::string_view option, const std::vector<std::string_view>& names) const;
+  /// Which of its words the option is, by index; empty if it was not given.
+  [[nodiscard]] Result<std::optional<std::size_t>> choice(std::string_view option) const;
 
  private:
+  struct Given {
+    std::string value;  ///< of flags ""
+    std::vector<std::string> words;
+  };
   [[nodiscard]] const std::string* find(std::string_view option) const;
 
   std::vector<std::string> operands_;
-  std::map<std::string, std::string, std::less<>> values_;  // by full name; flags are ""
+  std::vector<std::string> operand_words_;
+  std::map<std::string, Given, std::less<>> given_;  // by full name
 };
 
 [[nodiscard]] Error usage_error(const std::string& message);
 
 [[nodiscard]] std::string help_text(const Usage& usage);
+/// Appends a paragraph in lines of 80 columns at most, indented but for the first, and its end.
+void append_wrapped(std::string& text, std::string_view paragraph, std::size_t indent);
 
 }  // namespace tetloft::cli

@@ -9,10 +9,13 @@ namespace tetloft::cli {
 using namespace internal;
 
 Option sections_between(std::string_view name, const std::string& standard) {
-  return {std::string(name), "N",
+  return {std::string(name),
+          "N",
           "sections to put between two given ones, interpolated: a number, auto (as many as gaps "
           "and contour edges call for, none where sections are dense) or none; default: " +
-              standard};
+              standard,
+          {},
+          {"auto", "none"}};
 }
 
 Result<std::optional<std::size_t>> sections_between_option(const Arguments& arguments,

@@ -22,6 +22,8 @@ struct Command {
 [[nodiscard]] Command between_command();
 [[nodiscard]] Command skeleton_command();
 [[nodiscard]] Command render_command();
+[[nodiscard]] Command completion_command();
+[[nodiscard]] Command manual_command();
 
 /// Exit code of `check` where a guarantee fails.
 inline constexpr int kGuaranteeFails = 1;

@@ -25,9 +25,12 @@ Usage delaunay_usage() {
       {{"--output", output_word("OUT", Contents::model),
         "write the tets: " + described_outputs(Contents::model), "-o"},
        format_option("--format", "POINTS", Contents::points),
-       {"--engine", "NAME",
+       {"--engine",
+        "NAME",
         "auto (default): slab where all points lie on two planes of constant z, else "
-        "incremental; or one of these. The tets are the same"},
+        "incremental; or one of these. The tets are the same",
+        {},
+        engine_words()},
        {"--threads", "N",
         "0 (default: all processors) to 1024; the slab engine uses two at most, the incremental "
         "one; the result is the same"},

@@ -11,12 +11,21 @@ namespace tetloft::cli {
 
 using namespace internal;
 
+namespace {
+
+constexpr std::array kEngines{DelaunayEngine::automatic, DelaunayEngine::incremental,
+                              DelaunayEngine::slab};
+
+}  // namespace
+
+std::vector<std::string> engine_words() {
+  std::vector<std::string> words;
+  for (const DelaunayEngine engine : kEngines) words.emplace_back(name_of(engine));
+  return words;
+}
+
 Result<DelaunayEngine> engine_option(const Arguments& arguments, std::string_view option) {
-  constexpr std::array kEngines{DelaunayEngine::automatic, DelaunayEngine::incremental,
-                                DelaunayEngine::slab};
-  std::vector<std::string_view> names;
-  for (const DelaunayEngine engine : kEngines) names.emplace_back(name_of(engine));
-  const auto chosen = arguments.choice(option, names);
+  const auto chosen = arguments.choice(option);
   if (!chosen) return chosen.error();
   return kEngines[chosen->value_or(0)];
 }

@@ -1,7 +1,9 @@
 // The options that name a Delaunay engine, limit its work and share it among threads.
 #pragma once
 
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include <tetloft/delaunay3.hpp>
 #include <tetloft/execution.hpp>
@@ -11,6 +13,8 @@
 
 namespace tetloft::cli {
 
+/// The words of options that name an engine.
+[[nodiscard]] std::vector<std::string> engine_words();
 /// The engine that `option` names: auto, incremental or slab; automatic if it was not given.
 [[nodiscard]] Result<DelaunayEngine> engine_option(const Arguments& arguments,
                                                    std::string_view option);

@@ -62,16 +62,20 @@ bool has_input_extension(const std::string& path, Contents contents) {
 }
 
 Option format_option(std::string_view name, std::string_view word, Contents contents) {
-  return {std::string(name), "NAME",
+  const auto names = io::names_of(io::format_table(), contents, Direction::reading);
+  return {std::string(name),
+          "NAME",
           "read " + std::string(word) + " as " +
               io::described_readers(io::format_table(), contents) +
-              "; default: by its contents, then its extension"};
+              "; default: by its contents, then its extension",
+          {},
+          {names.begin(), names.end()}};
 }
 
 Result<std::string> chosen_format(const Arguments& arguments, std::string_view option,
                                   Contents contents) {
   const auto names = io::names_of(io::format_table(), contents, Direction::reading);
-  const auto chosen = arguments.choice(option, names);
+  const auto chosen = arguments.choice(option);
   if (!chosen) return chosen.error();
   return chosen->has_value() ? std::string(names[**chosen]) : std::string();
 }

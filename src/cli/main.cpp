@@ -11,6 +11,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/file_formats.hpp"
+#include "cli/help.hpp"
 #include "cli/signals.hpp"
 #include "cli/standard_streams.hpp"
 #include "core/spelling.hpp"
@@ -21,42 +22,6 @@ namespace tetloft::cli {
 using namespace internal;
 
 namespace {
-
-std::vector<Command> all_commands() {
-  return {reconstruct_command(), check_command(),    links_command(),  between_command(),
-          delaunay_command(),    skeleton_command(), render_command(), info_command()};
-}
-
-std::string general_help() {
-  const std::string stack = input_word("IN", Contents::stack);
-  const std::string model = output_word("OUT", Contents::model);
-  std::string text =
-      "usage: tetloft COMMAND …\n\n"
-      "Solids from planar cross sections.\n\ncommands:\n";
-  for (const Command& command : all_commands()) {
-    std::string name = "  " + std::string(command.usage.command);
-    name.resize(16, ' ');
-    text += name + std::string(command.usage.summary) + '\n';
-  }
-  text +=
-      "\n  --help        print this help; tetloft COMMAND --help tells more\n"
-      "  --version     print the version\n\n"
-      "first steps:\n"
-      "  tetloft info " +
-      stack +
-      "\n"
-      "  tetloft reconstruct " +
-      stack + " -o " + model +
-      "\n"
-      "  tetloft render " +
-      model +
-      " -o OUT.html\n\n"
-      "exit codes: 0 done, 1 check: a guarantee fails, 2 usage, 3 invalid input,\n"
-      "4 a file cannot be read or written, 5 no valid model representable, 7 over the\n"
-      "work limit, 70 internal error, 71 out of memory, 72 arithmetic unfit for exact\n"
-      "predicates\n";
-  return text;
-}
 
 Error unknown_command(const std::string& name, const std::vector<Command>& commands) {
   std::vector<std::string_view> names{"help", "--help", "--version"};

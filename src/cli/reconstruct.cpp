@@ -36,17 +36,26 @@ Usage reconstruct_usage() {
               "fails."};
   for (const Option& option : stack_options()) usage.options.push_back(option);
   for (const Option& option :
-       {Option{"--method", "NAME",
+       {Option{"--method",
+               "NAME",
                "nonato (default), or geiger: the older algorithm that it is compared with, which "
-               "keeps none of the guarantees (--verify tells which it broke)"},
+               "keeps none of the guarantees (--verify tells which it broke)",
+               {},
+               {"nonato", "geiger"}},
         sections_between("--between", "auto"), kNoDivideOption,
-        Option{"--ends", "HOW",
+        Option{"--ends",
+               "HOW",
                "the ends of the stack: flat (default) at the outer sections, or half a gap "
-               "beyond them"},
+               "beyond them",
+               {},
+               {"flat", "half"}},
         Option{"--thickness", "T", "of the solid made of a single section, above 0"},
-        Option{"--delaunay", "ENGINE",
+        Option{"--delaunay",
+               "ENGINE",
                "slab (default) or incremental: what triangulates the slabs; the result is the "
-               "same"},
+               "same",
+               {},
+               engine_words()},
         kWorkLimitOption, kThreadsOption,
         Option{"--verify", "", "check the result; write nothing and exit with 70 if it fails"},
         Option{"--ascii", "", "write numbers as text that reads back exactly"}, kJsonOption,
@@ -80,7 +89,7 @@ Result<Request> request_of(const Arguments& arguments, Console& console) {
   const auto between = sections_between_option(arguments, "--between", std::nullopt);
   if (!between) return between.error();
   request.options.between = *between;
-  const auto ends = arguments.choice("--ends", {"flat", "half"});
+  const auto ends = arguments.choice("--ends");
   if (!ends) return ends.error();
   request.options.ends = ends->value_or(0) == 0 ? Ends::flat : Ends::half;
   request.options.divide_coarse = !arguments.has("--no-divide");
@@ -216,7 +225,7 @@ std::string to_text(const Reconstruction& result, const StackInput& input, const
 }
 
 Result<int> run_reconstruct(const Arguments& arguments, Console& console) {
-  const auto method = arguments.choice("--method", {"nonato", "geiger"});
+  const auto method = arguments.choice("--method");
   if (!method) return method.error();
   if (method->value_or(0) == 1) return reconstruct_by_geiger(arguments, console);
   const Stopwatch all;

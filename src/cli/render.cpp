@@ -39,6 +39,12 @@ std::vector<std::string_view> picture_extensions() {
   return extensions;
 }
 
+std::vector<std::string> colourings() {
+  std::vector<std::string> names;
+  for (int k = 0; k < kColourings; ++k) names.emplace_back(name_of(static_cast<ColourBy>(k)));
+  return names;
+}
+
 Usage render_usage() {
   return {
       "render",
@@ -50,7 +56,11 @@ Usage render_usage() {
        stack_format_option(),
        model_format_option(),
        {"--no-contours", "", "draw no contours"},
-       {"--colour", "WHAT", "component (default), slab, kind, dihedral or evidence"},
+       {"--colour",
+        "WHAT",
+        "component (default), slab, kind, dihedral or evidence",
+        {},
+        colourings()},
        {"--view", "A,E", "azimuth and elevation of the eye in degrees (default -60,25)"},
        {"--cut", "AXIS=VALUE", "cut open by the plane x, y or z = VALUE; .html: z only"},
        {"--explode", "GAPS", "move the slabs apart by this many mean heights"},
@@ -82,9 +92,7 @@ Error wrong_value(const std::string& option, const std::string& value, const cha
 
 Result<RenderOptions> render_options(const Arguments& arguments) {
   RenderOptions options;
-  std::vector<std::string_view> colourings;
-  for (int k = 0; k < kColourings; ++k) colourings.emplace_back(name_of(static_cast<ColourBy>(k)));
-  const auto colour = arguments.choice("--colour", colourings);
+  const auto colour = arguments.choice("--colour");
   if (!colour) return colour.error();
   options.colour = static_cast<ColourBy>(colour->value_or(0));
   if (const auto view = arguments.text("--view")) {

@@ -32,7 +32,11 @@ Usage skeleton_usage() {
       {input_word("IN", Contents::stack)},
       {{"--output", output_word("OUT", Contents::lines),
         "the skeletons, lines: " + described_outputs(Contents::lines) + "; required", "-o"},
-       {"--kind", "NAME", "internal, external, or both (default)"}},
+       {"--kind",
+        "NAME",
+        "internal, external, or both (default)",
+        {},
+        {"both", "internal", "external"}}},
       "Lines are Voronoi edges, dual to edges of the section's conforming Delaunay triangulation "
       "inside or outside its region. Cell data: section; kind, 0 internal and 1 external; "
       "contour_a "
@@ -176,7 +180,7 @@ Result<int> run_skeleton(const Arguments& arguments, Console& console) {
   const auto output = arguments.text("--output");
   if (!output)
     return usage_error("missing option --output (-o) " + output_word("OUT", Contents::lines));
-  const auto kind = arguments.choice("--kind", {"both", "internal", "external"});
+  const auto kind = arguments.choice("--kind");
   if (!kind) return kind.error();
   const auto prepared = preparation(arguments);
   if (!prepared) return prepared.error();

@@ -15,9 +15,12 @@ using namespace internal;
 
 std::vector<Option> stack_options() {
   std::vector<Option> options{
-      {"--correspondence", "RULE",
+      {"--correspondence",
+       "RULE",
        "which contours form one component: moved (default: they overlap as their surroundings move "
-       "from section to section), overlap (as they lie), or reverse (reverse tetrahedra)"},
+       "from section to section), overlap (as they lie), or reverse (reverse tetrahedra)",
+       {},
+       {"overlap", "reverse", "moved"}},
       {"--overlap", "TAU",
        "overlap and moved unite two regions above this ratio of areas, from 0 to below 1 (default "
        "0.02, 0.1)"},
@@ -26,12 +29,15 @@ std::vector<Option> stack_options() {
       {"--no-lone", "",
        "leave regions alone that nothing links, where the default joins them to the nearest one: "
        "for particles"},
-      {"--voids", "RULE",
+      {"--voids",
+       "RULE",
        "which holes form one cavity or tunnel, and what opens to the outside: overlap (default: "
        "they "
        "overlap, lean on, or come within a quarter of a gap of the outside), near or near=K (in "
        "place of the last, what nothing links goes to the nearest hole, or the outside, within K "
-       "gaps; default 0.5; 0: nowhere), or free (nothing is decided)"},
+       "gaps; default 0.5; 0: nowhere), or free (nothing is decided)",
+       {},
+       {"overlap", "near", "free"}},
       {"--labels", "FILE", described_inputs(Contents::labels)},
   };
   for (const Option& option : preparation_options()) options.push_back(option);
@@ -112,7 +118,7 @@ Result<void> read_voids_option(const Arguments& arguments, VoidOptions& options)
 
 Result<CorrespondenceOptions> correspondence_options(const Arguments& arguments, Console& console) {
   CorrespondenceOptions options;
-  const auto rule = arguments.choice("--correspondence", {"overlap", "reverse", "moved"});
+  const auto rule = arguments.choice("--correspondence");
   if (!rule) return rule.error();
   if (rule->has_value()) options.criterion = static_cast<Criterion>(**rule);
   const auto tau = arguments.number("--overlap");
