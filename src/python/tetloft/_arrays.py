@@ -58,11 +58,13 @@ def _read_only(made: Any) -> Any:
 
 
 def filled(memory: Any, rows: int, columns: int = 1) -> Any:
-    """The first rows of a ctypes array that the library has written: its own copy."""
-    flat = memory[: rows * columns]
+    """The first rows of a ctypes array that the library has written into, which is kept."""
     if numpy is None:
-        return _rows(flat, columns)
-    return numpy.array(flat, numpy.dtype(memory._type_)).reshape(_shape(rows, columns))
+        return _rows(memory[: rows * columns], columns)
+    kind = numpy.dtype(memory._type_)
+    if rows == 0:
+        return numpy.empty(_shape(0, columns), kind)
+    return numpy.frombuffer(memory, kind, rows * columns).reshape(_shape(rows, columns))
 
 
 class Input(NamedTuple):

@@ -69,6 +69,7 @@ FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
     "tetloft_labels_read": (STATUS, [TEXT, to(HANDLE)]),
     "tetloft_labels_parse": (STATUS, [ADDRESS, SIZE, TEXT, to(HANDLE)]),
     "tetloft_labels_write": (STATUS, [HANDLE, TEXT]),
+    "tetloft_labels_format": (STATUS, [HANDLE, to(HANDLE)]),
     "tetloft_labels_free": (STATUS, [HANDLE]),
     "tetloft_correspondence_defaults": (STATUS, [to(structs.Correspondence)]),
     "tetloft_evidence_name": (TEXT, [INT]),
@@ -163,5 +164,8 @@ FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
     "tetloft_points_free": (STATUS, [HANDLE]),
     "tetloft_points_write": (STATUS, [
         to(DOUBLE), SIZE, TEXT, to(structs.WriteOptions), to(HANDLE),
+    ]),
+    "tetloft_points_format": (STATUS, [
+        to(DOUBLE), SIZE, to(structs.WriteOptions), to(HANDLE), to(HANDLE),
     ]),
 }

@@ -1,0 +1,251 @@
+"""Stacks of sections: the input."""
+
+from __future__ import annotations
+
+import ctypes
+from ctypes import c_double, c_size_t
+from typing import Any, Iterable, Iterator, NamedTuple, Optional
+
+from ._arrays import ArrayLike, Doubles, Ids, Input, doubles, filled, joined, view
+from ._handles import Handle, Owner, Warnings
+from ._library import lib
+from ._options import Path, index, path_bytes, read_options, text, whole, write_options
+from ._running import Progress, Run, Stop
+from .formats import Data, Source, as_bytes, format_bytes, is_file, read_file
+from .meshes import Triangulation
+
+
+class Section(NamedTuple):
+    """A plane with its contours."""
+
+    z: float
+    contours: list[Doubles]
+    """(n, 2) each, x and y, read only; the first vertex is not repeated at the end."""
+
+
+class Nesting(NamedTuple):
+    """How the contours of a section lie in each other, one entry for each contour."""
+
+    parent: Ids
+    """The innermost contour around it, NO_ID without one."""
+    depth: Ids
+    """How many are around it; odd: it is a hole."""
+    region: Ids
+    """The region that it bounds."""
+    regions: int
+    """How many there are."""
+
+
+class Stack(Owner):
+    """Sections by increasing z, of closed contours.
+
+    ``sections``: pairs (z, contours), the contours (n, 2) arrays, or anything like it, of x and y,
+    which may run either way round; what lies inside an odd number of them is solid. Lengths are in
+    whatever unit you like, the same for all three coordinates. Nothing is refused here but shapes:
+    functions that need a valid stack check it (see :meth:`validate`, :meth:`repair`).
+
+    A sequence of :class:`Section`: ``len(stack)``, ``stack[i]``, ``for z, contours in stack``.
+
+    >>> square = [(0, 0), (4, 0), (4, 4), (0, 4)]
+    >>> stack = Stack([(0, [square]), (5, [square])])
+    >>> stack
+    <tetloft.Stack of 2 sections, 2 contours, 8 vertices>
+    >>> stack[1].z
+    5.0
+    """
+
+    def __init__(self, sections: Iterable[tuple[float, Iterable[ArrayLike]]]):
+        z: list[float] = []
+        contour_counts: list[int] = []
+        contours: list[Input] = []
+        for height, given in sections:
+            where = f"section {len(z)}, contour"
+            made = [doubles(c, 2, f"{where} {i}") for i, c in enumerate(given)]
+            z.append(float(height))
+            contour_counts.append(len(made))
+            contours += made
+        self._create(z, contour_counts, [contour.rows for contour in contours], joined(contours))
+
+    def _create(self, z: list[float], contour_counts: list[int], vertex_counts: list[int],
+                vertices: Input) -> None:
+        handle = Handle("stack")
+        lib.tetloft_stack_create((c_double * len(z))(*z), (c_size_t * len(z))(*contour_counts),
+                                 len(z), (c_size_t * len(vertex_counts))(*vertex_counts),
+                                 len(vertex_counts), vertices.pointer, vertices.rows, handle.out)
+        self._take(handle)
+
+    # --- what it holds ---------------------------------------------------------------------------
+
+    def _counts(self) -> tuple[int, int, int]:
+        counts = (c_size_t(), c_size_t(), c_size_t())
+        lib.tetloft_stack_counts(self._open(), *map(ctypes.byref, counts))
+        return counts[0].value, counts[1].value, counts[2].value
+
+    def __len__(self) -> int:
+        return self._counts()[0]
+
+    @property
+    def contour_count(self) -> int:
+        """Of all sections."""
+        return self._counts()[1]
+
+    @property
+    def vertex_count(self) -> int:
+        """Of all contours."""
+        return self._counts()[2]
+
+    def _section(self, section: int) -> tuple[float, int]:
+        z, contours = c_double(), c_size_t()
+        lib.tetloft_stack_section(self._open(), section, ctypes.byref(z), ctypes.byref(contours))
+        return z.value, contours.value
+
+    @property
+    def z(self) -> list[float]:
+        """The height of each section."""
+        return [self._section(section)[0] for section in range(len(self))]
+
+    def __getitem__(self, section: int) -> Section:
+        section = index(section, len(self), "section")
+        z, contours = self._section(section)
+        return Section(z, [self._contour(section, contour) for contour in range(contours)])
+
+    def __iter__(self) -> Iterator[Section]:
+        return (self[section] for section in range(len(self)))
+
+    def contour(self, section: int, contour: int) -> Doubles:
+        """One contour, (n, 2), read only."""
+        section = index(section, len(self), "section")
+        return self._contour(section, index(contour, self._section(section)[1], "contour"))
+
+    def _contour(self, section: int, contour: int) -> Doubles:
+        handle = self._open()
+        pointer, count = ctypes.POINTER(c_double)(), c_size_t()
+        lib.tetloft_stack_contour(handle, section, contour, ctypes.byref(pointer),
+                                  ctypes.byref(count))
+        return view(pointer, count.value, 2, handle)
+
+    def twice_area(self, section: int, contour: int) -> float:
+        """Twice the signed area of a contour, positive if it runs counter-clockwise."""
+        section = index(section, len(self), "section")
+        area = c_double()
+        lib.tetloft_stack_twice_area(self._open(), section,
+                                     index(contour, self._section(section)[1], "contour"),
+                                     ctypes.byref(area))
+        return area.value
+
+    def nesting(self, section: int) -> Nesting:
+        """How the contours of a section lie in each other."""
+        section = index(section, len(self), "section")
+        room = self._section(section)[1]
+        arrays = [(ctypes.c_uint32 * room)() for _ in range(3)]
+        contours, regions = c_size_t(), c_size_t()
+        lib.tetloft_stack_nesting(self._open(), section, *arrays, room, ctypes.byref(contours),
+                                  ctypes.byref(regions))
+        return Nesting(*(filled(made, contours.value) for made in arrays), regions.value)
+
+    def triangulate(self, section: int, *, threads: int = 0, progress: Optional[Progress] = None,
+                    stop: Optional[Stop] = None) -> Triangulation:
+        """The conforming Delaunay triangulation of a section: its contours are unions of edges."""
+        section = index(section, len(self), "section")
+        run, made = Run(threads, progress, stop), Handle("triangulation")
+        run.call(lib.tetloft_stack_triangulate, self._open(), section, run.pointer, made.out)
+        return Triangulation._of(made)
+
+    def __repr__(self) -> str:
+        if self.closed:
+            return "<tetloft.Stack, closed>"
+        sections, contours, vertices = self._counts()
+        return (f"<tetloft.Stack of {sections} sections, {contours} contours, "
+                f"{vertices} vertices>")
+
+    # --- whether it is valid, and making it so ---------------------------------------------------
+
+    def validate(self, *, threads: int = 0, progress: Optional[Progress] = None,
+                 stop: Optional[Stop] = None) -> None:
+        """Raises :class:`InvalidInput`, which names section, contour and vertex, unless sections
+        rise, coordinates are finite, and contours are simple and meet nowhere."""
+        run = Run(threads, progress, stop)
+        run.call(lib.tetloft_stack_validate, self._open(), run.pointer)
+
+    def repair(self, distance: Optional[float] = None, *, threads: int = 0,
+               progress: Optional[Progress] = None, stop: Optional[Stop] = None) -> Stack:
+        """A valid stack instead of one that crosses or touches itself, has spikes or vertices twice.
+
+        The boundary may move by ``distance``, in units of the stack; by default 2^-20 of the largest
+        coordinate of a section. All that was changed is told by ``warnings`` of the new stack.
+        """
+        run, made, changes = Run(threads, progress, stop), Handle("stack"), Warnings()
+        run.call(lib.tetloft_stack_repair, self._open(), -1.0 if distance is None else distance,
+                 run.pointer, made.out, changes.out)
+        return Stack._of(made, changes.texts())
+
+    def snap(self, bits: int, *, threads: int = 0, progress: Optional[Progress] = None,
+             stop: Optional[Stop] = None) -> Stack:
+        """x and y rounded to 2^-bits of the largest coordinate, or finer where contours would touch."""
+        run, made = Run(threads, progress, stop), Handle("stack")
+        run.call(lib.tetloft_stack_snap, self._open(), whole(bits, "bits", -(2**31)), run.pointer,
+                 made.out)
+        return Stack._of(made)
+
+    def refine(self, length: float, *, threads: int = 0, progress: Optional[Progress] = None,
+               stop: Optional[Stop] = None) -> Stack:
+        """Contour edges longer than ``length``, in units of the stack, divided into equal parts."""
+        run, made = Run(threads, progress, stop), Handle("stack")
+        run.call(lib.tetloft_stack_refine, self._open(), length, run.pointer, made.out)
+        return Stack._of(made)
+
+    # --- files -----------------------------------------------------------------------------------
+
+    def write(self, path: Path, *, format: Optional[str] = None, ascii: bool = False) -> None:
+        """Writes a file in the format of the extension, or the one named."""
+        warnings = Warnings()
+        lib.tetloft_stack_write(self._open(), path_bytes(path), write_options(format, ascii),
+                                warnings.out)
+        warnings.tell()
+
+    def to_bytes(self, format: str = "cnt", *, ascii: bool = False) -> bytes:
+        """The bytes of such a file."""
+        return format_bytes(lib.tetloft_stack_format, self._open(), write_options(format, ascii))
+
+    def __reduce__(self) -> Any:
+        sections = list(self)
+        contours = [doubles(contour, 2, "") for section in sections for contour in section.contours]
+        return _unpickled, (
+            [section.z for section in sections],
+            [len(section.contours) for section in sections],
+            [contour.rows for contour in contours],
+            bytes(memoryview(joined(contours).memory)),
+            self.warnings,
+        )
+
+
+def _unpickled(z: list[float], contour_counts: list[int], vertex_counts: list[int], xy: bytes,
+               warnings: tuple[str, ...]) -> Stack:
+    stack = Stack.__new__(Stack)
+    rows = memoryview(xy).cast("d", (len(xy) // 16, 2)) if xy else []
+    stack._create(z, contour_counts, vertex_counts, doubles(rows, 2, "vertices"))
+    stack.warnings = warnings
+    return stack
+
+
+def read_stack(source: Source, *, format: Optional[str] = None, validate: bool = True) -> Stack:
+    """The stack of a file: a path, or a file opened for bytes.
+
+    The format is recognised, or named. ``validate=False`` takes one that is not valid, to be
+    repaired. What was mended comes as :class:`TetloftWarning`, and as ``warnings`` of the stack.
+    """
+    if is_file(source):
+        return parse_stack(*read_file(source), format=format, validate=validate)  # type: ignore[arg-type]
+    made, warnings = Handle("stack"), Warnings()
+    lib.tetloft_stack_read(path_bytes(source), read_options(format, validate), made.out,  # type: ignore[arg-type]
+                           warnings.out)
+    return Stack._of(made, warnings.tell())
+
+
+def parse_stack(data: Data, name: str = "", *, format: Optional[str] = None,
+                validate: bool = True) -> Stack:
+    """The same from bytes; ``name`` stands for the file in messages, and tells the extension."""
+    made, warnings, given = Handle("stack"), Warnings(), as_bytes(data)
+    lib.tetloft_stack_parse(given, len(given), text(name, "name"), read_options(format, validate),
+                            made.out, warnings.out)
+    return Stack._of(made, warnings.tell())
