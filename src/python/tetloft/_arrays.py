@@ -20,7 +20,8 @@ except ImportError:
 
 if TYPE_CHECKING:
     from numpy import float64, int64, uint8, uint32
-    from numpy.typing import ArrayLike, NDArray
+    from numpy.typing import ArrayLike as ArrayLike
+    from numpy.typing import NDArray
 
     # Without NumPy these are lists: of numbers, or of tuples where rows have several.
     Doubles = NDArray[float64]

@@ -73,12 +73,11 @@ def _text(value: Optional[bytes]) -> str:
 def _place(library: Any) -> Place:
     raw = structs.Place(version=structs.Place.VERSION)
     library.tetloft_last_place(ctypes.byref(raw))
-    numbers = [None if n < 0 else int(n) for n in (raw.section, raw.slab, raw.contour, raw.vertex)]
+    numbers = {name: getattr(raw, name) for name in ("line", "section", "slab", "contour", "vertex")}
     return Place(
-        os.fsdecode(raw.file) if raw.file else None,
-        raw.line if raw.line > 0 else None,
-        *numbers,
-        (raw.point[0], raw.point[1], raw.point[2]) if raw.has_point else None,
+        file=os.fsdecode(raw.file) if raw.file else None,
+        point=(raw.point[0], raw.point[1], raw.point[2]) if raw.has_point else None,
+        **{name: number for name, number in numbers.items() if number >= 0},
     )
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import ctypes
 from ctypes import c_char_p, c_int, c_size_t
 from dataclasses import dataclass
-from typing import NamedTuple, Optional, Union
+from typing import Any, NamedTuple, Optional, Union
 
 from . import _structs as structs
 from ._handles import Handle
@@ -17,9 +17,12 @@ from .models import Model
 from .stacks import Stack
 
 _GUARANTEES = 5
+_UNKNOWN = {"cavities": -1, "expected_cavities": -1, "least_genus": -(2**63),
+            "most_genus": -(2**63)}
 
 
-class Failure(NamedTuple):
+@dataclass(frozen=True)
+class Failure:
     """A condition that fails."""
 
     what: str
@@ -30,7 +33,8 @@ class Failure(NamedTuple):
     """The first few."""
 
 
-class Guarantee(NamedTuple):
+@dataclass(frozen=True)
+class Guarantee:
     """One of the five: manifold, re-sampling, embedded, components, cavities and tunnels."""
 
     number: int
@@ -152,11 +156,10 @@ def _place(verdict: Handle, number: int, failure: int, place: int) -> str:
 def _figures(verdict: Handle) -> Figures:
     raw = structs.Figures(version=structs.Figures.VERSION)
     lib.tetloft_verdict_figures(verdict, ctypes.byref(raw))
-    unknown = {"cavities": -1, "expected_cavities": -1, "least_genus": -(2**63),
-               "most_genus": -(2**63)}
     genus, count = ctypes.POINTER(ctypes.c_int64)(), c_size_t()
     lib.tetloft_verdict_genus(verdict, ctypes.byref(genus), ctypes.byref(count))
-    known = [getattr(raw, name) for name in Figures._fields[:-1]]
-    return Figures(*(None if value == unknown.get(name, value + 1) else value
-                     for name, value in zip(Figures._fields, known)),
-                   genus[: count.value] if count.value else [])
+    values: dict[str, Any] = {name: getattr(raw, name) for name in Figures._fields[:-1]}
+    for name, unknown in _UNKNOWN.items():
+        if values[name] == unknown:
+            values[name] = None
+    return Figures(**values, genus=genus[: count.value] if count.value else [])

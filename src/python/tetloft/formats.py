@@ -33,7 +33,7 @@ def formats() -> list[Format]:
     """All formats, in the order in which contents are looked at.
 
     >>> [format.name for format in formats() if "surface" in format.writes]
-    ['vtp', 'stl', 'obj', 'ply']
+    ['obj', 'ply', 'vtp', 'stl']
     """
     found = []
     for number in range(lib.tetloft_format_count()):

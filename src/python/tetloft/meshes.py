@@ -190,14 +190,13 @@ def delaunay(points: ArrayLike, *, segments: Optional[ArrayLike] = None,
     >>> delaunay([(0, 0), (1, 0), (0, 1)])
     <tetloft.Triangulation of 1 triangles, 3 points>
     """
-    if not hasattr(points, "shape"):
-        points = list(points)  # type: ignore[arg-type]
+    given: Any = points if hasattr(points, "shape") else list(points)  # type: ignore[arg-type]
     run = Run(threads, progress, stop)
-    if _columns(points) == 2:
-        return _of_plane(points, segments, run)
+    if _columns(given) == 2:
+        return _of_plane(given, segments, run)
     if segments is not None:
         raise ValueError("segments: of points of the plane, (n, 2), alone")
-    return _of_space(points, engine, most_tets, run)
+    return _of_space(given, engine, most_tets, run)
 
 
 def _of_plane(points: ArrayLike, segments: Optional[ArrayLike], run: Run) -> Triangulation:

@@ -141,7 +141,8 @@ class Stack(Owner):
         contours, regions = c_size_t(), c_size_t()
         lib.tetloft_stack_nesting(self._open(), section, *arrays, room, ctypes.byref(contours),
                                   ctypes.byref(regions))
-        return Nesting(*(filled(made, contours.value) for made in arrays), regions.value)
+        parent, depth, region = (filled(made, contours.value) for made in arrays)
+        return Nesting(parent, depth, region, regions.value)
 
     def triangulate(self, section: int, *, threads: int = 0, progress: Optional[Progress] = None,
                     stop: Optional[Stop] = None) -> Triangulation:
@@ -174,6 +175,8 @@ class Stack(Owner):
         The boundary may move by ``distance``, in units of the stack; by default 2^-20 of the largest
         coordinate of a section. All that was changed is told by ``warnings`` of the new stack.
         """
+        if distance is not None and not distance > 0:
+            raise ValueError(f"distance: {distance} is not above 0")
         run, made, changes = Run(threads, progress, stop), Handle("stack"), Warnings()
         run.call(lib.tetloft_stack_repair, self._open(), -1.0 if distance is None else distance,
                  run.pointer, made.out, changes.out)
