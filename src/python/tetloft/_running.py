@@ -119,24 +119,34 @@ def _callback(progress: Progress, raised: list[BaseException]) -> Any:
 def _call_beside(call: Callable[[], None], press: Callable[[], None]) -> None:
     """Makes the call in another thread, and waits for its end; what interrupts the waiting presses
     the stop, and is what is raised then."""
-    ended = threading.Event()
+    go, given_up, ended = threading.Event(), threading.Event(), threading.Event()
     raised: list[BaseException] = []
     interrupted: list[BaseException] = []
 
     def work() -> None:
+        go.wait()
         try:
-            call()
+            if not given_up.is_set():
+                call()
         except BaseException as reason:
             raised.append(reason)
         finally:
             ended.set()
 
-    threading.Thread(target=work, name="tetloft", daemon=True).start()
-    while True:
+    # No daemon: where it is still in the library, the interpreter must not end before it.
+    worker, begun = threading.Thread(target=work, name="tetloft"), False
+    while not ended.is_set():
         try:
+            if not begun:
+                worker.start()
+                begun = True
+            go.set()
             ended.wait()
-            break
         except BaseException as reason:
+            if not begun:  # start() waits, too; whether there is a thread or not, it does nothing
+                given_up.set()
+                go.set()
+                raise
             interrupted.append(reason)
             press()
     if interrupted:

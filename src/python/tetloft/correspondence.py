@@ -73,7 +73,7 @@ def _id(value: Optional[int], what: str) -> int:
 
 def _labels(labels: Mapping[Contour, int]) -> Any:
     made = [structs.Label(_id(section, "section"), _id(contour, "contour"),
-                          whole(label, "label", 0, 2**32 - 1))
+                          _id(label, "label"))
             for (section, contour), label in labels.items()]
     return (structs.Label * len(made))(*made)
 
