@@ -149,6 +149,10 @@ class TETLOFT_API TetMesh {
     const HalfFaceId h = opposite(half_face(t, i));
     return h.valid() ? tet_of(h) : TetId();
   }
+  /// All of these by half-face, without a copy; valid until the mesh changes.
+  [[nodiscard]] std::span<const HalfFaceId> opposites() const { return opposite_; }
+  /// The vertices of all tet slots likewise; of dead ones the first is invalid.
+  [[nodiscard]] std::span<const TetVertices> tets() const { return tets_; }
   /// The vertices of a half-face, normal pointing out of its tet.
   [[nodiscard]] TriangleVertices face_vertices(HalfFaceId h) const {
     return tetloft::face_of(vertices(tet_of(h)), face_of(h));

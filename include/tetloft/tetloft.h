@@ -268,6 +268,9 @@ TETLOFT_C_API tetloft_status tetloft_labels_read(const char* path, tetloft_label
 TETLOFT_C_API tetloft_status tetloft_labels_parse(const void* data, size_t size, const char* name,
                                                   tetloft_labels** labels);
 TETLOFT_C_API tetloft_status tetloft_labels_write(const tetloft_labels* labels, const char* path);
+/* The bytes of such a file. */
+TETLOFT_C_API tetloft_status tetloft_labels_format(const tetloft_labels* labels,
+                                                   tetloft_bytes** bytes);
 TETLOFT_C_API tetloft_status tetloft_labels_free(tetloft_labels* labels);
 
 typedef enum tetloft_criterion {
@@ -684,6 +687,10 @@ TETLOFT_C_API tetloft_status tetloft_points_write(const double* xyz, size_t poin
                                                   const char* path,
                                                   const tetloft_write_options* options,
                                                   tetloft_warnings** warnings);
+TETLOFT_C_API tetloft_status tetloft_points_format(const double* xyz, size_t point_count,
+                                                   const tetloft_write_options* options,
+                                                   tetloft_bytes** bytes,
+                                                   tetloft_warnings** warnings);
 
 #ifdef __cplusplus
 }

@@ -16,6 +16,8 @@ void WatchedWork::step_done() {
   const std::scoped_lock lock(mutex_);
   try {
     execution_.progress(++done_, all_);
+  } catch (const Cancelled&) {  // of the library's own callbacks, which say why
+    throw;
   } catch (const std::exception& e) {
     throw Cancelled(std::string("the progress callback threw: ") + e.what());
   } catch (...) {

@@ -1,0 +1,95 @@
+// What each type of handle stands for. Values never change once they are made.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include <tetloft/tetloft.h>
+#include <tetloft/check.hpp>
+#include <tetloft/correspondence.hpp>
+#include <tetloft/delaunay.hpp>
+#include <tetloft/links.hpp>
+#include <tetloft/model.hpp>
+#include <tetloft/point.hpp>
+#include <tetloft/report.hpp>
+#include <tetloft/section_stack.hpp>
+#include <tetloft/tet_mesh.hpp>
+
+#include "c/registry.hpp"
+
+namespace tetloft::internal::c {
+
+/// Each in one line.
+struct WarningsValue {
+  std::vector<std::string> lines;
+};
+
+struct ModelValue {
+  Model model;
+  std::optional<ReconstructReport> report;  ///< of a model that was reconstructed
+};
+
+struct LinksValue {
+  std::vector<tetloft_link> regions;
+  std::vector<tetloft_link> voids;
+  ContourPartition partition;
+  std::size_t components = 0;
+  std::size_t cavities = 0;
+};
+
+struct SurfaceValue {
+  Surface surface;
+  SurfaceComponents components;
+};
+
+struct VerdictValue {
+  CheckReport report;
+  std::vector<std::int64_t> genus;
+};
+
+struct TriangulationValue {
+  Triangulation2 triangulation;
+  std::vector<std::uint8_t> internal;              ///< of a section
+  std::vector<std::vector<PlaneVertexId>> chains;  ///< of segments
+};
+
+/// The value and the type behind a handle of C.
+template <class Handle>
+struct HandleTraits;
+
+template <class V, HandleType type>
+struct HandleTraitsOf {
+  using Value = V;
+  static constexpr HandleType kType = type;
+};
+
+template <>
+struct HandleTraits<tetloft_warnings> : HandleTraitsOf<WarningsValue, HandleType::warnings> {};
+template <>
+struct HandleTraits<tetloft_stop> : HandleTraitsOf<std::stop_source, HandleType::stop> {};
+template <>
+struct HandleTraits<tetloft_bytes> : HandleTraitsOf<std::string, HandleType::bytes> {};
+template <>
+struct HandleTraits<tetloft_stack> : HandleTraitsOf<SectionStack, HandleType::stack> {};
+template <>
+struct HandleTraits<tetloft_labels> : HandleTraitsOf<Labels, HandleType::labels> {};
+template <>
+struct HandleTraits<tetloft_links> : HandleTraitsOf<LinksValue, HandleType::links> {};
+template <>
+struct HandleTraits<tetloft_model> : HandleTraitsOf<ModelValue, HandleType::model> {};
+template <>
+struct HandleTraits<tetloft_surface> : HandleTraitsOf<SurfaceValue, HandleType::surface> {};
+template <>
+struct HandleTraits<tetloft_verdict> : HandleTraitsOf<VerdictValue, HandleType::verdict> {};
+template <>
+struct HandleTraits<tetloft_mesh> : HandleTraitsOf<TetMesh, HandleType::mesh> {};
+template <>
+struct HandleTraits<tetloft_triangulation>
+    : HandleTraitsOf<TriangulationValue, HandleType::triangulation> {};
+template <>
+struct HandleTraits<tetloft_points> : HandleTraitsOf<std::vector<Point3>, HandleType::points> {};
+
+}  // namespace tetloft::internal::c
