@@ -33,10 +33,6 @@ TriangleVertices facet_of(const TetVertices& tet, int face) {
           tet[static_cast<std::size_t>(local[2])]};
 }
 
-HalfFaceId half_face(TetId t, std::size_t i) {
-  return HalfFaceId(4 * t.value() + static_cast<std::uint32_t>(i));
-}
-
 }  // namespace
 
 Delaunay3Builder::Delaunay3Builder(IdVector<VertexId, Point3> points)

@@ -45,18 +45,18 @@ bool Bisector::decide(TriangleId t) const {
     return planes_->centres->point(corner(i));
   };
   if (const int s = predicates::two_plane_insphere_filter(a_, b_, at(0), at(1), at(2)); s != 0) {
-    predicates::count(&PredicateCounters::insphere, &Stages::filter);
+    predicates::count_answer(&PredicateCounters::insphere, &Stages::filter);
     return s > 0;
   }
   const predicates::Answer exact =
       predicates::exact_two_plane_insphere(a_, b_, at(0), at(1), at(2));
   if (exact.sign != Sign::zero) {
-    predicates::count(&PredicateCounters::insphere, exact.stage);
+    predicates::count_answer(&PredicateCounters::insphere, exact.stage);
     return exact.sign == Sign::positive;
   }
   // Cospherical. The latest of the five in canonical order (by plane, then as ids) is raised
   // by infinitely more than the others. A raised site is farther from everything.
-  predicates::count(&PredicateCounters::insphere, &Stages::symbolic);
+  predicates::count_answer(&PredicateCounters::insphere, &Stages::symbolic);
   if (planes_->sites_above) return p_ < q_;
   // A raised corner attracts the circumcentre along the bisector of the edge opposite, to its
   // left. Where that edge is parallel to p q this leads to neither, and the next corner decides.

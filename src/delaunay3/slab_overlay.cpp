@@ -18,8 +18,6 @@ namespace {
 // chain() asks for the slots of this many tets before it comes to them.
 constexpr std::size_t kFetchedAhead = 16;
 
-HalfFaceId half_face(TetId t, std::uint32_t i) { return HalfFaceId(4 * t.value() + i); }
-
 // Type-2 tets are {behind, ahead, left, right}: the lower vertices of the cells that the upper
 // Voronoi edge leaves and enters, and the upper vertices to its left and right. So are their
 // faces: each leads to the tet without that vertex.

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 
 #include <tetloft/ids.hpp>
 #include <tetloft/tet_mesh.hpp>
@@ -14,5 +16,10 @@ struct TetSlot {
   TetVertices vertices;
   std::array<HalfFaceId, 4> opposite;
 };
+
+/// Of face i, as TetMesh has it.
+[[nodiscard]] inline HalfFaceId half_face(TetId t, std::size_t i) {
+  return HalfFaceId(4 * t.value() + static_cast<std::uint32_t>(i));
+}
 
 }  // namespace tetloft::internal::delaunay3_detail

@@ -17,7 +17,7 @@ using Predicate = Stages PredicateCounters::*;
 extern constinit thread_local PredicateCounters* counters;
 
 /// Adds one call of `predicate` answered by `stage`.
-inline void count(Predicate predicate, Stage stage) {
+inline void count_answer(Predicate predicate, Stage stage) {
   if (counters != nullptr) [[unlikely]] {
     ++((counters->*predicate).*stage);
   }

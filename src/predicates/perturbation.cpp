@@ -32,7 +32,7 @@ using namespace internal;
 namespace {
 
 using predicates::Answer;
-using predicates::count;
+using predicates::count_answer;
 using predicates::Stages;
 
 // Orientations inside a perturbation are part of the call that needs them: not counted.
@@ -79,7 +79,7 @@ Sign perturbed_sign(const std::array<Point, n>& simplex, const Point& query) {
 Sign predicates::perturbed_insphere_of_cospherical(const Point3& a, const Point3& b,
                                                    const Point3& c, const Point3& d,
                                                    const Point3& e) {
-  count(&PredicateCounters::insphere, &Stages::symbolic);
+  count_answer(&PredicateCounters::insphere, &Stages::symbolic);
   return perturbed_sign(std::array{a, b, c, d}, e);
 }
 
@@ -87,7 +87,7 @@ Sign predicates::perturbed_insphere_of_cospherical(const Point3& a, const Point3
 // equal.
 Sign predicates::perturbed_incircle_of_cocircular(const Point2& a, const Point2& b, const Point2& c,
                                                   const Point2& d) {
-  count(&PredicateCounters::incircle, &Stages::symbolic);
+  count_answer(&PredicateCounters::incircle, &Stages::symbolic);
   const std::array<Point2, 4> p{a, b, c, d};
   std::size_t latest = 3;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -107,12 +107,12 @@ Sign predicates::perturbed_incircle_of_cocircular(const Point2& a, const Point2&
 
 Sign incircle_perturbed(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
   if (const int s = predicates::incircle_filter(a, b, c, d); s != 0) {
-    count(&PredicateCounters::incircle, &Stages::filter);
+    count_answer(&PredicateCounters::incircle, &Stages::filter);
     return static_cast<Sign>(s);
   }
   const Answer exact = predicates::exact_incircle(a, b, c, d);
   if (exact.sign != Sign::zero) {
-    count(&PredicateCounters::incircle, exact.stage);
+    count_answer(&PredicateCounters::incircle, exact.stage);
     return exact.sign;
   }
   return predicates::perturbed_incircle_of_cocircular(a, b, c, d);
@@ -121,15 +121,15 @@ Sign incircle_perturbed(const Point2& a, const Point2& b, const Point2& c, const
 Sign insphere_perturbed(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
                         const Point3& e) {
   if (const int s = predicates::insphere_filter(a, b, c, d, e); s != 0) {
-    count(&PredicateCounters::insphere, &Stages::filter);
+    count_answer(&PredicateCounters::insphere, &Stages::filter);
     return static_cast<Sign>(s);
   }
   const Answer exact = predicates::exact_insphere(a, b, c, d, e);
   if (exact.sign != Sign::zero) {
-    count(&PredicateCounters::insphere, exact.stage);
+    count_answer(&PredicateCounters::insphere, exact.stage);
     return exact.sign;
   }
-  count(&PredicateCounters::insphere, &Stages::symbolic);
+  count_answer(&PredicateCounters::insphere, &Stages::symbolic);
   return perturbed_sign(std::array{a, b, c, d}, e);
 }
 

@@ -194,12 +194,12 @@ std::optional<Warning> hint_of_coarse_contours(const PreparedStack& prepared,
 
 namespace {
 
-struct Partners {
+struct PartnerCounts {
   std::size_t regions = 0;  // that have a neighbouring section that is not empty
   std::size_t without = 0;
 };
 
-Partners count_partners(const PreparedStack& prepared, const StackCandidates& candidates) {
+PartnerCounts count_partners(const PreparedStack& prepared, const StackCandidates& candidates) {
   RegionFlags has = no_regions(prepared);
   for (const SlabCandidates& of_slab : candidates) {
     for (const LinkCandidate& candidate : of_slab) {
@@ -210,7 +210,7 @@ Partners count_partners(const PreparedStack& prepared, const StackCandidates& ca
       mark(has, candidate.link);
     }
   }
-  Partners result;
+  PartnerCounts result;
   for (const SectionId s : has.ids()) {
     const bool below = s.index() > 0 && !has[SectionId(s.index() - 1)].empty();
     const bool above = s.index() + 1 < has.size() && !has[SectionId(s.index() + 1)].empty();
@@ -246,7 +246,7 @@ double typical_gap(const SectionStack& stack) {
 
 std::optional<Warning> hint_of_missing_partners(const PreparedStack& prepared,
                                                 const StackCandidates& candidates) {
-  const Partners partners = count_partners(prepared, candidates);
+  const PartnerCounts partners = count_partners(prepared, candidates);
   if (2 * partners.without <= partners.regions) return std::nullopt;
   const double size = typical_size(prepared);
   const double gap = typical_gap(prepared.stack);

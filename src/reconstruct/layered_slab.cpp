@@ -26,10 +26,6 @@ std::size_t vertex_count(const Section& section) {
   return vertices;
 }
 
-std::int32_t region_chi(const Nesting& nesting, RegionId r) {
-  return 2 - static_cast<std::int32_t>(std::count(nesting.region.begin(), nesting.region.end(), r));
-}
-
 class LayeredSlab {
  public:
   LayeredSlab(const ConformingSection& lower, const ConformingSection& upper,

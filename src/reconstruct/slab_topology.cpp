@@ -180,6 +180,10 @@ class TopologyCounter {
 
 }  // namespace
 
+std::int32_t region_chi(const Nesting& nesting, RegionId r) {
+  return 2 - static_cast<std::int32_t>(std::count(nesting.region.begin(), nesting.region.end(), r));
+}
+
 std::vector<TopologyGroup> expected_topology(const sections::FaceOverlay& overlay,
                                              const ConformingSection& lower,
                                              const ConformingSection& upper,

@@ -16,6 +16,9 @@
 
 namespace tetloft::internal {
 
+/// Euler characteristic of a plane region: 1, and 1 less for each hole.
+[[nodiscard]] std::int32_t region_chi(const Nesting& nesting, RegionId r);
+
 /// Solid classes of a slab whose Euler characteristics count as one, in most cases a single one.
 struct TopologyGroup {
   /// Of all its classes, by id; the first names the group.

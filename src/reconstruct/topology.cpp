@@ -11,12 +11,6 @@ namespace tetloft::internal {
 
 namespace {
 
-std::int32_t region_chi(const Slab& slab, const SlabRegions& regions, SlabRegionId r) {
-  const auto& of_contour = slab.section(regions.is_upper(r)).nesting.region;
-  return 2 - static_cast<std::int32_t>(
-                 std::count(of_contour.begin(), of_contour.end(), regions.in_section(r)));
-}
-
 // Are all contours refined that are asked for?
 bool is_refined(const Slab& slab, const RefineHere& here) {
   for (const bool upper : {false, true}) {
@@ -131,7 +125,9 @@ std::vector<ChiRange> Topology::chi_ranges(const SlabView& view) const {
     for (const SlabRegionId r : group.regions) {
       const ClassId c = view.classes.of_region(r);
       if (view.active[c] == 0) {
-        const std::int32_t chi = region_chi(view.slab, view.classes.regions(), r);
+        const SlabRegions& regions = view.classes.regions();
+        const std::int32_t chi =
+            region_chi(view.slab.section(regions.is_upper(r)).nesting, regions.in_section(r));
         range.least -= chi;
         range.most -= chi;
       } else if (view.classes.regions(c).front() == r) {

@@ -17,7 +17,7 @@ using namespace internal;
 namespace {
 
 // A side of a triangle, seen from the lower end of its edge.
-struct Side {
+struct EdgeSide {
   PlaneVertexId a, b;  // a < b
   TriangleId triangle;
   std::uint8_t opposite;  // the triangle's vertex that is not on the edge
@@ -52,8 +52,8 @@ IdVector<TriangleId, PlaneTriangleVertices> canonical_triangles(
 }
 
 // All sides sorted by edge, the left side of an edge first.
-std::vector<Side> sorted_sides(const IdVector<TriangleId, PlaneTriangleVertices>& triangles,
-                               std::size_t vertices) {
+std::vector<EdgeSide> sorted_sides(const IdVector<TriangleId, PlaneTriangleVertices>& triangles,
+                                   std::size_t vertices) {
   std::vector<std::uint32_t> first(vertices + 1, 0);
   for (const PlaneTriangleVertices& t : triangles) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -61,7 +61,7 @@ std::vector<Side> sorted_sides(const IdVector<TriangleId, PlaneTriangleVertices>
     }
   }
   std::partial_sum(first.begin(), first.end(), first.begin());
-  std::vector<Side> sides(first.back());
+  std::vector<EdgeSide> sides(first.back());
   std::vector<std::uint32_t> end(first.begin(), first.end() - 1);
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     const PlaneTriangleVertices& v = triangles[TriangleId(t)];
@@ -74,9 +74,10 @@ std::vector<Side> sorted_sides(const IdVector<TriangleId, PlaneTriangleVertices>
     }
   }
   for (std::size_t v = 0; v < vertices; ++v) {
-    std::sort(
-        sides.begin() + first[v], sides.begin() + first[v + 1],
-        [](const Side& s, const Side& t) { return s.b != t.b ? s.b < t.b : s.left > t.left; });
+    std::sort(sides.begin() + first[v], sides.begin() + first[v + 1],
+              [](const EdgeSide& s, const EdgeSide& t) {
+                return s.b != t.b ? s.b < t.b : s.left > t.left;
+              });
   }
   return sides;
 }
@@ -95,15 +96,15 @@ IdVector<PlaneVertexId, PlaneVertexId> sections::adopt(const Triangulation2& tri
   own.triangles = canonical_triangles(triangulation.triangles, number);
   own.neighbours.resize(own.triangles.size());
 
-  const std::vector<Side> sides = sorted_sides(own.triangles, n);
+  const std::vector<EdgeSide> sides = sorted_sides(own.triangles, n);
   section.edges.reserve(sides.size() / 2 + n);
   section.first_edge.assign(n + 1, 0);
   for (std::size_t k = 0; k < sides.size(); ++k) {
-    const Side& side = sides[k];
+    const EdgeSide& side = sides[k];
     ConformingSection::Edge edge{side.a, side.b, EdgeKind::external, {}, {}};
     (side.left ? edge.left : edge.right) = side.triangle;
     if (k + 1 < sides.size() && sides[k + 1].a == side.a && sides[k + 1].b == side.b) {
-      const Side& other = sides[++k];
+      const EdgeSide& other = sides[++k];
       TETLOFT_CHECK(side.left && !other.left);
       edge.right = other.triangle;
       own.neighbours[side.triangle][side.opposite] = other.triangle;
