@@ -124,7 +124,7 @@ class CtrlC(unittest.TestCase):
     def test_ends_a_program(self):
         code = ("import sys; sys.path[:0] = sys.argv[1:]\n"
                 "import support, tetloft\n"
-                "stack = support.circles(4000, 400)\n"
+                "stack = support.circles(1500, 200)\n"
                 "say = lambda done, all: print(done, all, flush=True)\n"
                 "tetloft.reconstruct(stack, progress=say)\n")
         here = os.path.dirname(os.path.abspath(__file__))
