@@ -122,17 +122,20 @@ class CtrlC(unittest.TestCase):
         self.assertFalse(stop.requested)
 
     def test_ends_a_program(self):
-        code = ("import sys; sys.path[:0] = sys.argv[1:]\n"
+        code = ("import sys, time; sys.path[:0] = sys.argv[1:]\n"
                 "import support, tetloft\n"
-                "stack = support.circles(1500, 200)\n"
-                "say = lambda done, all: print(done, all, flush=True)\n"
-                "tetloft.reconstruct(stack, progress=say)\n")
+                "def progress(done, all):\n"
+                "    print(done, all, flush=True)\n"
+                "    if done == 1:\n"
+                "        sys.stdin.readline()  # the signal was sent\n"
+                "        time.sleep(0.1)\n"
+                "tetloft.reconstruct(support.circles(200, 50), progress=progress, threads=1)\n")
         here = os.path.dirname(os.path.abspath(__file__))
-        with subprocess.Popen([sys.executable, "-c", code, here], stdout=subprocess.PIPE,
-                              stderr=subprocess.PIPE, text=True) as program:
+        with subprocess.Popen([sys.executable, "-c", code, here], stdin=subprocess.PIPE,
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as program:
             first = program.stdout.readline().split()
             program.send_signal(signal.SIGINT)
-            told, complaint = program.communicate(timeout=300)
+            told, complaint = program.communicate("sent\n", timeout=300)
         self.assertEqual(program.returncode, -signal.SIGINT)
         self.assertIn("KeyboardInterrupt", complaint)
         self.assertNotIn("Cancelled", complaint)

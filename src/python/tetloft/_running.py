@@ -45,9 +45,11 @@ class Stop:
 
     @property
     def requested(self) -> bool:
+        """Whether it was pressed."""
         return self._requested
 
     def request(self) -> None:
+        """Presses it."""
         with self._lock:
             self._requested = True
             for button in self._buttons:

@@ -41,6 +41,7 @@ class Mesh(Owner):
 
     @property
     def vertex_count(self) -> int:
+        """Vertices, those of no tet included."""
         return self._counts()[0]
 
     def __len__(self) -> int:

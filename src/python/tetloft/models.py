@@ -107,6 +107,7 @@ class Surface(Owner):
 
     @property
     def component_count(self) -> int:
+        """Parts of the surface that hang together."""
         return self._components()[1]
 
     def topology(self, component: int = 0) -> Topology:
