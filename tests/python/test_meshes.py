@@ -136,7 +136,8 @@ class Delaunay(unittest.TestCase):
         self.assertGreater(len(chain), 2)
         where = rows(made.points)
         self.assertTrue(all(where[v][1] == 0 for v in chain))
-        edges = {frozenset((t[i], t[j])) for t in rows(made.triangles) for i, j in ((0, 1), (1, 2), (2, 0))}
+        edges = {frozenset(edge) for a, b, c in rows(made.triangles)
+                 for edge in ((a, b), (b, c), (c, a))}
         self.assertTrue(all(frozenset(e) in edges for e in zip(chain, chain[1:])))
         for bad in ([(0, 6)], [(0, 0)]):
             with self.assertRaises(ValueError):

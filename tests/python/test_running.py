@@ -78,7 +78,7 @@ class Stops(unittest.TestCase):
 
 class CtrlC(unittest.TestCase):
     def interrupt(self, handler, expected):
-        """Sends SIGINT from within a call, lets the main thread take it, and counts what follows."""
+        """Sends SIGINT from within a call, lets the main thread take it, counts what follows."""
         handled, told = threading.Event(), []
 
         def take(number, frame):

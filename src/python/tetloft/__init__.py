@@ -10,9 +10,9 @@ the cavities and tunnels, that the sections imply.
     print(solid.volume, solid.points.shape, tetloft.check(solid, stack))
     solid.write_surface("bunny.stl")
 
-Arrays are NumPy's, without copies, where NumPy is installed, else lists. Lengths are in the units of
-the input. Ids are zero-based; NO_ID means none. What is refused raises an :class:`Error` with its
-place. Functions may be called from any thread; results do not depend on the number of threads.
+Arrays are NumPy's, without copies, where NumPy is installed, else lists. Lengths are in the units
+of the input. Ids are zero-based; NO_ID means none. What is refused raises an :class:`Error` with
+its place. Functions may be called from any thread; results do not depend on the number of threads.
 """
 
 from ._library import library_path, library_version

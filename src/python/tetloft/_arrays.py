@@ -36,7 +36,7 @@ def view(pointer: Any, rows: int, columns: int, owner: Any) -> Any:
     """``rows`` × ``columns`` numbers at ``pointer``, which are ``owner``'s: of one column flat."""
     kind = pointer._type_
     if rows == 0 or not pointer:
-        return [] if numpy is None else _read_only(numpy.empty(_shape(0, columns), numpy.dtype(kind)))
+        return _none(columns, kind)
     memory = (kind * (rows * columns)).from_address(ctypes.addressof(pointer.contents))
     memory.owner = owner
     if numpy is not None:
@@ -53,19 +53,18 @@ def _rows(flat: list[Any], columns: int) -> list[Any]:
     return flat if columns == 1 else list(zip(*[iter(flat)] * columns))
 
 
-def _read_only(made: Any) -> Any:
-    made.flags.writeable = False
-    return made
+def _none(columns: int, kind: Any) -> Any:
+    return [] if numpy is None else numpy.empty(_shape(0, columns), numpy.dtype(kind))
 
 
 def filled(memory: Any, rows: int, columns: int = 1) -> Any:
     """The first rows of a ctypes array that the library has written into, which is kept."""
+    if rows == 0:
+        return _none(columns, memory._type_)
     if numpy is None:
         return _rows(memory[: rows * columns], columns)
-    kind = numpy.dtype(memory._type_)
-    if rows == 0:
-        return numpy.empty(_shape(0, columns), kind)
-    return numpy.frombuffer(memory, kind, rows * columns).reshape(_shape(rows, columns))
+    flat = numpy.frombuffer(memory, numpy.dtype(memory._type_), rows * columns)
+    return flat.reshape(_shape(rows, columns))
 
 
 class Input(NamedTuple):

@@ -1,4 +1,4 @@
-"""Handles of the library: given back when nothing refers to them, arrays on their memory included."""
+"""Handles of the library: given back when nothing refers to them, nor to arrays on their memory."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ Self = TypeVar("Self", bound="Owner")
 
 
 class Handle:
-    """What a function of the library makes: handed out by ``out``, freed with its last reference."""
+    """What a function of the library makes: put in by ``out``, freed with its last reference."""
 
     __slots__ = ("_value", "_free", "__weakref__")
 
@@ -68,7 +68,8 @@ class Owner:
     """An object of the library.
 
     It never changes. It is freed when nothing refers to it, neither this object nor an array that
-    came from it; ``close()``, or the end of a ``with`` block, lets go of it earlier. Copies share it.
+    came from it; ``close()``, or the end of a ``with`` block, lets go of it earlier. Copies share
+    it.
     """
 
     warnings: tuple[str, ...] = ()

@@ -1,8 +1,8 @@
 """The shared library: where it is, and its functions, which raise what goes wrong.
 
 It is looked for, in this order: where the environment variable TETLOFT_LIBRARY says (nowhere else
-then); beside this file, as wheels have it; where the installation says that it put it (_location.py,
-written by `cmake --install`); and by the system's loader.
+then); beside this file, as wheels have it; where the installation says that it put it
+(_location.py, written by `cmake --install`); and by the system's loader.
 """
 
 from __future__ import annotations
@@ -66,6 +66,10 @@ def _open() -> tuple[ctypes.CDLL, str]:
     )
 
 
+def _unfit(path: str, why: str) -> ImportError:
+    return ImportError(f"tetloft: the library {path} {why}", name="tetloft", path=path)
+
+
 def _text(value: Optional[bytes]) -> str:
     return (value or b"").decode("utf-8", "replace")
 
@@ -73,7 +77,8 @@ def _text(value: Optional[bytes]) -> str:
 def _place(library: Any) -> Place:
     raw = structs.Place(version=structs.Place.VERSION)
     library.tetloft_last_place(ctypes.byref(raw))
-    numbers = {name: getattr(raw, name) for name in ("line", "section", "slab", "contour", "vertex")}
+    parts = ("line", "section", "slab", "contour", "vertex")
+    numbers = {name: getattr(raw, name) for name in parts}
     return Place(
         file=os.fsdecode(raw.file) if raw.file else None,
         point=(raw.point[0], raw.point[1], raw.point[2]) if raw.has_point else None,
@@ -104,8 +109,8 @@ def _declare(library: Any, path: str) -> None:
         try:
             function = getattr(library, name)
         except AttributeError:
-            raise ImportError(f"tetloft: {path} has no function {name}: it is another version, or "
-                              "not a shared library of tetloft", name="tetloft", path=path) from None
+            raise _unfit(path, f"has no function {name}: it is no shared library of this version") \
+                from None
         function.restype, function.argtypes = result, arguments
         if result is STATUS and name != "tetloft_last_place":
             function.errcheck = succeed
@@ -117,11 +122,9 @@ def _load() -> tuple[Any, str]:
         library.tetloft_version.restype = ctypes.c_char_p
         version = _text(library.tetloft_version())
     except AttributeError:
-        raise ImportError(f"tetloft: {path} is not a shared library of tetloft", name="tetloft",
-                          path=path) from None
+        raise _unfit(path, "is not a shared library of tetloft") from None
     if version.split(".")[:2] != __version__.split(".")[:2]:
-        raise ImportError(f"tetloft: this package is of version {__version__}, but the library "
-                          f"{path} of version {version}", name="tetloft", path=path)
+        raise _unfit(path, f"is of version {version}, but the package of version {__version__}")
     _declare(library, path)
     return library, path
 

@@ -45,7 +45,8 @@ def text(value: str, what: str) -> bytes:
     return encoded
 
 
-def path_bytes(path: Path) -> bytes:
+def path_bytes(path: Any) -> bytes:
+    """Of a Path; what is none is a TypeError."""
     encoded = os.fsencode(path)
     if b"\0" in encoded:
         raise ValueError(f"a zero byte in the path {path!r}")

@@ -1,9 +1,9 @@
 """Calls that take long: with progress, a stop button, and Ctrl-C.
 
 A signal's handler, and so KeyboardInterrupt, comes to life in the main thread alone, and not while
-it is inside the library. So a call of the main thread is made by a thread of its own, while the main
-one waits; any exception that ends the waiting presses the stop, and is raised again once the call has
-ended. Other threads call directly.
+it is inside the library. So a call of the main thread is made by a thread of its own, while the
+main one waits; any exception that ends the waiting presses the stop, and is raised again once the
+call has ended. Other threads call directly.
 """
 
 from __future__ import annotations

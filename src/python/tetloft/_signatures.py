@@ -1,4 +1,4 @@
-"""The functions of tetloft.h: what each returns, and takes; a test compares them with the header."""
+"""The functions of tetloft.h, what each returns and takes; a test compares them with the header."""
 
 from __future__ import annotations
 
@@ -83,8 +83,12 @@ FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
     "tetloft_links_partition": (STATUS, [HANDLE, SIZE, to(to(UINT32)), to(SIZE)]),
     "tetloft_links_free": (STATUS, [HANDLE]),
     "tetloft_reconstruct_options_defaults": (STATUS, [to(structs.ReconstructOptions)]),
-    "tetloft_reconstruct": (STATUS, [HANDLE, to(structs.ReconstructOptions), to(HANDLE), to(HANDLE)]),
-    "tetloft_between": (STATUS, [HANDLE, to(structs.ReconstructOptions), to(HANDLE), to(HANDLE), to(HANDLE)]),
+    "tetloft_reconstruct": (STATUS, [
+        HANDLE, to(structs.ReconstructOptions), to(HANDLE), to(HANDLE),
+    ]),
+    "tetloft_between": (STATUS, [
+        HANDLE, to(structs.ReconstructOptions), to(HANDLE), to(HANDLE), to(HANDLE),
+    ]),
     "tetloft_model_report": (STATUS, [HANDLE, to(structs.Report)]),
     "tetloft_model_create": (STATUS, [to(DOUBLE), SIZE, to(UINT32), SIZE, to(HANDLE)]),
     "tetloft_model_read": (STATUS, [TEXT, to(structs.ReadOptions), to(HANDLE), to(HANDLE)]),

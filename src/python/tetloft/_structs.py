@@ -1,9 +1,11 @@
-"""The structs and enumerations of tetloft.h, field by field; a test compares them with the header."""
+"""The structs and enumerations of tetloft.h; a test compares them with the header."""
 
 from __future__ import annotations
 
 import ctypes
-from ctypes import c_char_p, c_double, c_int, c_int32, c_int64, c_size_t, c_uint32, c_uint64, c_void_p
+from ctypes import (
+    c_char_p, c_double, c_int, c_int32, c_int64, c_size_t, c_uint32, c_uint64, c_void_p
+)
 
 NO_ID = 0xFFFFFFFF
 

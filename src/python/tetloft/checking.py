@@ -45,7 +45,8 @@ class Guarantee:
     failures: list[Failure]
 
     def __str__(self) -> str:
-        word = "pass" if self.passed else f"not asked: {self.not_asked}" if self.not_asked else "FAIL"
+        why = f"not asked: {self.not_asked}" if self.not_asked else "FAIL"
+        word = "pass" if self.passed else why
         lines = [f"{self.number} {self.name}: {word}"]
         for failure in self.failures:
             lines.append(f"    {failure.what} ({failure.count}×)")

@@ -15,7 +15,7 @@ from ._handles import Handle, Owner, Warnings
 from ._library import _text, lib
 from ._options import Path, choice, defaults, path_bytes, text, whole
 from ._running import Progress, Run, Stop
-from .formats import Data, Source, as_bytes, bytes_of, is_file, read_file
+from .formats import Data, Source, as_bytes, bytes_of, opened_file
 from .stacks import Stack
 
 Contour = tuple[int, int]
@@ -29,8 +29,8 @@ class Labels(Owner):
 
     ``labels``, {(section, contour): label}: the same label, the same component; different ones,
     different components. ``join`` and ``part``: decisions on single links, (slab, lower contour,
-    upper contour). ``hole_labels``, ``open`` and ``close``: the same of voids, which are named by the
-    contours of their holes, None being the exterior.
+    upper contour). ``hole_labels``, ``open`` and ``close``: the same of voids, which are named by
+    the contours of their holes, None being the exterior.
 
     >>> print(Labels({(0, 0): 7, (1, 2): 7}, part=[(0, 0, 1)]).to_bytes().decode(), end="")
     0 0 7
@@ -53,7 +53,7 @@ class Labels(Owner):
         lib.tetloft_labels_write(self._open(), path_bytes(path))
 
     def to_bytes(self) -> bytes:
-        """The bytes of such a file: lines "section contour label", "join section contour other", …"""
+        """The bytes of such a file, lines "section contour label", "join section contour other"."""
         made = Handle("bytes")
         lib.tetloft_labels_format(self._open(), made.out)
         return bytes_of(made)
@@ -86,10 +86,11 @@ def _decisions(join: Iterable[Pair], part: Iterable[Pair]) -> Any:
 
 def read_labels(source: Source) -> Labels:
     """The labels of a file: a path, or a file opened for bytes."""
-    if is_file(source):
-        return parse_labels(*read_file(source))  # type: ignore[arg-type]
+    opened = opened_file(source)
+    if opened:
+        return parse_labels(*opened)
     made = Handle("labels")
-    lib.tetloft_labels_read(path_bytes(source), made.out)  # type: ignore[arg-type]
+    lib.tetloft_labels_read(path_bytes(source), made.out)
     return Labels._of(made)
 
 
@@ -196,8 +197,8 @@ class Links:
 
     def __repr__(self) -> str:
         made = sum(link.fate == "made" for link in self.regions)
-        return (f"<tetloft.Links: {made} of {len(self.regions)} made, {self.components} components, "
-                f"{self.cavities} cavities>")
+        return (f"<tetloft.Links: {made} of {len(self.regions)} made, "
+                f"{self.components} components, {self.cavities} cavities>")
 
 
 def links(stack: Stack, *, correspondence: Union[str, Correspondence] = "moved",

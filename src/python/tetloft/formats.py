@@ -48,12 +48,10 @@ def _contents(bits: int) -> frozenset[str]:
     return frozenset(name for name, bit in structs.CONTENTS.items() if bits & bit)
 
 
-def is_file(source: Any) -> bool:
-    return hasattr(source, "read") and not isinstance(source, (str, bytes, os.PathLike))
-
-
-def read_file(source: IO[bytes]) -> tuple[bytes, str]:
-    """Its bytes, and a name for messages."""
+def opened_file(source: Any) -> Optional[tuple[bytes, str]]:
+    """Of an open file its bytes, and a name for messages; of a path None."""
+    if isinstance(source, (str, bytes, os.PathLike)) or not hasattr(source, "read"):
+        return None
     data = source.read()
     if isinstance(data, str):
         raise TypeError("a file opened for bytes (\"rb\") is expected, not one of text")
@@ -84,11 +82,11 @@ def read_points(source: Source, *, format: Optional[str] = None) -> Doubles:
 
     ``source`` is a path, or a file opened for bytes; the format is recognised, or named.
     """
-    if is_file(source):
-        return parse_points(*read_file(source), format=format)  # type: ignore[arg-type]
+    opened = opened_file(source)
+    if opened:
+        return parse_points(*opened, format=format)
     points, warnings = Handle("points"), Warnings()
-    lib.tetloft_points_read(path_bytes(source), read_options(format), points.out,  # type: ignore[arg-type]
-                            warnings.out)
+    lib.tetloft_points_read(path_bytes(source), read_options(format), points.out, warnings.out)
     warnings.tell()
     return _view(points)
 

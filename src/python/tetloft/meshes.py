@@ -6,9 +6,8 @@ import ctypes
 from ctypes import c_size_t, c_uint32
 from typing import Any, Optional, Union
 
-from . import _arrays
 from . import _structs as structs
-from ._arrays import ArrayLike, Codes, Doubles, Ids, doubles, filled, ids, view
+from ._arrays import ArrayLike, Codes, Doubles, Ids, doubles, filled, ids, numpy, view
 from ._handles import Handle, Owner
 from ._library import lib
 from ._options import choice, defaults, index, whole
@@ -20,8 +19,8 @@ _LINK_NAMES = {value: name for name, value in structs.LINK.items()}
 class Mesh(Owner):
     """Tets that know their neighbours; no coordinates.
 
-    ``tets``: (m, 4) vertex ids from 0 to ``vertex_count - 1``. Refused (:class:`InvalidInput`) where
-    a face belongs to more than two tets, or to two on its same side.
+    ``tets``: (m, 4) vertex ids from 0 to ``vertex_count - 1``. Refused (:class:`InvalidInput`)
+    where a face belongs to more than two tets, or to two on its same side.
 
     >>> mesh = Mesh(5, [(0, 1, 2, 3), (1, 4, 2, 3)])
     >>> [int(tet) for tet in mesh.star(2, 3)], mesh.link_kind(0)
@@ -62,11 +61,12 @@ class Mesh(Owner):
     @property
     def neighbours(self) -> Ids:
         """(m, 4): by face of each tet the tet across it, NO_ID on the boundary; made anew."""
-        if _arrays.numpy is None:
-            return [tuple(h if h == structs.NO_ID else h // 4 for h in row)  # type: ignore[return-value]
-                    for row in self.opposites]
-        return _arrays.numpy.where(self.opposites == structs.NO_ID, structs.NO_ID,
-                                   self.opposites // 4).astype("uint32")
+        opposites: Any = self.opposites
+        none = structs.NO_ID
+        if numpy is None:
+            rows: Any = [tuple(h if h == none else h // 4 for h in row) for row in opposites]
+            return rows
+        return numpy.where(opposites == none, none, opposites // 4).astype(numpy.uint32)
 
     def star(self, vertex: int, other: Optional[int] = None) -> Ids:
         """The tets of a vertex, or of the edge to ``other``, by id."""

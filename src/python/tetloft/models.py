@@ -15,7 +15,7 @@ from ._options import (
 )
 from ._running import Progress, Run, Stop
 from .errors import UsageError
-from .formats import Data, Source, as_bytes, format_bytes, is_file, read_file
+from .formats import Data, Source, as_bytes, format_bytes, opened_file
 from .meshes import Mesh
 from .stacks import Stack
 
@@ -133,8 +133,8 @@ class Model(Owner):
     """A solid: points and tets, with what each comes from if it was reconstructed.
 
     ``Model(points, tets)``, of (n, 3) coordinates and (m, 4) point ids, is any mesh, to be checked,
-    written or drawn. Arrays are read only, and views on the library's memory; those that a model does
-    not have are empty.
+    written or drawn. Arrays are read only, and views on the library's memory; those that a model
+    does not have are empty.
 
     >>> corner = Model([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)], [(0, 1, 2, 3)])
     >>> corner, round(corner.volume * 6, 9)
@@ -279,7 +279,8 @@ class Model(Owner):
         ``stack``: whose contours are drawn. ``colour``: by "component", "slab", "kind", "dihedral"
         or "evidence". ``azimuth`` and ``elevation`` of the eye in degrees; ``width`` and ``height``
         in pixels. ``cut``, ("z", 5.0): what is nearer than that plane is left out. ``explode``:
-        slabs are moved apart by so many mean heights; ``stretch``: z is drawn so many times as large.
+        slabs are moved apart by so many mean heights; ``stretch``: z is drawn so many times as
+        large.
         """
         run = Run(threads, progress, stop)
         options = defaults(structs.RenderOptions, "render_options")
@@ -312,11 +313,12 @@ def _unpickled(vtu: bytes, warnings: tuple[str, ...]) -> Model:
 
 
 def read_model(source: Source, *, format: Optional[str] = None) -> Model:
-    """The model of a file: a path, or a file opened for bytes; the format is recognised, or named."""
-    if is_file(source):
-        return parse_model(*read_file(source), format=format)  # type: ignore[arg-type]
+    """The model of a path, or a file opened for bytes. The format is recognised, or named."""
+    opened = opened_file(source)
+    if opened:
+        return parse_model(*opened, format=format)
     made, warnings = Handle("model"), Warnings()
-    lib.tetloft_model_read(path_bytes(source), read_options(format), made.out, warnings.out)  # type: ignore[arg-type]
+    lib.tetloft_model_read(path_bytes(source), read_options(format), made.out, warnings.out)
     return Model._of(made, warnings.tell())
 
 

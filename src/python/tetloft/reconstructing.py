@@ -34,7 +34,7 @@ def reconstruct(stack: Stack, *, between: Optional[int] = None, ends: str = "fla
                 divide_coarse: bool = True, work_limit: Optional[float] = None,
                 engine: str = "automatic", threads: int = 0,
                 progress: Optional[Progress] = None, stop: Optional[Stop] = None) -> Model:
-    """The solid of a stack, which keeps the five guarantees, or an :class:`Error` that says why not.
+    """The solid of a stack, which keeps the five guarantees, or an :class:`Error` that says why.
 
     between: how many sections are put between two neighbouring given ones, interpolated; None: as
         many as gaps and contours call for.
@@ -75,7 +75,7 @@ class LongStack(NamedTuple):
 
     stack: Stack
     correspondence: Correspondence
-    """With it, and ``between=0``, the longer stack has the components and voids of the given one."""
+    """By it, with ``between=0``, the longer stack has the components and voids of the given one."""
     decisions: Labels
     """The decisions that this correspondence has, on all links."""
 

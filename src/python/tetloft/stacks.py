@@ -11,7 +11,7 @@ from ._handles import Handle, Owner, Warnings
 from ._library import lib
 from ._options import Path, index, path_bytes, read_options, text, whole, write_options
 from ._running import Progress, Run, Stop
-from .formats import Data, Source, as_bytes, format_bytes, is_file, read_file
+from .formats import Data, Source, as_bytes, format_bytes, opened_file
 from .meshes import Triangulation
 
 
@@ -170,10 +170,11 @@ class Stack(Owner):
 
     def repair(self, distance: Optional[float] = None, *, threads: int = 0,
                progress: Optional[Progress] = None, stop: Optional[Stop] = None) -> Stack:
-        """A valid stack instead of one that crosses or touches itself, has spikes or vertices twice.
+        """A valid stack instead of one that crosses or touches itself, or has spikes.
 
-        The boundary may move by ``distance``, in units of the stack; by default 2^-20 of the largest
-        coordinate of a section. All that was changed is told by ``warnings`` of the new stack.
+        The boundary may move by ``distance``, in units of the stack; by default 2^-20 of the
+        largest coordinate of a section. All that was changed is told by ``warnings`` of the new
+        stack.
         """
         if distance is not None and not distance > 0:
             raise ValueError(f"distance: {distance} is not above 0")
@@ -184,7 +185,7 @@ class Stack(Owner):
 
     def snap(self, bits: int, *, threads: int = 0, progress: Optional[Progress] = None,
              stop: Optional[Stop] = None) -> Stack:
-        """x and y rounded to 2^-bits of the largest coordinate, or finer where contours would touch."""
+        """x and y rounded to 2^-bits of the largest coordinate, or finer where contours touch."""
         run, made = Run(threads, progress, stop), Handle("stack")
         run.call(lib.tetloft_stack_snap, self._open(), whole(bits, "bits", -(2**31)), run.pointer,
                  made.out)
@@ -237,10 +238,11 @@ def read_stack(source: Source, *, format: Optional[str] = None, validate: bool =
     The format is recognised, or named. ``validate=False`` takes one that is not valid, to be
     repaired. What was mended comes as :class:`TetloftWarning`, and as ``warnings`` of the stack.
     """
-    if is_file(source):
-        return parse_stack(*read_file(source), format=format, validate=validate)  # type: ignore[arg-type]
+    opened = opened_file(source)
+    if opened:
+        return parse_stack(*opened, format=format, validate=validate)
     made, warnings = Handle("stack"), Warnings()
-    lib.tetloft_stack_read(path_bytes(source), read_options(format, validate), made.out,  # type: ignore[arg-type]
+    lib.tetloft_stack_read(path_bytes(source), read_options(format, validate), made.out,
                            warnings.out)
     return Stack._of(made, warnings.tell())
 
