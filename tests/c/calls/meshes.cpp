@@ -74,9 +74,11 @@ tetloft_status singular_vertices(A& a) {
   auto* const other = a.handle<tetloft_mesh>();
   tetloft_mesh* mesh = nullptr;
   tetloft_status status = tetloft_mesh_create(7, tets.data(), 2, &mesh);
-  if (status == TETLOFT_OK) {
-    status = tetloft_mesh_singular_vertices(mesh, array.data, array.size, count);
+  if (status != TETLOFT_OK) {
+    if (count != nullptr) *count = 0;
+    return status;
   }
+  status = tetloft_mesh_singular_vertices(mesh, array.data, array.size, count);
   tetloft_mesh_free(mesh);
   if (status != TETLOFT_OK) return status;
   return tetloft_mesh_singular_vertices(other, array.data, array.size, count);
