@@ -49,24 +49,22 @@ void expect_query(const Query& query, const std::vector<T>& expected) {
 }
 
 void expect_same_stars(const tetloft_mesh* mesh, const TetMesh& expected, std::uint32_t v) {
-  expect_query([&](auto* to, auto n, auto* count) { return tetloft_mesh_star(mesh, v, to, n, count); },
-               expected.star(VertexId(v)));
-  expect_query([&](auto* to, auto n, auto* count) { return tetloft_mesh_link(mesh, v, to, n, count); },
-               expected.link(VertexId(v)));
+  expect_query(
+      [&](auto* to, auto n, auto* count) { return tetloft_mesh_star(mesh, v, to, n, count); },
+      expected.star(VertexId(v)));
+  expect_query(
+      [&](auto* to, auto n, auto* count) { return tetloft_mesh_link(mesh, v, to, n, count); },
+      expected.link(VertexId(v)));
   tetloft_link_kind kind = TETLOFT_LINK_HOLES;
   ASSERT_OK(tetloft_mesh_link_kind(mesh, v, &kind));
   EXPECT_EQ(static_cast<int>(kind), static_cast<int>(expected.classify_link(VertexId(v))));
   for (std::uint32_t w = 0; w < v; ++w) {
-    expect_query(
-        [&](auto* to, auto n, auto* count) {
-          return tetloft_mesh_edge_star(mesh, v, w, to, n, count);
-        },
-        expected.star(VertexId(v), VertexId(w)));
-    expect_query(
-        [&](auto* to, auto n, auto* count) {
-          return tetloft_mesh_edge_link(mesh, v, w, to, n, count);
-        },
-        expected.link(VertexId(v), VertexId(w)));
+    expect_query([&](auto* to, auto n,
+                     auto* count) { return tetloft_mesh_edge_star(mesh, v, w, to, n, count); },
+                 expected.star(VertexId(v), VertexId(w)));
+    expect_query([&](auto* to, auto n,
+                     auto* count) { return tetloft_mesh_edge_link(mesh, v, w, to, n, count); },
+                 expected.link(VertexId(v), VertexId(w)));
     ASSERT_OK(tetloft_mesh_edge_link_kind(mesh, v, w, &kind));
     EXPECT_EQ(static_cast<int>(kind),
               static_cast<int>(expected.classify_link(VertexId(v), VertexId(w))));
@@ -84,10 +82,12 @@ void expect_same_mesh(const tetloft_mesh* mesh, const TetMesh& expected) {
   for (std::uint32_t v = 0; v < vertices; ++v) expect_same_stars(mesh, expected, v);
   std::vector<VertexId> singular;
   for (const auto& [v, kind] : expected.singular_vertices()) singular.push_back(v);
-  expect_query([&](auto* to, auto n, auto* count) { return tetloft_mesh_singular_vertices(mesh, to, n, count); },
+  expect_query([&](auto* to, auto n,
+                   auto* count) { return tetloft_mesh_singular_vertices(mesh, to, n, count); },
                singular);
-  expect_query([&](auto* to, auto n, auto* count) { return tetloft_mesh_boundary(mesh, to, n, count); },
-               expected.boundary());
+  expect_query(
+      [&](auto* to, auto n, auto* count) { return tetloft_mesh_boundary(mesh, to, n, count); },
+      expected.boundary());
 }
 
 TEST(MeshesOfC, AreThoseOfCpp) {
@@ -102,8 +102,7 @@ TEST(MeshesOfC, AreThoseOfCpp) {
   EXPECT_EQ(expected.singular_vertices().size(), 1U);
   expect_same_mesh(mesh, expected);
   EXPECT_EQ(tetloft_mesh_create(7, ids.data(), 3, mesh.out()), TETLOFT_INVALID_INPUT);
-  EXPECT_STREQ(tetloft_last_error(),
-               to_string(TetMesh::from_tets(7, tets).error()).c_str());
+  EXPECT_STREQ(tetloft_last_error(), to_string(TetMesh::from_tets(7, tets).error()).c_str());
 }
 
 TEST(MeshesOfC, EndsOfEdgesAreTwoVerticesOfTheMesh) {
@@ -147,8 +146,17 @@ TEST(DelaunayOfC, InSpaceIsThatOfCpp) {
   options.engine = TETLOFT_ENGINE_SLAB;
   const std::vector<double> tet{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
   Owned<tetloft_mesh> mesh;
-  EXPECT_EQ(tetloft_delaunay3(tet.data(), 4, &options, mesh.out(), nullptr, nullptr),
-            TETLOFT_USAGE);
+  const std::vector<Point3> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const Error refused = delaunay3(corners, {.engine = DelaunayEngine::slab}).error();
+  EXPECT_EQ(
+      static_cast<int>(tetloft_delaunay3(tet.data(), 4, &options, mesh.out(), nullptr, nullptr)),
+      static_cast<int>(refused.code));
+  EXPECT_EQ(tetloft_last_error(), to_string(refused));
+  options.engine = TETLOFT_ENGINE_AUTOMATIC;
+  options.most_tets = 1;
+  const std::vector<double> two{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 3, 3, 3};
+  EXPECT_EQ(tetloft_delaunay3(two.data(), 5, &options, mesh.out(), nullptr, nullptr),
+            TETLOFT_WORK_LIMIT);
   const std::vector<double> infinite{0, 0, std::numeric_limits<double>::infinity()};
   EXPECT_EQ(tetloft_delaunay3(infinite.data(), 1, nullptr, mesh.out(), nullptr, nullptr),
             TETLOFT_INVALID_INPUT);
@@ -172,8 +180,8 @@ TEST(DelaunayOfC, InThePlaneIsThatOfCpp) {
   ASSERT_OK(tetloft_delaunay2(xy.data(), points.size(), nullptr, triangulation.out()));
   expect_same_triangulation(triangulation, delaunay2(points).value());
   const std::vector<std::uint8_t> none;
-  expect_array(tetloft_triangulation_internal,
-               static_cast<tetloft_triangulation*>(triangulation), none);
+  expect_array(tetloft_triangulation_internal, static_cast<tetloft_triangulation*>(triangulation),
+               none);
   const std::uint32_t* chain = nullptr;
   std::size_t count = 0;
   EXPECT_EQ(tetloft_triangulation_chain(triangulation, 0, &chain, &count), TETLOFT_USAGE);
@@ -215,8 +223,8 @@ TEST(DelaunayOfC, OfASectionIsThatOfCpp) {
     Owned<tetloft_triangulation> triangulation;
     ASSERT_OK(tetloft_stack_triangulate(stack, s, nullptr, triangulation.out()));
     expect_same_triangulation(triangulation, section.triangulation);
-    expect_array(tetloft_triangulation_internal,
-                 static_cast<tetloft_triangulation*>(triangulation), section.internal.raw());
+    expect_array(tetloft_triangulation_internal, static_cast<tetloft_triangulation*>(triangulation),
+                 section.internal.raw());
   }
   Owned<tetloft_triangulation> none;
   EXPECT_EQ(tetloft_stack_triangulate(stack, expected.sections.size(), nullptr, none.out()),
@@ -253,7 +261,8 @@ TEST(PointsOfC, AreThoseOfCpp) {
     ASSERT_OK(tetloft_points_read(path.c_str(), nullptr, read.out(), nullptr));
     expect_array(tetloft_points_data, static_cast<tetloft_points*>(read), points);
     const std::string as = std::string("a.") + name;
-    ASSERT_OK(tetloft_points_parse(bytes.data(), bytes.size(), as.c_str(), nullptr, read.out(), nullptr));
+    ASSERT_OK(
+        tetloft_points_parse(bytes.data(), bytes.size(), as.c_str(), nullptr, read.out(), nullptr));
     expect_array(tetloft_points_data, static_cast<tetloft_points*>(read), points);
   }
 }

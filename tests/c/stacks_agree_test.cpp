@@ -77,7 +77,8 @@ TEST(StacksOfC, AreReadCreatedAndWrittenAsByCpp) {
     }
     const std::string bytes = test::get(sample(name));
     Owned<tetloft_stack> parsed;
-    ASSERT_OK(tetloft_stack_parse(bytes.data(), bytes.size(), "a.cnt", nullptr, parsed.out(), nullptr));
+    ASSERT_OK(
+        tetloft_stack_parse(bytes.data(), bytes.size(), "a.cnt", nullptr, parsed.out(), nullptr));
     expect_same_stack(parsed, read.stack);
 
     std::vector<double> z;
@@ -129,7 +130,8 @@ TEST(StacksOfC, CountsThatDoNotAddUpAreRefused) {
   EXPECT_EQ(create({1, 1}, {3, 5}, 2, 7), TETLOFT_USAGE);
   EXPECT_EQ(create({1, 1}, {3, 3}, 2, 7), TETLOFT_USAGE);
   EXPECT_EQ(create({1, 1}, {kMost, 8}, 2, 7), TETLOFT_USAGE);
-  EXPECT_EQ(tetloft_stack_create(nullptr, nullptr, 0, nullptr, 0, nullptr, 0, stack.out()), TETLOFT_OK);
+  EXPECT_EQ(tetloft_stack_create(nullptr, nullptr, 0, nullptr, 0, nullptr, 0, stack.out()),
+            TETLOFT_OK);
   EXPECT_EQ(tetloft_stack_validate(stack, nullptr), TETLOFT_INVALID_INPUT);
 }
 
@@ -146,7 +148,8 @@ TEST(StacksOfC, AreMadeFitAsByCpp) {
   const std::vector<std::size_t> fours{4, 4};
   const std::vector<double> xy{0, 0, 4, 4.125, 4, 0, 0, 4, 0, 0, 4, 4.125, 4, 0, 0, 4};
   Owned<tetloft_stack> stack;
-  ASSERT_OK(tetloft_stack_create(z.data(), ones.data(), 2, fours.data(), 2, xy.data(), 8, stack.out()));
+  ASSERT_OK(
+      tetloft_stack_create(z.data(), ones.data(), 2, fours.data(), 2, xy.data(), 8, stack.out()));
   EXPECT_EQ(tetloft_stack_validate(stack, nullptr), TETLOFT_INVALID_INPUT);
   EXPECT_EQ(std::string(tetloft_last_error()), to_string(validate(crossing).error()));
   const auto nesting = [&](std::size_t section) {
@@ -186,10 +189,11 @@ const std::vector<tetloft_label> kLabels{{0, 0, 7}, {1, 0, 7}};
 const std::vector<tetloft_decision> kDecisions{{0, 0, 1, 0}};
 
 TEST(LabelsOfC, AreThoseOfCpp) {
-  const Labels expected{.labels = {{SectionId(0), ContourId(0), 7}, {SectionId(1), ContourId(0), 7}},
-                        .decisions = {{SlabId(0), ContourId(0), ContourId(1), false}},
-                        .hole_labels = {{SectionId(0), ContourId(0), 7}, {SectionId(1), ContourId(0), 7}},
-                        .void_decisions = {{SlabId(0), ContourId(), ContourId(1), true}}};
+  const Labels expected{
+      .labels = {{SectionId(0), ContourId(0), 7}, {SectionId(1), ContourId(0), 7}},
+      .decisions = {{SlabId(0), ContourId(0), ContourId(1), false}},
+      .hole_labels = {{SectionId(0), ContourId(0), 7}, {SectionId(1), ContourId(0), 7}},
+      .void_decisions = {{SlabId(0), ContourId(), ContourId(1), true}}};
   const std::vector<tetloft_decision> of_voids{{0, TETLOFT_NO_ID, 1, 1}};
   Owned<tetloft_labels> labels;
   ASSERT_OK(tetloft_labels_create(kLabels.data(), 2, kDecisions.data(), 1, kLabels.data(), 2,
