@@ -2,7 +2,8 @@
  *
  * Status. A function that can fail returns a tetloft_status, TETLOFT_OK (0) on success; what went
  * wrong, and where, is then told by tetloft_last_error() and tetloft_last_place(), for each thread
- * its own, until its next call that fails. On failure outputs are set to NULL or 0, if they can be.
+ * its own, until its next call that fails; texts of more than 4,095 bytes are cut there. On failure
+ * outputs are set to NULL or 0, if they can be.
  * No exception leaves a function, and none is thrown across it; memory that ends is a status.
  *
  * Handles. What a function makes is reached through a handle, which belongs to the caller and is
@@ -223,8 +224,8 @@ TETLOFT_C_API tetloft_status tetloft_stack_contour(const tetloft_stack* stack, s
 /* Twice the signed area, positive if counter-clockwise. */
 TETLOFT_C_API tetloft_status tetloft_stack_twice_area(const tetloft_stack* stack, size_t section,
                                                       size_t contour, double* twice_area);
-/* For each contour of a section the innermost one around it, how many are around it (odd: a hole),
- * and the region that it bounds. Each array is NULL, or has room for `capacity`. */
+/* Of a valid section: for each contour the innermost one around it, how many are around it (odd: a
+ * hole), and the region that it bounds. Each array is NULL, or has room for `capacity`. */
 TETLOFT_C_API tetloft_status tetloft_stack_nesting(const tetloft_stack* stack, size_t section,
                                                    uint32_t* parent, uint32_t* depth,
                                                    uint32_t* region, size_t capacity,
@@ -450,11 +451,13 @@ TETLOFT_C_API tetloft_status tetloft_model_point_origins(const tetloft_model* mo
 TETLOFT_C_API const char* tetloft_tet_kind_name(int kind);
 TETLOFT_C_API const char* tetloft_point_origin_name(int origin);
 
+/* As the tets' components say; 0 without them. */
 TETLOFT_C_API tetloft_status tetloft_model_component_count(const tetloft_model* model,
                                                            size_t* components);
 TETLOFT_C_API tetloft_status tetloft_model_volume(const tetloft_model* model, double* volume);
 
-/* The boundary: triangles over the model's points, normals outwards. */
+/* The boundary: triangles over the model's points, normals outwards. Of a model that was read or
+ * created TETLOFT_INVALID_INPUT where its tets are no mesh, as tetloft_model_mesh() says it. */
 typedef struct tetloft_surface tetloft_surface;
 TETLOFT_C_API tetloft_status tetloft_model_boundary(const tetloft_model* model,
                                                     tetloft_surface** surface);
@@ -577,7 +580,8 @@ typedef enum tetloft_link_kind {
   TETLOFT_LINK_HOLES = 5       /* a connected surface, neither disc nor sphere */
 } tetloft_link_kind;
 
-/* Of 4 · tet_count vertex ids. */
+/* Of 4 · tet_count vertex ids. TETLOFT_INVALID_INPUT for ids that are none, a face of more than two
+ * tets, or of two on its same side. */
 TETLOFT_C_API tetloft_status tetloft_mesh_create(size_t vertex_count, const uint32_t* tets,
                                                  size_t tet_count, tetloft_mesh** mesh);
 TETLOFT_C_API tetloft_status tetloft_model_mesh(const tetloft_model* model, tetloft_mesh** mesh);

@@ -78,20 +78,12 @@ void put_array(const std::vector<T>& values, const typename Flat<T>::Number** nu
   put_array(std::span<const T>(values), numbers, count);
 }
 
-/// Whether a caller's array takes `needed` elements: if not, and it was not the number alone that
-/// was asked for, ends the body with TETLOFT_TOO_SMALL.
-[[nodiscard]] inline bool takes(const void* array, std::size_t capacity, std::size_t needed,
-                                const char* name) {
-  if (array == nullptr) {
-    if (capacity != 0) fail_usage(std::string("the array ") + name + " is NULL");
-    return false;
-  }
-  if (capacity < needed) {
-    throw Refusal{TETLOFT_TOO_SMALL, "the array " + std::string(name) + " holds " +
-                                         std::to_string(capacity) + ", but there are " +
-                                         std::to_string(needed)};
-  }
-  return true;
+/// Ends a body with TETLOFT_TOO_SMALL where a caller's array does not take `needed` elements.
+inline void require_room(std::size_t capacity, std::size_t needed, const char* name) {
+  if (capacity >= needed) return;
+  throw Refusal{TETLOFT_TOO_SMALL, "the array " + std::string(name) + " holds " +
+                                       std::to_string(capacity) + ", but there are " +
+                                       std::to_string(needed)};
 }
 
 /// Copies values to a caller's array of `capacity` elements, and tells how many there are.
@@ -100,8 +92,12 @@ void fill_array(const std::vector<T>& values, typename Flat<T>::Number* array, s
                 std::size_t* count, const char* name) {
   using Number = typename Flat<T>::Number;
   require_output(count, "count");
+  if (array == nullptr && capacity != 0) {
+    fail_usage(std::string("the array ") + name + " is NULL");
+  }
   *count = values.size();
-  if (!takes(array, capacity, values.size(), name)) return;
+  if (array == nullptr) return;  // the number alone is asked for
+  require_room(capacity, values.size(), name);
   std::copy_n(numbers_of(values), values.size() * (sizeof(T) / sizeof(Number)), array);
 }
 

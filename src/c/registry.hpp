@@ -37,6 +37,9 @@ struct Named {
 /// Safe to use from several threads at once.
 class Registry {
  public:
+  /// Where so many names were given already.
+  explicit Registry(HandleName last_serial = 0) : last_serial_(last_serial) {}
+
   /// The one of the process. It is never destroyed: handles may be freed by what ends later.
   static Registry& of_process();
 
@@ -50,7 +53,7 @@ class Registry {
  private:
   mutable std::shared_mutex mutex_;
   std::map<HandleName, Named> named_;
-  HandleName last_serial_ = 0;
+  HandleName last_serial_;
 };
 
 }  // namespace tetloft::internal::c

@@ -95,12 +95,10 @@ tetloft_status tetloft_stack_nesting(const tetloft_stack* stack, size_t section,
     const tetloft::Nesting nesting = tetloft::nest(valid_section_of(*value, section));
     put(contours, count);
     put(regions, nesting.outer.size());
-    // All or none of them are written.
-    const bool takes_parent = parent != nullptr && takes(parent, capacity, count, "parent");
-    const bool takes_depth = depth != nullptr && takes(depth, capacity, count, "depth");
-    const bool takes_region = region != nullptr && takes(region, capacity, count, "region");
-    if (takes_parent) std::copy_n(numbers_of(nesting.parent.raw()), count, parent);
-    if (takes_depth) std::copy_n(nesting.depth.begin(), count, depth);
-    if (takes_region) std::copy_n(numbers_of(nesting.region.raw()), count, region);
+    if (parent == nullptr && depth == nullptr && region == nullptr) return;
+    require_room(capacity, count, "of contours");
+    if (parent != nullptr) std::copy_n(numbers_of(nesting.parent.raw()), count, parent);
+    if (depth != nullptr) std::copy_n(nesting.depth.begin(), count, depth);
+    if (region != nullptr) std::copy_n(numbers_of(nesting.region.raw()), count, region);
   });
 }

@@ -93,6 +93,27 @@ TEST(TetMeshEdit, CompactKeepsOrderAndReturnsNewIds) {
   EXPECT_VALID(mesh);
 }
 
+TEST(TetMeshEdit, ArraysAreThoseOfTheSlots) {
+  const Grid grid{1, 1, 1};
+  TetMesh mesh = make(grid.vertices(), grid.tets());
+  mesh.remove_tet(TetId(1));
+  ASSERT_EQ(mesh.tets().size(), mesh.tet_slots());
+  ASSERT_EQ(mesh.opposites().size(), 4 * mesh.tet_slots());
+  std::size_t glued = 0;
+  for (std::size_t t = 0; t < mesh.tet_slots(); ++t) {
+    EXPECT_EQ(mesh.tets()[t][0].valid(), mesh.is_live(TetId(t)));
+    EXPECT_EQ(mesh.tets()[t], mesh.vertices(TetId(t)));
+    for (int i = 0; i < 4; ++i) {
+      const HalfFaceId h = TetMesh::half_face(TetId(t), i);
+      EXPECT_EQ(mesh.opposites()[h.index()], mesh.opposite(h));
+      if (mesh.opposites()[h.index()].valid()) ++glued;
+    }
+  }
+  EXPECT_GT(glued, 0U);
+  EXPECT_TRUE(TetMesh().tets().empty());
+  EXPECT_TRUE(TetMesh().opposites().empty());
+}
+
 TEST(TetMeshEdit, RefusedTetChangesNothing) {
   TetMesh mesh = make(6, {tet(0, 1, 2, 3), tet(0, 2, 1, 4)});
   const auto before = gluing(mesh);

@@ -1,0 +1,28 @@
+// Small inputs of each kind.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace tetloft::c_test {
+
+/// Two sections: a square with a hole below, a square above.
+inline constexpr std::string_view kStackText =
+    "S 2\nv 8 z 0\n{\n0 0\n4 0\n4 4\n0 4\n}\n{\n1 1\n3 1\n3 3\n1 3\n}\n"
+    "v 4 z 1\n{\n0 0\n5 0\n5 5\n0 5\n}\n";
+/// A vertex is repeated at the end: mended, with a warning.
+inline constexpr std::string_view kMendedText =
+    "S 2\nv 4 z 0\n{\n0 0\n4 0\n4 4\n0 0\n}\nv 3 z 1\n{\n0 0\n4 0\n4 4\n}\n";
+inline constexpr std::string_view kLabelText = "0 0 1\n1 0 1\n";
+inline constexpr std::string_view kPointText = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+
+/// Two tets with a face in common.
+inline const std::vector<double> kTetPoints{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1};
+inline const std::vector<std::uint32_t> kTets{0, 1, 2, 3, 4, 1, 3, 2};
+
+/// A square with a segment along a diagonal.
+inline const std::vector<double> kPlanePoints{0, 0, 2, 0, 2, 2, 0, 2, 1, 0.5};
+inline const std::vector<std::uint32_t> kSegments{0, 2};
+
+}  // namespace tetloft::c_test

@@ -1,0 +1,53 @@
+# Compares the list of C functions that is checked in with the declarations of tetloft.h and, given
+# a shared library, with what that exports; of C++ it must export names of namespace tetloft alone,
+# and none of what is internal.
+#
+# cmake -DHEADER=… -DLIST=… [-DLIBRARY=… [-DNM=nm]] -P check_symbols.cmake
+cmake_minimum_required(VERSION 3.25)
+
+function(compare what found)
+  list(SORT found)
+  list(REMOVE_DUPLICATES found)
+  file(STRINGS "${LIST}" listed)
+  set(more ${found})
+  list(REMOVE_ITEM more ${listed})
+  set(fewer ${listed})
+  if(found)
+    list(REMOVE_ITEM fewer ${found})
+  endif()
+  if(more OR fewer)
+    list(JOIN more " " more)
+    list(JOIN fewer " " fewer)
+    message(FATAL_ERROR "${what}\n  not in the list: ${more}\n  in the list alone: ${fewer}")
+  endif()
+  list(LENGTH found count)
+  message(STATUS "${what}: ${count} functions, as listed")
+endfunction()
+
+file(READ "${HEADER}" header)
+string(REGEX REPLACE "/\\*[^*]*\\*+([^/*][^*]*\\*+)*/" "" header "${header}")
+string(REGEX MATCHALL "tetloft_[a-z0-9_]+\\(" declared "${header}")
+list(TRANSFORM declared REPLACE "\\($" "")
+compare("declared in ${HEADER}" "${declared}")
+
+if(NOT LIBRARY)
+  return()
+endif()
+if(NOT NM)
+  set(NM nm)
+endif()
+execute_process(COMMAND "${NM}" -D --defined-only "${LIBRARY}" OUTPUT_VARIABLE symbols
+  COMMAND_ERROR_IS_FATAL ANY)
+string(REGEX REPLACE "[^\n]* ([^ \n]+)\n" "\\1;" symbols "${symbols}")
+set(of_c ${symbols})
+list(FILTER of_c INCLUDE REGEX "^tetloft_")
+compare("exported by ${LIBRARY}" "${of_c}")
+set(others ${symbols})
+list(FILTER others EXCLUDE REGEX "^tetloft_|^_Z(T[ISV])?NK?7tetloft")
+set(internal ${symbols})
+list(FILTER internal INCLUDE REGEX "7tetloft8internal")
+if(others OR internal)
+  list(JOIN others "\n  " others)
+  list(JOIN internal "\n  " internal)
+  message(FATAL_ERROR "exported, but not of the API:\n  ${others}\n  ${internal}")
+endif()

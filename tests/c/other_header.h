@@ -1,0 +1,2 @@
+/* What the list does not know. */
+int tetloft_new(void);
