@@ -313,7 +313,7 @@ def _unpickled(vtu: bytes, warnings: tuple[str, ...]) -> Model:
 
 
 def read_model(source: Source, *, format: Optional[str] = None) -> Model:
-    """The model of a path, or a file opened for bytes. The format is recognised, or named."""
+    """The model of a file: a path, or one opened for bytes. The format is recognised, or named."""
     opened = opened_file(source)
     if opened:
         return parse_model(*opened, format=format)
