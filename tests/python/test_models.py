@@ -67,7 +67,9 @@ class Models(unittest.TestCase):
         self.assertEqual(tets[0], tets[2])
 
     def test_have_a_boundary(self):
-        surface = tetloft.reconstruct(tube()).boundary()
+        solid = tetloft.reconstruct(tube())
+        surface = solid.boundary()
+        solid.close()
         self.assertEqual(surface.component_count, 1)
         topology = surface.topology()
         self.assertEqual(topology.genus, 1)
@@ -75,7 +77,7 @@ class Models(unittest.TestCase):
         self.assertEqual(topology.vertices - topology.edges + topology.triangles, 0)
         self.assertEqual(len(rows(surface.tets)), len(surface))
         self.assertEqual(set(rows(surface.components)), {0})
-        points = rows(surface.points)  # the model is gone; the divergence of x is the volume
+        points = rows(surface.points)  # the divergence of x is the volume
         total = 0.0
         for a, b, c in rows(surface.triangles):
             u = [points[b][k] - points[a][k] for k in range(3)]
@@ -118,6 +120,14 @@ class Models(unittest.TestCase):
                 self.assertEqual(surface.read_bytes(), solid.surface_to_bytes(extension))
         self.assertNotEqual(solid.surface_to_bytes("stl", ascii=True), solid.surface_to_bytes())
         self.same(tetloft.parse_model(solid.to_bytes(), "tube.vtu"), solid)
+
+    def test_warn_of_what_a_format_loses(self):
+        thin = tetloft.Model([(x + 1e9, y, z) for x, y, z in CORNER[0]], CORNER[1])
+        with self.assertWarnsRegex(tetloft.TetloftWarning, "float32") as told:
+            thin.surface_to_bytes("stl")
+        self.assertEqual(told.filename, __file__)
+        with tempfile.TemporaryDirectory() as folder, self.assertWarns(tetloft.TetloftWarning):
+            thin.write_surface(os.path.join(folder, "thin.stl"))
 
     def test_are_copied_and_pickled(self):
         solid = tetloft.reconstruct(tube())

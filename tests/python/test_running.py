@@ -34,10 +34,11 @@ class Progress(unittest.TestCase):
                      lambda **how: tetloft.links(circles(60, 50), **how)):
             stack = circles(3, 20)
             solid = tetloft.reconstruct(stack)
-            told.clear()
-            with self.assertRaises(Enough):
-                call(progress=progress, threads=1)
-            self.assertEqual(len(told), 1)
+            for threads in (1, 4):
+                told.clear()
+                with self.assertRaises(Enough):
+                    call(progress=progress, threads=threads)
+                self.assertEqual(len(told), 1)
 
     def test_may_call_the_library(self):
         volumes = []
