@@ -147,6 +147,7 @@ class TypeHints(unittest.TestCase):
                              "stack = tetloft.read_stack('a.cnt')\n"
                              "points = tetloft.reconstruct(stack, between=None).points\n"
                              "reveal_type(points)\n"
+                             "tetloft.Stack([(0, [[(0, 0), (1, 0), (0, 1)], points[:, :2]])])\n"
                              "tetloft.reconstruct(7)\n")
             code, text = self.mypy("--strict", path)
         self.assertIn("ndarray", text)

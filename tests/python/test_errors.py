@@ -3,6 +3,7 @@
 import math
 import os
 import pickle
+import sys
 import tempfile
 import threading
 import unittest
@@ -83,6 +84,13 @@ class Errors(unittest.TestCase):
         for call in (lambda: tetloft.reconstruct(box(), between=0.5),
                      lambda: tetloft.reconstruct(box(), threads="2"),
                      lambda: tetloft.reconstruct(box(), progress=7),
+                     lambda: tetloft.reconstruct([(0, [SQUARE])]),
+                     lambda: tetloft.links(None),
+                     lambda: tetloft.check(box(), box()),
+                     lambda: tetloft.check(tetloft.reconstruct(box()), "box.cnt"),
+                     lambda: tetloft.links(box(), correspondence=1),
+                     lambda: tetloft.links(box(), labels=1),
+                     lambda: tetloft.reconstruct(box()).render("a.png", "box.cnt"),
                      lambda: tetloft.read_stack(None),
                      lambda: tetloft.parse_stack("text")):
             with self.assertRaises(TypeError):
@@ -93,6 +101,21 @@ class Errors(unittest.TestCase):
                              (tetloft.FileError, OSError), (tetloft.OutOfMemory, MemoryError),
                              (tetloft.InternalError, RuntimeError)):
             self.assertTrue(issubclass(ours, theirs) and issubclass(ours, tetloft.Error))
+
+    @unittest.skipUnless(sys.platform.startswith("linux"), "RLIMIT_AS")
+    def test_of_memory_are_memory_errors(self):
+        made = support.run_python(
+            "import random, resource, tetloft\n"
+            "random.seed(1)\n"
+            "points = [[random.random() for _ in range(3)] for _ in range(200000)]\n"
+            "tetloft.delaunay(points[:100])\n"
+            "pages = int(open('/proc/self/statm').read().split()[0])\n"
+            "limit = pages * resource.getpagesize() + 2**22\n"
+            "resource.setrlimit(resource.RLIMIT_AS, (limit, limit))\n"
+            "try: tetloft.delaunay(points, threads=1)\n"
+            "except MemoryError as error: print(type(error).__name__, error)\n")
+        self.assertTrue(made.stdout.startswith(("OutOfMemory", "MemoryError")),
+                        made.stdout + made.stderr)
 
     def test_are_pickled(self):
         for kind in errors.OF_STATUS.values():

@@ -105,6 +105,13 @@ class Owner:
             self._arrays[name] = view(pointer, count.value // parts, columns, handle)
         return self._arrays[name]
 
+    @classmethod
+    def _handle_of(cls, given: Any, what: str) -> Handle:
+        """Of an argument that should be one of these."""
+        if not isinstance(given, cls):
+            raise TypeError(f"{what}: a tetloft.{cls.__name__} is expected, not {given!r:.80}")
+        return given._open()
+
     @property
     def closed(self) -> bool:
         """Whether close() was called."""

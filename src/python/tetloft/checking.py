@@ -125,7 +125,8 @@ def check(model: Model, stack: Stack, *, correspondence: Union[str, Corresponden
     options.places = whole(places, "places", 0, 2**64 - 1)
     options.recompute_motions, options.strict = bool(recompute_motions), bool(strict)
     options.execution = run.pointer
-    run.call(lib.tetloft_check, model._open(), stack._open(), ctypes.byref(options), made.out)
+    run.call(lib.tetloft_check, Model._handle_of(model, "model"),
+             Stack._handle_of(stack, "stack"), ctypes.byref(options), made.out)
     passed = c_int()
     lib.tetloft_verdict_pass(made, ctypes.byref(passed))
     return Verdict(bool(passed.value), [_guarantee(made, 1 + i) for i in range(_GUARANTEES)],

@@ -131,6 +131,8 @@ class Correspondence:
 def correspondence_of(given: Union[str, Correspondence], labels: Optional[LabelsLike]) -> Any:
     """The struct, which keeps the labels alive."""
     rule = Correspondence(given) if isinstance(given, str) else given
+    if not isinstance(rule, Correspondence):
+        raise TypeError(f"correspondence: a word or a Correspondence is expected, not {given!r}")
     if labels is not None and rule.labels is not None:
         raise ValueError("labels are given twice, by themselves and by the correspondence")
     if rule.tau is not None and not rule.tau >= 0:
@@ -154,6 +156,8 @@ def _as_labels(given: LabelsLike) -> Labels:
         return given
     if isinstance(given, (str, bytes, os.PathLike)):
         return read_labels(given)
+    if not isinstance(given, Mapping):
+        raise TypeError(f"labels: Labels, a path or a mapping is expected, not {given!r}")
     return Labels(given)
 
 
@@ -181,7 +185,7 @@ class Link(NamedTuple):
     """Over the next best pair; None: there is none."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Links:
     """What belongs together in a stack, and how surely."""
 
@@ -206,8 +210,8 @@ def links(stack: Stack, *, correspondence: Union[str, Correspondence] = "moved",
           progress: Optional[Progress] = None, stop: Optional[Stop] = None) -> Links:
     """What belongs together in a stack, link by link, without making the solid."""
     run, made, warnings = Run(threads, progress, stop), Handle("links"), Warnings()
-    run.call(lib.tetloft_links_find, stack._open(), correspondence_of(correspondence, labels),
-             run.pointer, made.out, warnings.out)
+    run.call(lib.tetloft_links_find, Stack._handle_of(stack, "stack"),
+             correspondence_of(correspondence, labels), run.pointer, made.out, warnings.out)
     components, cavities = c_size_t(), c_size_t()
     lib.tetloft_links_counts(made, ctypes.byref(components), ctypes.byref(cavities))
     return Links(_links(lib.tetloft_links_regions, made), _links(lib.tetloft_links_voids, made),

@@ -299,8 +299,9 @@ class Model(Owner):
         if title is not None:
             options.title = text(title, "title")
         options.execution = run.pointer
-        run.call(lib.tetloft_model_render, self._open(), None if stack is None else stack._open(),
-                 path_bytes(path), ctypes.byref(options))
+        contours_of = None if stack is None else Stack._handle_of(stack, "stack")
+        run.call(lib.tetloft_model_render, self._open(), contours_of, path_bytes(path),
+                 ctypes.byref(options))
 
     def __reduce__(self) -> Any:
         return _unpickled, (self.to_bytes("vtu"), self.warnings)

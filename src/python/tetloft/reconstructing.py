@@ -66,7 +66,7 @@ def reconstruct(stack: Stack, *, between: Optional[int] = None, ends: str = "fla
     options.engine = choice(structs.ENGINE, engine, "engine")
     options.thickness = 0 if thickness is None else thickness
     made, warnings = Handle("model"), Warnings()
-    run.call(lib.tetloft_reconstruct, stack._open(), ctypes.byref(options), made.out, warnings.out)
+    run.call(lib.tetloft_reconstruct, Stack._handle_of(stack, "stack"), ctypes.byref(options), made.out, warnings.out)
     return Model._of(made, warnings.tell())
 
 
@@ -95,7 +95,7 @@ def between(stack: Stack, *, sections: Optional[int] = None,
     run, made, decisions, warnings = (Run(threads, progress, stop), Handle("stack"),
                                       Handle("labels"), Warnings())
     options = _options(correspondence, labels, sections, divide_coarse, work_limit, run)
-    run.call(lib.tetloft_between, stack._open(), ctypes.byref(options), made.out, decisions.out,
+    run.call(lib.tetloft_between, Stack._handle_of(stack, "stack"), ctypes.byref(options), made.out, decisions.out,
              warnings.out)
     given = Correspondence(correspondence) if isinstance(correspondence, str) else correspondence
     decided = Labels._of(decisions)
