@@ -19,7 +19,7 @@ std::vector<std::size_t> sizes(A& a, std::vector<std::size_t> usual) {
 }
 
 tetloft_status create_stack(A& a) {
-  const auto z = a.array(a.reals({0, 1}));
+  const auto z = a.array(std::vector<double>{a.real(0), a.real(1)});
   const auto contours = a.array(sizes(a, {1, 1}));
   const auto vertices = a.array(sizes(a, {3, 4}));
   const auto xy = a.array(a.reals({0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 1, 1, 0, 1}), 2);
