@@ -84,6 +84,7 @@ class Errors(unittest.TestCase):
         for call in (lambda: tetloft.reconstruct(box(), between=0.5),
                      lambda: tetloft.reconstruct(box(), threads="2"),
                      lambda: tetloft.reconstruct(box(), progress=7),
+                     lambda: tetloft.reconstruct(box(), stop=threading.Event()),
                      lambda: tetloft.reconstruct([(0, [SQUARE])]),
                      lambda: tetloft.links(None),
                      lambda: tetloft.check(box(), box()),

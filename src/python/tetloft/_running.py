@@ -73,7 +73,9 @@ class Run:
     """How one call of the library runs: ``pointer`` is its tetloft_execution."""
 
     def __init__(self, threads: int, progress: Optional[Progress], stop: Optional[Stop]):
-        self._stop = stop or Stop()
+        self._stop = Stop() if stop is None else stop
+        if not isinstance(self._stop, Stop):
+            raise TypeError(f"stop: a tetloft.Stop is expected, not {stop!r}")
         self._button = _Button()
         self._raised: list[BaseException] = []
         self._execution = defaults(structs.Execution, "execution")
@@ -152,6 +154,6 @@ def _call_beside(call: Callable[[], None], press: Callable[[], None]) -> None:
             interrupted.append(reason)
             press()
     if interrupted:
-        raise interrupted[0]
+        raise interrupted.pop(0)
     if raised:
         raise raised.pop()
