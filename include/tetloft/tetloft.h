@@ -19,7 +19,8 @@
  *
  * Structs of options and results begin with their version: set it by the …_defaults() function (of
  * options), or to the …_VERSION of this header (of results). A version that the library does not
- * know is TETLOFT_USAGE. Where options are taken, NULL means defaults.
+ * know is TETLOFT_USAGE. Where options are taken, NULL means defaults. They, and all arrays and
+ * texts of the caller, are read while the call lasts, and not kept.
  *
  * Texts are UTF-8 as far as their sources are, end with a zero byte, and are the library's: valid
  * as long as the handle that they come from. Ids are zero-based; TETLOFT_NO_ID means none.

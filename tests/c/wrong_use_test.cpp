@@ -1,6 +1,7 @@
 // Every function of tetloft.h with each of its arguments wrong, one at a time: a status, no crash.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <fstream>
 #include <set>
 #include <string>
@@ -24,6 +25,21 @@ bool meets(tetloft_status status, Expected expected) {
 }
 
 std::string told_now() { return std::string(" (") + tetloft_last_error() + ')'; }
+
+// Made before all others, and so destroyed after them: what it frees is still known then.
+class FreesLate {
+ public:
+  ~FreesLate() {
+    if (handle != nullptr && free_handle(Kind::stack, handle) != TETLOFT_OK) std::_Exit(3);
+  }
+  void* handle = nullptr;
+};
+FreesLate frees_late;
+
+TEST(WrongUse, AHandleCanBeFreedWhenTheProgramEnds) {
+  frees_late.handle = new_handle(Kind::stack);
+  EXPECT_NE(frees_late.handle, nullptr);
+}
 
 TEST(WrongUse, EveryFunctionIsInTheTable) {
   std::ifstream list(TETLOFT_C_SYMBOLS);
