@@ -119,7 +119,11 @@ class IdVector {
   [[nodiscard]] IdRange<IdType> ids() const { return IdRange<IdType>(data_.size()); }
 
   /// Appends `value`; returns the id it got.
-  IdType push_back(T value) {
+  IdType push_back(const T& value) {
+    data_.push_back(value);
+    return IdType(data_.size() - 1);
+  }
+  IdType push_back(T&& value) {
     data_.push_back(std::move(value));
     return IdType(data_.size() - 1);
   }
