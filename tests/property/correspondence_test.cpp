@@ -249,7 +249,7 @@ TEST(Correspondence, IsTheSameOnLattices) {
 }
 
 TEST(Correspondence, IsTheSameWhenItIsComputedAnew) {
-  constexpr std::uint64_t kSeeds = 12;
+  constexpr std::uint64_t kSeeds = 8;
   std::size_t answers[3] = {};
   std::size_t with_oracle = 0;
   for (const StackKind kind : all_kinds()) {
