@@ -99,7 +99,8 @@ typedef struct tetloft_place {
   int32_t has_point;
   double point[3]; /* if has_point */
 } tetloft_place;
-/* Of this thread's last failure. */
+/* Of this thread's last failure: tetloft_place place = {TETLOFT_PLACE_VERSION}. Another version is
+ * TETLOFT_USAGE, the failure asked about stays the last. */
 TETLOFT_C_API tetloft_status tetloft_last_place(tetloft_place* place);
 
 /* Warnings that a function gave: something that was mended, or that one should know. Where a

@@ -1,4 +1,6 @@
 // What a model holds, as arrays.
+#include <string>
+
 #include <tetloft/model.hpp>
 
 #include "c/arrays.hpp"
@@ -80,6 +82,15 @@ tetloft_status tetloft_model_volume(const tetloft_model* model, double* volume) 
   return answer([&] {
     const auto value = value_of_handle(model, "model");
     require_output(volume, "volume");
+    for (const tetloft::TetVertices& tet : value->model.tets) {
+      for (const tetloft::VertexId v : tet) {
+        if (v.index() < value->model.points.size()) continue;
+        throw tetloft::internal::Failed(
+            tetloft::Error{tetloft::ErrorCode::invalid_input,
+                           "a tet has point " + std::to_string(v.value()) + ", which there is not",
+                           {}});
+      }
+    }
     *volume = tetloft::volume(value->model);
   });
 }

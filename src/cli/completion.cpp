@@ -25,9 +25,14 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
-// The first clause of an option's help.
+// The first clause of an option's help that is more than a value of it.
 std::string in_short(const std::string& help) {
-  std::string text = help.substr(0, help.find_first_of(":;("));
+  std::size_t end = help.find_first_of(":;(");
+  while (end != std::string::npos &&
+         std::count(help.begin(), help.begin() + static_cast<std::ptrdiff_t>(end), ' ') < 3) {
+    end = help.find_first_of(":;(", end + 1);
+  }
+  std::string text = help.substr(0, end);
   while (!text.empty() && text.back() == ' ') text.pop_back();
   return text;
 }
@@ -92,6 +97,7 @@ std::string bash_completion(const std::vector<Command>& commands) {
                 ") words=" + sh_quoted(joined(command.usage.words)) + " ;;\n";
     }
   }
+  values += "    help:help) words=" + sh_quoted(command_names(commands)) + " ;;\n";
   return "# bash completion for tetloft\n"
          "_tetloft() {\n"
          "  local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}\n"
@@ -105,20 +111,20 @@ std::string bash_completion(const std::vector<Command>& commands) {
          "  fi\n"
          "  if ((COMP_CWORD == 1)); then\n"
          "    words=" +
-         sh_quoted(command_names(commands) + " --help --version") +
+         sh_quoted(command_names(commands) + " help --help --version") +
          "\n"
          "  else case \"${COMP_WORDS[1]}:$previous\" in\n" +
          values + "    *) if [[ $current == -* ]]; then case \"${COMP_WORDS[1]}\" in\n" + options +
          "      esac; else files=1; fi ;;\n"
          "  esac; fi\n"
-         "  local IFS=$'\\n'\n"
          "  if [[ $files ]]; then\n"
-         "    COMPREPLY=($(compgen -f -- \"$current\"))\n"
+         "    compopt -o filenames 2>/dev/null\n"
+         "    mapfile -t COMPREPLY < <(compgen -f -- \"$current\")\n"
          "  else\n"
-         "    COMPREPLY=($(compgen -W \"${words// /$'\\n'}\" -- \"$current\"))\n"
+         "    mapfile -t COMPREPLY < <(compgen -W \"$words\" -- \"$current\")\n"
          "  fi\n"
          "}\n"
-         "complete -o filenames -F _tetloft tetloft\n";
+         "complete -F _tetloft tetloft\n";
 }
 
 // --- zsh ----------------------------------------------------------------------------------------
@@ -179,7 +185,8 @@ std::string zsh_completion(const std::vector<Command>& commands) {
          "  shift words\n"
          "  ((CURRENT--))\n"
          "  case $words[1] in\n" +
-         cases +
+         cases + "    help)\n      _arguments " +
+         sh_quoted("1:command:(" + command_names(commands) + ")") + " ;;\n" +
          "  esac\n"
          "}\n"
          "# Read as a file of functions it completes at once; sourced, it says for what.\n"
@@ -209,6 +216,8 @@ std::string fish_completion(const std::vector<Command>& commands) {
       "complete -c tetloft -n __fish_use_subcommand -f\n"
       "complete -c tetloft -n __fish_use_subcommand -l help -s h -d 'print help'\n"
       "complete -c tetloft -n __fish_use_subcommand -l version -d 'print the version'\n";
+  text += "complete -c tetloft -n '__fish_seen_subcommand_from help' -f -a " +
+          fish_quoted(command_names(commands)) + '\n';
   for (const Command& command : commands) {
     const std::string name(command.usage.command);
     text += "complete -c tetloft -n __fish_use_subcommand -a " + name + " -d " +

@@ -43,6 +43,29 @@ TEST(ErrorsOfC, HaveTheTextAndPlaceOfCpp) {
   }
 }
 
+TEST(ErrorsOfC, StayWhereTheirPlaceIsAskedForWrongly) {
+  EXPECT_EQ(tetloft_stack_counts(nullptr, nullptr, nullptr, nullptr), TETLOFT_BAD_HANDLE);
+  const std::string before = tetloft_last_error();
+  tetloft_place place = {};
+  EXPECT_EQ(tetloft_last_place(&place), TETLOFT_USAGE);
+  EXPECT_EQ(tetloft_last_place(nullptr), TETLOFT_USAGE);
+  EXPECT_EQ(tetloft_last_error(), before);
+  place = {TETLOFT_PLACE_VERSION, nullptr, 0, 0, 0, 0, 0, 0, {0, 0, 0}};
+  EXPECT_EQ(tetloft_last_place(&place), TETLOFT_OK);
+  EXPECT_EQ(place.section, -1);
+}
+
+TEST(ErrorsOfC, NamePointsThatATetLacks) {
+  const double xyz[] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+  const std::uint32_t tet[] = {0, 1, 2, 9};
+  Owned<tetloft_model> model;
+  ASSERT_OK(tetloft_model_create(xyz, 3, tet, 1, model.out()));
+  double volume = 1;
+  EXPECT_EQ(tetloft_model_volume(model, &volume), TETLOFT_INVALID_INPUT);
+  EXPECT_EQ(volume, 0);
+  EXPECT_NE(std::string(tetloft_last_error()).find("point 9"), std::string::npos);
+}
+
 TEST(ErrorsOfC, BelongToTheirThread) {
   EXPECT_EQ(tetloft_stack_counts(nullptr, nullptr, nullptr, nullptr), TETLOFT_BAD_HANDLE);
   const std::string mine = tetloft_last_error();

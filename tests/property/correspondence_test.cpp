@@ -102,7 +102,7 @@ enum class Answer : std::uint8_t { sets, unrealisable, refused };
 
 // The oracle takes its time.
 constexpr std::size_t kMostForOracle = 40;  // vertices
-constexpr std::uint64_t kSeedsForOracle = 3;
+constexpr std::uint64_t kSeedsForOracle = 2;
 
 // A stack, and with what numbers it is tried.
 struct Tried {

@@ -121,7 +121,8 @@ class Examples(unittest.TestCase):
 
 
 class TypeHints(unittest.TestCase):
-    @unittest.skipUnless(numpy is not None and there("mypy"), "without mypy")
+    @unittest.skipUnless(numpy is not None and there("mypy") and "TETLOFT_SLOW" in os.environ,
+                         "without mypy, or TETLOFT_SLOW")
     def test_agree_with_the_code_and_are_seen_by_callers(self):
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "caller.py")

@@ -47,6 +47,19 @@ class Progress(unittest.TestCase):
         self.assertEqual(set(volumes), {80})
 
 
+class TheEnd(unittest.TestCase):
+    def test_of_the_interpreter_still_takes_calls(self):
+        made = subprocess.run([sys.executable, "-c", """
+import tetloft
+class Late:
+    def __init__(self, stack): self.stack, self.call = stack, tetloft.reconstruct
+    def __del__(self): print(self.call(self.stack).volume)
+square = [(0, 0), (2, 0), (2, 2), (0, 2)]
+late = Late(tetloft.Stack([(0, [square]), (3, [square])]))
+"""], text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=60)
+        self.assertEqual((made.returncode, made.stdout), (0, "12.0\n"))
+
+
 class Stops(unittest.TestCase):
     def test_end_the_calls_they_were_given_to(self):
         stop, told = tetloft.Stop(), []

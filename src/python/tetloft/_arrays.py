@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 numpy: Any = None
 try:
     numpy = importlib.import_module("numpy")
+    importlib.import_module("numpy.ctypeslib")  # at an interpreter's end nothing is imported
 except ImportError:
     pass
 

@@ -9,6 +9,7 @@ call has ended. Other threads call directly.
 from __future__ import annotations
 
 import ctypes
+import sys
 import threading
 from typing import Any, Callable, Optional
 
@@ -93,7 +94,8 @@ class Run:
     def call(self, function: Any, *arguments: Any) -> None:
         self._stop._add(self._button)
         try:
-            if threading.current_thread() is threading.main_thread():
+            # No thread begins where the interpreter is ending, as in a finalizer that runs late.
+            if threading.current_thread() is threading.main_thread() and not sys.is_finalizing():
                 _call_beside(lambda: function(*arguments), self._button.press)
             else:
                 function(*arguments)
