@@ -1,10 +1,9 @@
 // What a model holds, as arrays.
-#include <string>
-
 #include <tetloft/model.hpp>
 
 #include "c/arrays.hpp"
 #include "c/handles.hpp"
+#include "model/well_formed.hpp"
 
 namespace tetloft::internal::c {
 
@@ -82,15 +81,8 @@ tetloft_status tetloft_model_volume(const tetloft_model* model, double* volume) 
   return answer([&] {
     const auto value = value_of_handle(model, "model");
     require_output(volume, "volume");
-    for (const tetloft::TetVertices& tet : value->model.tets) {
-      for (const tetloft::VertexId v : tet) {
-        if (v.index() < value->model.points.size()) continue;
-        throw tetloft::internal::Failed(
-            tetloft::Error{tetloft::ErrorCode::invalid_input,
-                           "a tet has point " + std::to_string(v.value()) + ", which there is not",
-                           {}});
-      }
-    }
-    *volume = tetloft::volume(value->model);
+    const tetloft::Model& given = value->model;
+    require_success(tetloft::internal::check_tets(given.points.size(), given.tets.raw()));
+    *volume = tetloft::volume(given);
   });
 }

@@ -63,7 +63,7 @@ TEST(ErrorsOfC, NamePointsThatATetLacks) {
   double volume = 1;
   EXPECT_EQ(tetloft_model_volume(model, &volume), TETLOFT_INVALID_INPUT);
   EXPECT_EQ(volume, 0);
-  EXPECT_NE(std::string(tetloft_last_error()).find("point 9"), std::string::npos);
+  EXPECT_NE(std::string(tetloft_last_error()).find("vertex 9"), std::string::npos);
 }
 
 TEST(ErrorsOfC, BelongToTheirThread) {

@@ -33,7 +33,7 @@ set(may_render core mesh sections model io)
 set(modules core arithmetic spatial predicates mesh delaunay2 delaunay3 sections motion contact model slab correspondence between completion subdivision
   reconstruct geiger check io render c)
 # The C interface stands beside the command line: all of the public API, and core.
-set(may_c core)
+set(may_c core model)
 
 # Public headers whose name is not their module's. delaunay.hpp and sections.hpp are all of their
 # subject, for callers; tetloft.hpp is all of the API, for programs, tetloft.h the same for C.
