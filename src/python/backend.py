@@ -10,7 +10,6 @@ import glob
 import os
 import shutil
 import subprocess
-import sys
 import tempfile
 from typing import Any, Optional
 
@@ -43,9 +42,7 @@ def _library(folder: str) -> str:
     subprocess.run([cmake, "-S", ROOT, "-B", folder, *generator, *options], check=True)
     subprocess.run([cmake, "--build", folder, "--target", "tetloft", "--config", "Release",
                     "--parallel"], check=True)
-    pattern = {"darwin": "libtetloft.dylib", "win32": "tetloft.dll"}.get(sys.platform,
-                                                                         "libtetloft.so")
-    return glob.glob(os.path.join(folder, "**", pattern), recursive=True)[0]
+    return glob.glob(os.path.join(folder, "**", wheel.library_name()), recursive=True)[0]
 
 
 def build_wheel(wheel_directory: str, config_settings: Optional[dict[str, Any]] = None,

@@ -56,7 +56,8 @@ def metadata() -> str:
     return METADATA.format(version=version(), description=_read(HERE, "README.md").decode())
 
 
-def _library_name() -> str:
+def library_name() -> str:
+    """Of the shared library on this platform."""
     return {"darwin": "libtetloft.dylib", "win32": "tetloft.dll"}.get(sys.platform, "libtetloft.so")
 
 
@@ -66,7 +67,7 @@ def _contents(library: str) -> list[tuple[str, bytes]]:
                      if name.endswith(".py") and name != "_location.py" or name == "py.typed")
     info = f"tetloft-{version()}.dist-info"
     return ([(f"tetloft/{name}", _read(PACKAGE, name)) for name in sources] +
-            [(f"tetloft/{_library_name()}", _read(library)),
+            [(f"tetloft/{library_name()}", _read(library)),
              (f"{info}/METADATA", metadata().encode()),
              (f"{info}/WHEEL", WHEEL.format(tag=tag()).encode())])
 
@@ -89,7 +90,7 @@ def write(library: str, folder: str) -> str:
         for path, data in contents + [(record, _record(contents, record))]:
             entry = zipfile.ZipInfo(path)  # of 1980, whenever it is made
             entry.compress_type = zipfile.ZIP_DEFLATED
-            entry.external_attr = (0o100755 if path.endswith(_library_name()) else 0o100644) << 16
+            entry.external_attr = (0o100755 if path.endswith(library_name()) else 0o100644) << 16
             wheel.writestr(entry, data)
     return name
 
