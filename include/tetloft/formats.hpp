@@ -6,11 +6,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include <tetloft/execution.hpp>
 #include <tetloft/export.hpp>
 #include <tetloft/io.hpp>
 #include <tetloft/model.hpp>
@@ -58,9 +60,35 @@ struct FormatInfo {
 /// All formats, in the order in which contents are looked at.
 [[nodiscard]] TETLOFT_API std::span<const FormatInfo> formats();
 
+/// Contours of volumes: through the middles between voxels, moved where values say so, or along the
+/// faces of voxels.
+enum class VolumeContours : std::uint8_t { sub_pixel, lattice };
+
+/// How contours that lie nearly in one plane are put together where a file has points in space:
+/// within this part of the usual gap between planes, if nothing else is said.
+inline constexpr double kDefaultPlaneTolerance = 0.01;
+
 struct ReadOptions {
   Validity validity = Validity::required;  ///< of stacks
   std::string format = {};                 ///< by name; empty: it is recognised
+  /// Of files of several structures (ROIs, objects, segments, labels) the one that is read: its
+  /// name, whatever the case if that is unique, or its number or value. Empty: the only one there
+  /// is to read; of contours with labels, all of them.
+  std::string structure = {};
+  /// GeoJSON: the property that holds the height. Empty: it is found.
+  std::string property = {};
+  /// Volumes: the region is where values are at least this, in place of a label.
+  std::optional<double> iso = {};
+  VolumeContours contours = VolumeContours::sub_pixel;
+  /// Volumes: the index axis (0, 1, 2) across which slices are taken; none: the last.
+  std::optional<int> axis = {};
+  /// Points in space: contours whose heights differ by at most this are one section; above 0, in
+  /// the file's unit. None: kDefaultPlaneTolerance of the usual gap.
+  std::optional<double> plane_tolerance = {};
+  /// Lines that end at the rectangle around all lines are closed along it (close_on_frame() in
+  /// repair.hpp).
+  bool close_on_frame = false;
+  Execution execution = {};
 };
 
 struct WriteOptions {

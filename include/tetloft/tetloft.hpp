@@ -9,8 +9,10 @@
 #include <tetloft/execution.hpp>
 #include <tetloft/export.hpp>
 #include <tetloft/formats.hpp>
+#include <tetloft/frame.hpp>
 #include <tetloft/geiger.hpp>
 #include <tetloft/ids.hpp>
+#include <tetloft/inspect.hpp>
 #include <tetloft/io.hpp>
 #include <tetloft/links.hpp>
 #include <tetloft/model.hpp>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,16 +10,24 @@
 #include <tetloft/formats.hpp>
 #include <tetloft/result.hpp>
 
+#include "io/bytes/byte_source.hpp"
+#include "io/drawing/drawing.hpp"
 #include "io/sink.hpp"
 #include "io/surface.hpp"
+#include "io/triangle_soup.hpp"
+#include "io/volume/volume.hpp"
 
 namespace tetloft::internal::io {
 
 /// What a reader is handed.
 struct Source {
+  /// All of the file; of a volume in a file, which is read slice by slice, its beginning
+  /// (`whole` has the rest).
   std::string_view bytes;
   std::string name;    ///< of the file, for messages
   std::string folder;  ///< of the file, for formats whose data may stand beside it; empty: none
+  /// The file, or null: then `bytes` are all there is.
+  const ByteSource* whole = nullptr;
 };
 
 /// What a writer is told beside the values. The encoding is one that there is.
@@ -42,9 +51,14 @@ struct Format {
   /// Takes text that nothing recognises.
   bool takes_text = false;
 
+  /// Stacks come from formats that hold just that, from drawings and from volumes: one of these.
   Result<ReadStack> (*read_stack)(const Source&, const ReadOptions&) = nullptr;
+  Result<Drawing> (*read_drawing)(const Source&, const ReadOptions&) = nullptr;
+  Result<std::unique_ptr<Volume>> (*open_volume)(const Source&, const ReadOptions&) = nullptr;
   Result<ReadModel> (*read_model)(const Source&, const ReadOptions&) = nullptr;
   Result<ReadPoints> (*read_points)(const Source&, const ReadOptions&) = nullptr;
+  /// Triangles in space, for slicing.
+  Result<TriangleSoup> (*read_triangles)(const Source&, const ReadOptions&) = nullptr;
   Result<Labels> (*read_labels)(const Source&, const ReadOptions&) = nullptr;
 
   Written (*write_stack)(Sink&, const SectionStack&, const Target&) = nullptr;

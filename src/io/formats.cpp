@@ -20,11 +20,13 @@ bool handles(const Format& format, Contents contents, Direction direction) {
 
 bool reads(const Format& format, Contents contents) {
   switch (contents) {
-    case Contents::stack: return format.read_stack != nullptr;
+    case Contents::stack:
+      return format.read_stack != nullptr || format.read_drawing != nullptr ||
+             format.open_volume != nullptr;
     case Contents::model: return format.read_model != nullptr;
     case Contents::points: return format.read_points != nullptr;
     case Contents::labels: return format.read_labels != nullptr;
-    case Contents::surface:
+    case Contents::surface: return format.read_triangles != nullptr;
     case Contents::lines: break;
   }
   return false;

@@ -1,13 +1,23 @@
 // Reading files of whichever format.
+#include <cmath>
+#include <memory>
+#include <optional>
 #include <string>
 
 #include <tetloft/formats.hpp>
+#include <tetloft/inspect.hpp>
 
+#include "core/enums.hpp"
 #include "core/guard.hpp"
+#include "core/option_rules.hpp"
 #include "io/arguments.hpp"
+#include "io/bytes/byte_source.hpp"
+#include "io/drawing/stack_of_drawing.hpp"
 #include "io/files.hpp"
 #include "io/formats.hpp"
 #include "io/output_place.hpp"
+#include "io/summary.hpp"
+#include "io/volume/stack_of_volume.hpp"
 
 namespace tetloft {
 
@@ -15,17 +25,67 @@ using namespace internal;
 
 namespace {
 
+/// Reads one thing by the format that was chosen.
 template <class Out>
-using Reader = Result<Out> (*io::Format::*)(const io::Source&, const ReadOptions&);
+using Reader = Result<Out> (*)(const io::Format&, const io::Source&, const ReadOptions&);
+
+Result<ReadStack> stack_by(const io::Format& format, const io::Source& source,
+                           const ReadOptions& options) {
+  if (format.read_stack != nullptr) return format.read_stack(source, options);
+  if (format.read_drawing != nullptr) {
+    Result<io::Drawing> drawing = format.read_drawing(source, options);
+    if (!drawing) return drawing.error();
+    return io::stack_of_drawing(*std::move(drawing), source.name, options);
+  }
+  Result<std::unique_ptr<io::Volume>> volume = format.open_volume(source, options);
+  if (!volume) return volume.error();
+  return io::stack_of_volume(**volume, source.name, options);
+}
+Result<FileSummary> summary_by(const io::Format& format, const io::Source& source,
+                               const ReadOptions& options) {
+  Result<FileSummary> summary = io::summary_of(format, source, options);
+  if (summary) summary->format = format.name;
+  return summary;
+}
+Result<ReadModel> model_by(const io::Format& format, const io::Source& source,
+                           const ReadOptions& options) {
+  return format.read_model(source, options);
+}
+Result<ReadPoints> points_by(const io::Format& format, const io::Source& source,
+                             const ReadOptions& options) {
+  return format.read_points(source, options);
+}
+Result<Labels> labels_by(const io::Format& format, const io::Source& source,
+                         const ReadOptions& options) {
+  return format.read_labels(source, options);
+}
+
+Result<void> check_options(const ReadOptions& options) {
+  const auto wrong = [](const char* what) { return Error{ErrorCode::usage, what, {}}; };
+  if (Result<void> known = io::check_validity(options.validity); !known) return known;
+  if (!is_enumerator(options.contours, VolumeContours::lattice)) {
+    return wrong("there is no such way of contours: sub_pixel or lattice");
+  }
+  if (options.axis && (*options.axis < 0 || *options.axis > 2)) {
+    return wrong("the axis of slices is 0, 1 or 2");
+  }
+  if (options.iso && !std::isfinite(*options.iso)) return wrong("the iso-value is not finite");
+  if (options.plane_tolerance && !is_length(*options.plane_tolerance)) {
+    return wrong("the tolerance of planes is not above 0");
+  }
+  return {};
+}
 
 template <class Out>
-Result<Out> parse_source(Contents contents, Reader<Out> reader, const io::Source& source,
+Result<Out> parse_source(Contents contents, Reader<Out> reader, io::Source source,
                          const ReadOptions& options) {
-  if (Result<void> known = io::check_validity(options.validity); !known) return known.error();
+  if (Result<void> known = check_options(options); !known) return known.error();
   const Result<const io::Format*> format =
       io::choose_reader(io::format_table(), contents, source, options.format);
   if (!format) return format.error();
-  return ((*format)->*reader)(source, options);
+  const io::MemoryBytes bytes(source.bytes);
+  if (source.whole == nullptr) source.whole = &bytes;
+  return reader(**format, source, options);
 }
 
 template <class Out>
@@ -34,10 +94,38 @@ Result<Out> parse_bytes(Contents contents, Reader<Out> reader, std::string_view 
   return guard_internal([&] { return parse_source(contents, reader, {bytes, name, {}}, options); });
 }
 
+// A volume is read slice by slice from its file; what its beginning tells to be anything else, as a
+// whole.
+template <class Out>
+Result<std::optional<Out>> read_volume(Contents contents, Reader<Out> reader,
+                                       const std::string& path, const ReadOptions& options) {
+  constexpr std::size_t kBeginning = std::size_t{1} << 16;
+  const Result<std::unique_ptr<io::ByteSource>> file = io::open_bytes(path);
+  if (!file) return file.error();
+  if (*file == nullptr || (*file)->size() <= kBeginning) return std::optional<Out>();
+  std::string beginning(kBeginning, '\0');
+  const Result<std::size_t> got = (*file)->read_at(0, beginning);
+  if (!got) return got.error();
+  beginning.resize(*got);
+  const io::Source source{beginning, path, io::folder_of(path), file->get()};
+  const Result<const io::Format*> format =
+      io::choose_reader(io::format_table(), contents, source, options.format);
+  if (!format || (*format)->open_volume == nullptr) return std::optional<Out>();
+  Result<Out> read = reader(**format, source, options);
+  if (!read) return read.error();
+  return std::optional<Out>(*std::move(read));
+}
+
 template <class Out>
 Result<Out> read_path(Contents contents, Reader<Out> reader, const std::string& path,
                       const ReadOptions& options) {
   return guard_internal([&]() -> Result<Out> {
+    if (Result<void> known = check_options(options); !known) return known.error();
+    if (contents == Contents::stack) {
+      Result<std::optional<Out>> volume = read_volume(contents, reader, path, options);
+      if (!volume) return volume.error();
+      if (volume->has_value()) return **std::move(volume);
+    }
     const Result<std::string> bytes = io::read_file(path);
     if (!bytes) return bytes.error();
     return parse_source(contents, reader, {*bytes, path, io::folder_of(path)}, options);
@@ -46,7 +134,10 @@ Result<Out> read_path(Contents contents, Reader<Out> reader, const std::string& 
 
 // Of the functions of io.hpp, each for one format.
 ReadOptions reading(const char* format, Validity validity = Validity::required) {
-  return {validity, format};
+  ReadOptions options;
+  options.validity = validity;
+  options.format = format;
+  return options;
 }
 
 Result<Model> without_warnings(Result<ReadModel> read) {
@@ -59,11 +150,18 @@ Result<Model> without_warnings(Result<ReadModel> read) {
 }  // namespace
 
 Result<ReadStack> read_stack(const std::string& path, const ReadOptions& options) {
-  return read_path(Contents::stack, &io::Format::read_stack, path, options);
+  return read_path(Contents::stack, stack_by, path, options);
 }
 Result<ReadStack> parse_stack(std::string_view bytes, const std::string& name,
                               const ReadOptions& options) {
-  return parse_bytes(Contents::stack, &io::Format::read_stack, bytes, name, options);
+  return parse_bytes(Contents::stack, stack_by, bytes, name, options);
+}
+Result<FileSummary> inspect(const std::string& path, const ReadOptions& options) {
+  return read_path(Contents::stack, summary_by, path, options);
+}
+Result<FileSummary> inspect_bytes(std::string_view bytes, const std::string& name,
+                                  const ReadOptions& options) {
+  return parse_bytes(Contents::stack, summary_by, bytes, name, options);
 }
 Result<ReadStack> read_cnt(const std::string& path, Validity validity) {
   return read_stack(path, reading("cnt", validity));
@@ -73,11 +171,11 @@ Result<ReadStack> parse_cnt(std::string_view text, const std::string& name, Vali
 }
 
 Result<ReadModel> read_model(const std::string& path, const ReadOptions& options) {
-  return read_path(Contents::model, &io::Format::read_model, path, options);
+  return read_path(Contents::model, model_by, path, options);
 }
 Result<ReadModel> parse_model(std::string_view bytes, const std::string& name,
                               const ReadOptions& options) {
-  return parse_bytes(Contents::model, &io::Format::read_model, bytes, name, options);
+  return parse_bytes(Contents::model, model_by, bytes, name, options);
 }
 Result<Model> read_vtu(const std::string& path) {
   return without_warnings(read_model(path, reading("vtu")));
@@ -87,18 +185,18 @@ Result<Model> parse_vtu(std::string_view bytes, const std::string& name) {
 }
 
 Result<ReadPoints> read_points(const std::string& path, const ReadOptions& options) {
-  return read_path(Contents::points, &io::Format::read_points, path, options);
+  return read_path(Contents::points, points_by, path, options);
 }
 Result<ReadPoints> parse_points(std::string_view bytes, const std::string& name,
                                 const ReadOptions& options) {
-  return parse_bytes(Contents::points, &io::Format::read_points, bytes, name, options);
+  return parse_bytes(Contents::points, points_by, bytes, name, options);
 }
 
 Result<Labels> read_labels(const std::string& path) {
-  return read_path(Contents::labels, &io::Format::read_labels, path, reading("labels"));
+  return read_path(Contents::labels, labels_by, path, reading("labels"));
 }
 Result<Labels> parse_labels(std::string_view text, const std::string& name) {
-  return parse_bytes(Contents::labels, &io::Format::read_labels, text, name, reading("labels"));
+  return parse_bytes(Contents::labels, labels_by, text, name, reading("labels"));
 }
 
 }  // namespace tetloft

@@ -1,0 +1,61 @@
+// What files of contours hold, before it is made into a stack: structures of lines in space.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <tetloft/point.hpp>
+#include <tetloft/result.hpp>
+
+namespace tetloft::internal::io {
+
+enum class LineKind : std::uint8_t {
+  closed,  ///< whether or not the file repeats the first point
+  open,
+  points,  ///< no line at all
+};
+
+/// A contour as it stands in the file.
+struct DrawnLine {
+  std::vector<Point3> points;  ///< finite
+  LineKind kind = LineKind::closed;
+  std::string type;  ///< the format's own name for it ("CLOSED_PLANAR"); empty where it has none
+  std::int64_t label = 0;    ///< of drawings with labels
+  std::size_t line = 0;      ///< where it begins in a text file, one-based; 0: none
+  std::uint64_t offset = 0;  ///< where it begins in a binary one; 0: none
+};
+
+struct DrawnStructure {
+  std::int64_t number = 0;
+  std::string name;
+  std::vector<DrawnLine> lines;
+};
+
+/// That two lines of one structure belong together, by their positions in it.
+struct DrawnJoin {
+  std::size_t lower = 0;
+  std::size_t upper = 0;
+};
+
+struct Drawing {
+  std::vector<DrawnStructure> structures;
+  /// The file keeps several objects apart, of which one is read; else the structures, or the one
+  /// there is, are read together.
+  bool apart = false;
+  /// The option that chooses one: "--roi", "--label".
+  std::string chosen_by = "--roi";
+  /// Lines bear labels, which are part of the stack.
+  bool labelled = false;
+  /// Of a drawing of one structure: adjacency that the file tells (it tells all of it).
+  bool tells_joins = false;
+  std::vector<DrawnJoin> joins;
+  /// Contours of the format may touch and cross themselves and each other, as keyholes do; the
+  /// region is that of odd crossing number. They are repaired when the stack is made.
+  bool may_touch = false;
+  std::string unit;
+  std::vector<Warning> warnings;
+};
+
+}  // namespace tetloft::internal::io
