@@ -54,6 +54,8 @@ struct Drawing {
   /// Contours of the format may touch and cross themselves and each other, as keyholes do; the
   /// region is that of odd crossing number. They are repaired when the stack is made.
   bool may_touch = false;
+  /// Open lines and points are left out, as the format means them; else an open line is refused.
+  bool leaves_out_open = false;
   std::string unit;
   std::vector<Warning> warnings;
 };

@@ -1,11 +1,241 @@
-// Stacks of drawings.
+// From a drawing to a stack, in these steps: the structure is chosen; lines that bound nothing are
+// left out; parallel planes are found and turned to constant z; sections are filled; what the
+// format allows to touch is repaired; labels and adjacency become those of the stack.
 #include "io/drawing/stack_of_drawing.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include <tetloft/repair.hpp>
+
+#include "io/drawing/choose_lines.hpp"
+#include "io/drawing/file_labels.hpp"
+#include "io/drawing/plane_gaps.hpp"
+#include "io/drawing/planes.hpp"
+#include "io/numbers.hpp"
 
 namespace tetloft::internal::io {
 
-Result<ReadStack> stack_of_drawing(Drawing /*drawing*/, const std::string& /*name*/,
-                                   const ReadOptions& /*options*/) {
-  return Error{ErrorCode::internal, "drawings are not read yet", {}};
+namespace {
+
+class StackMaker {
+ public:
+  StackMaker(Drawing drawing, const std::string& name, const ReadOptions& options)
+      : drawing_(std::move(drawing)), name_(name), options_(options) {}
+
+  Result<ReadStack> make() {
+    Result<ChosenLines> chosen = choose_lines(drawing_, options_.structure);
+    if (!chosen) return at(chosen.error());
+    lines_ = std::move(chosen->lines);
+    read_.name = std::move(chosen->name);
+    read_.unit = drawing_.unit;
+    read_.warnings = std::move(drawing_.warnings);
+    if (Result<void> done = leave_out(); !done) return at(done.error());
+    if (Result<void> done = fill_sections(); !done) return at(done.error());
+    for (Warning& warning : suspicious_gaps(read_.stack)) warn(std::move(warning));
+    if (options_.validity == Validity::required) {
+      if (Result<void> done = make_valid(); !done) return at(done.error());
+    }
+    add_labels();
+    for (Warning& warning : read_.warnings) {
+      if (warning.where.file.empty()) warning.where.file = name_;
+    }
+    return std::move(read_);
+  }
+
+ private:
+  Error at(Error error) const {
+    if (error.where.file.empty()) error.where.file = name_;
+    return error;
+  }
+
+  void warn(Warning warning) { read_.warnings.push_back(std::move(warning)); }
+
+  Error of_line(const std::string& message, const ChosenLine& line) const {
+    Error error{ErrorCode::invalid_input, place_of(drawing_, line) + ": " + message, {}};
+    if (line.line.line != 0) error.where.line = line.line.line;
+    return error;
+  }
+
+  // Points, open lines, and what is left of a contour without repeated vertices.
+  Result<void> leave_out() {
+    std::map<std::string, std::size_t> kinds;  // that are left out, by what they are called
+    std::size_t few = 0;
+    std::vector<ChosenLine> kept;
+    for (ChosenLine& line : lines_) {
+      if (line.line.kind == LineKind::open && !drawing_.leaves_out_open) {
+        return of_line("an open line, as " + std::to_string(open_lines()) + " of " +
+                           std::to_string(lines_.size()) + " are; it bounds no region" +
+                           (options_.close_on_frame ? ""
+                                                    : " (lines that end at the frame of all "
+                                                      "lines are closed along it on request: "
+                                                      "--close-on-frame)"),
+                       line);
+      }
+      if (line.line.kind != LineKind::closed) {
+        const bool open = line.line.kind == LineKind::open;
+        ++kinds[line.line.type.empty() ? (open ? "open line" : "points") : line.line.type];
+        continue;
+      }
+      drop_repeated(line.line.points);
+      if (line.line.points.size() < 3) {
+        ++few;
+        continue;
+      }
+      kept.push_back(std::move(line));
+    }
+    lines_ = std::move(kept);
+    for (const auto& [kind, count] : kinds) {
+      warn({"left out: " + std::to_string(count) + " of type " + in_quotes(kind) +
+                ", which bound no region",
+            {}});
+    }
+    if (few > 0) {
+      warn({"left out: " + std::to_string(few) + (few == 1 ? " contour" : " contours") +
+                " of one or two points",
+            {}});
+    }
+    if (lines_.empty()) {
+      return Error{ErrorCode::invalid_input,
+                   (read_.name.empty() ? std::string("there")
+                                       : "in structure " + in_quotes(read_.name) + " there") +
+                       " is no closed contour of three points or more",
+                   {}};
+    }
+    return {};
+  }
+
+  std::size_t open_lines() const {
+    std::size_t count = 0;
+    for (const ChosenLine& line : lines_) count += line.line.kind == LineKind::open ? 1 : 0;
+    return count;
+  }
+
+  // In space: what is twice in the plane may be two points of an oblique line.
+  static void drop_repeated(std::vector<Point3>& points) {
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    while (points.size() > 1 && points.back() == points.front()) points.pop_back();
+  }
+
+  Result<void> fill_sections() {
+    std::vector<PointsOfLine> points;
+    for (const ChosenLine& line : lines_) points.push_back(&line.line.points);
+    const PlanesOfLines planes = planes_of(points, options_.plane_tolerance);
+    if (const auto off = off_plane(planes)) return not_parallel(planes, *off);
+    read_.frame = planes.frame;
+    warn_of_heights(planes);
+    for (Warning& warning : plane_gaps(planes)) warn(std::move(warning));
+    for (const double z : planes.height) {
+      read_.stack.sections.push_back({z, {}});
+      read_.lines.push_back({});
+      origin_.emplace_back();
+    }
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+      const SectionId s(planes.plane[i]);
+      Contour contour;
+      contour.vertices.reserve(lines_[i].line.points.size());
+      for (const Point3& p : lines_[i].line.points) {
+        const Point3 q = unplace(planes.frame, p);
+        if (!contour.vertices.empty() && contour.vertices.back() == Point2{q.x, q.y}) continue;
+        contour.vertices.push_back({q.x, q.y});
+      }
+      lines_[i].line.points = {};
+      read_.stack.sections[s].contours.push_back(std::move(contour));
+      read_.lines[s].push_back(lines_[i].line.line);
+      origin_[s.index()].push_back(i);
+    }
+    return {};
+  }
+
+  Error not_parallel(const PlanesOfLines& planes, std::size_t off) const {
+    const double extent = planes.high[off] - planes.low[off];
+    std::string message = "is not in a plane parallel to the others: its points are up to ";
+    append_number(message, extent);
+    message += " apart across it (more than the tolerance, ";
+    append_number(message, planes.tolerance);
+    message += "); sections must be parallel planes (--plane-tolerance allows more)";
+    return of_line(message, lines_[off]);
+  }
+
+  // Heights that were brought to those of their planes.
+  void warn_of_heights(const PlanesOfLines& planes) {
+    std::size_t moved = 0;
+    double farthest = 0;
+    for (std::size_t i = 0; i < planes.low.size(); ++i) {
+      const double z = planes.height[planes.plane[i]];
+      const double by = std::max(z - planes.low[i], planes.high[i] - z);
+      if (by > 0) ++moved;
+      farthest = std::max(farthest, by);
+    }
+    // Turning rounds heights, which is nothing to tell of.
+    if (moved == 0 || (!is_exact(planes.frame) && farthest < planes.tolerance / 1024)) return;
+    std::string message = std::to_string(moved) + (moved == 1 ? " contour" : " contours") +
+                          " put into the planes of others near them, by ";
+    append_number(message, farthest);
+    message += " at most; planes less than ";
+    append_number(message, planes.tolerance);
+    message += " apart are one (--plane-tolerance)";
+    warn({std::move(message), {}});
+  }
+
+  Result<void> make_valid() {
+    Result<void> valid = validate(read_.stack, {.threads = 1});
+    if (valid) return {};
+    if (!drawing_.may_touch) return refusal(valid.error());
+    Result<Repaired> repaired = repair(read_.stack, {.execution = options_.execution});
+    if (!repaired) return refusal(repaired.error());
+    for (const Warning& change : repaired->changes) {
+      Warning warning{"repaired: " + change.message, change.where};
+      warn(std::move(warning));
+    }
+    read_.stack = std::move(repaired->stack);
+    read_.lines = {};
+    repaired_ = true;
+    return validate(read_.stack, {.threads = 1});
+  }
+
+  // With the place in the file.
+  Error refusal(Error error) const {
+    if (!error.where.section || !error.where.contour) return error;
+    const auto& of_section = origin_[*error.where.section];
+    if (*error.where.contour >= of_section.size()) return error;
+    const ChosenLine& line = lines_[of_section[*error.where.contour]];
+    if (line.line.line != 0) {
+      error.where.line = line.line.line;
+    } else {
+      error.message += " (" + place_of(drawing_, line) + " of the file)";
+    }
+    return error;
+  }
+
+  void add_labels() {
+    if (!drawing_.labelled && !drawing_.tells_joins) return;
+    if (!validate(read_.stack, {.threads = 1}))
+      return;  // unchecked: what is mended is numbered anew
+    if (repaired_) {
+      warn({"the labels of the file are left out, for repairing numbered the contours anew", {}});
+      return;
+    }
+    read_.labels = drawing_.labelled
+                       ? labels_of_lines(origin_, lines_, read_.stack)
+                       : labels_of_joins(origin_, lines_, drawing_.joins, read_.stack);
+  }
+
+  Drawing drawing_;
+  const std::string& name_;
+  const ReadOptions& options_;
+  std::vector<ChosenLine> lines_;
+  ReadStack read_;
+  LineOfContour origin_;
+  bool repaired_ = false;
+};
+
+}  // namespace
+
+Result<ReadStack> stack_of_drawing(Drawing drawing, const std::string& name,
+                                   const ReadOptions& options) {
+  return StackMaker(std::move(drawing), name, options).make();
 }
 
 }  // namespace tetloft::internal::io
