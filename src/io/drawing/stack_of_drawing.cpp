@@ -123,7 +123,7 @@ class StackMaker {
     for (const ChosenLine& line : lines_) points.push_back(&line.line.points);
     const PlanesOfLines planes = planes_of(points, options_.plane_tolerance);
     if (const auto off = off_plane(planes)) return not_parallel(planes, *off);
-    read_.frame = planes.frame;
+    read_.stack.frame = planes.frame;
     warn_of_heights(planes);
     for (Warning& warning : plane_gaps(planes)) warn(std::move(warning));
     for (const double z : planes.height) {
