@@ -4,6 +4,7 @@
 #include "io/drawing/stack_of_drawing.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -131,14 +132,19 @@ class StackMaker {
       read_.lines.push_back({});
       origin_.emplace_back();
     }
+    const double lattice = lattice_of(planes, points);
+    const auto rounded = [&](double x) {
+      return lattice == 0 ? x : std::nearbyint(x / lattice) * lattice;
+    };
     for (std::size_t i = 0; i < lines_.size(); ++i) {
       const SectionId s(planes.plane[i]);
       Contour contour;
       contour.vertices.reserve(lines_[i].line.points.size());
       for (const Point3& p : lines_[i].line.points) {
         const Point3 q = unplace(planes.frame, p);
-        if (!contour.vertices.empty() && contour.vertices.back() == Point2{q.x, q.y}) continue;
-        contour.vertices.push_back({q.x, q.y});
+        const Point2 flat{rounded(q.x), rounded(q.y)};
+        if (!contour.vertices.empty() && contour.vertices.back() == flat) continue;
+        contour.vertices.push_back(flat);
       }
       lines_[i].line.points = {};
       read_.stack.sections[s].contours.push_back(std::move(contour));
