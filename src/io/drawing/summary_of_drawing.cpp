@@ -36,7 +36,7 @@ StructureSummary summary_of_structure(const DrawnStructure& structure) {
     ++types[line.type.empty() ? type_of(line) : line.type];
     ++summary.contours;
     summary.points += line.points.size();
-    if (line.kind == LineKind::closed && !line.points.empty()) closed.push_back(&line.points);
+    if (line.kind == LineKind::closed && line.points.size() >= 3) closed.push_back(&line.points);
   }
   summary.types = {types.begin(), types.end()};
   summary.planes = plane_count(closed);
