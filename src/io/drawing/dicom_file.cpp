@@ -6,6 +6,7 @@
 
 #include "core/little_endian.hpp"
 #include "io/bytes/inflate.hpp"
+#include "io/drawing/triples.hpp"
 #include "io/numbers.hpp"
 
 namespace tetloft::internal::io {
@@ -64,13 +65,6 @@ Error no_dicom(const std::string& name, const std::string& message) {
 }
 
 }  // namespace
-
-std::string_view without_padding(std::string_view value) {
-  constexpr std::string_view kPadding("\0 \t\r\n", 5);
-  const std::size_t first = value.find_first_not_of(kPadding);
-  if (first == std::string_view::npos) return {};
-  return value.substr(first, value.find_last_not_of(kPadding) - first + 1);
-}
 
 bool begins_as_dicom(std::string_view bytes) {
   if (has_preamble(bytes)) return true;

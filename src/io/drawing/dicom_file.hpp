@@ -40,7 +40,4 @@ class DicomFile {
 /// Whether bytes begin as a DICOM file does, with or without preamble and meta information.
 [[nodiscard]] bool begins_as_dicom(std::string_view bytes);
 
-/// `value` without the blanks and zeros at its ends, which only pad it.
-[[nodiscard]] std::string_view without_padding(std::string_view value);
-
 }  // namespace tetloft::internal::io

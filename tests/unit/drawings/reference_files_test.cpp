@@ -86,5 +86,26 @@ TEST(ReferenceFiles, StructureSets) {
   }
 }
 
+TEST(ReferenceFiles, Cxt) {
+  const std::vector<fs::path> files = files_of("cxt");
+  if (files.empty()) GTEST_SKIP() << "no reference files";
+  for (const fs::path& file : files) {
+    SCOPED_TRACE(file.filename().string());
+    const JsonValue truth = truth_of(file);
+    const auto read = inspect(file.string());
+    ASSERT_TRUE(read.ok()) << to_string(read.error());
+    ASSERT_EQ(read->structures.size(), truth.at("rois").array.size());
+    for (std::size_t s = 0; s < read->structures.size(); ++s) {
+      const StructureSummary& structure = read->structures[s];
+      const std::string number = std::to_string(structure.number);
+      EXPECT_EQ(structure.contours, count_at(truth.at("contours_per_roi"), number));
+      EXPECT_EQ(structure.points, count_at(truth.at("points_per_roi"), number));
+      const std::string& line = truth.at("rois").array[s].string;
+      EXPECT_TRUE(line.starts_with(number + '|')) << line;
+      EXPECT_TRUE(line.ends_with('|' + structure.name)) << line;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace tetloft
