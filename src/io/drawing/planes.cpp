@@ -196,6 +196,17 @@ PlanesOfLines planes_of(const std::vector<PointsOfLine>& lines,
   return planes;
 }
 
+double lattice_of(const PlanesOfLines& planes, const std::vector<PointsOfLine>& lines) {
+  if (is_exact(planes.frame)) return 0;
+  double largest = 0;
+  for (const PointsOfLine points : lines) {
+    for (const Point3& p : *points) {
+      largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    }
+  }
+  return largest > 0 ? std::ldexp(1, std::ilogb(largest) + 1 - 32) : 0;
+}
+
 std::optional<std::size_t> off_plane(const PlanesOfLines& planes) {
   std::optional<std::size_t> worst;
   for (std::size_t i = 0; i < planes.low.size(); ++i) {

@@ -4,6 +4,7 @@
 #include "io/drawing/stack_of_drawing.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -123,7 +124,7 @@ class StackMaker {
     for (const ChosenLine& line : lines_) points.push_back(&line.line.points);
     const PlanesOfLines planes = planes_of(points, options_.plane_tolerance);
     if (const auto off = off_plane(planes)) return not_parallel(planes, *off);
-    read_.frame = planes.frame;
+    read_.stack.frame = planes.frame;
     warn_of_heights(planes);
     for (Warning& warning : plane_gaps(planes)) warn(std::move(warning));
     for (const double z : planes.height) {
@@ -131,14 +132,19 @@ class StackMaker {
       read_.lines.push_back({});
       origin_.emplace_back();
     }
+    const double lattice = lattice_of(planes, points);
+    const auto rounded = [&](double x) {
+      return lattice == 0 ? x : std::nearbyint(x / lattice) * lattice;
+    };
     for (std::size_t i = 0; i < lines_.size(); ++i) {
       const SectionId s(planes.plane[i]);
       Contour contour;
       contour.vertices.reserve(lines_[i].line.points.size());
       for (const Point3& p : lines_[i].line.points) {
         const Point3 q = unplace(planes.frame, p);
-        if (!contour.vertices.empty() && contour.vertices.back() == Point2{q.x, q.y}) continue;
-        contour.vertices.push_back({q.x, q.y});
+        const Point2 flat{rounded(q.x), rounded(q.y)};
+        if (!contour.vertices.empty() && contour.vertices.back() == flat) continue;
+        contour.vertices.push_back(flat);
       }
       lines_[i].line.points = {};
       read_.stack.sections[s].contours.push_back(std::move(contour));

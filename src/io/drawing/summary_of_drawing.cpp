@@ -26,6 +26,11 @@ const char* type_of(const DrawnLine& line) {
   return "points";
 }
 
+// Shorter ones are left out of any stack.
+bool bounds_area(const DrawnLine& line) {
+  return line.kind == LineKind::closed && line.points.size() >= 3;
+}
+
 StructureSummary summary_of_structure(const DrawnStructure& structure) {
   StructureSummary summary;
   summary.number = structure.number;
@@ -36,7 +41,7 @@ StructureSummary summary_of_structure(const DrawnStructure& structure) {
     ++types[line.type.empty() ? type_of(line) : line.type];
     ++summary.contours;
     summary.points += line.points.size();
-    if (line.kind == LineKind::closed && line.points.size() >= 3) closed.push_back(&line.points);
+    if (bounds_area(line)) closed.push_back(&line.points);
   }
   summary.types = {types.begin(), types.end()};
   summary.planes = plane_count(closed);
