@@ -8,6 +8,7 @@
 #define TETLOFT_FORMAT_TABLE(FORMAT) \
   FORMAT(rtstruct)                   \
   FORMAT(cxt)                        \
+  FORMAT(csl)                        \
   FORMAT(cnt)                        \
   FORMAT(vtu)                        \
   FORMAT(obj)                        \

@@ -62,7 +62,7 @@ LinesSummary summary_of_lines(const Drawing& drawing) {
       if (line.kind != LineKind::points && !line.points.empty()) lines.push_back(&line.points);
     }
   }
-  summary.planes = plane_count(lines);
+  summary.planes = drawing.planes != 0 ? drawing.planes : plane_count(lines);
   summary.labels = {labels.begin(), labels.end()};
   return summary;
 }

@@ -107,5 +107,33 @@ TEST(ReferenceFiles, Cxt) {
   }
 }
 
+TEST(ReferenceFiles, Csl) {
+  const std::vector<fs::path> files = files_of("csl");
+  if (files.empty()) GTEST_SKIP() << "no reference files";
+  for (const fs::path& file : files) {
+    SCOPED_TRACE(file.filename().string());
+    const JsonValue truth = truth_of(file);
+    const auto read = inspect(file.string());
+    ASSERT_TRUE(read.ok()) << to_string(read.error());
+    ASSERT_TRUE(read->lines.has_value());
+    EXPECT_EQ(read->lines->planes, count_at(truth, "planes_read"));
+    EXPECT_EQ(read->lines->contours, count_at(truth, "components"));
+    EXPECT_EQ(read->lines->points, count_at(truth, "vertices"));
+    EXPECT_EQ(read->lines->open, 0U);
+    std::vector<std::int64_t> labels;
+    for (const JsonValue& label : truth.at("labels_used").array) {
+      labels.push_back(static_cast<std::int64_t>(label.number));
+    }
+    EXPECT_EQ(read->lines->labels, labels);
+    const auto stack = read_stack(file.string());
+    EXPECT_EQ(stack.ok(), truth.at("planes_parallel").boolean);
+    if (!stack) continue;
+    EXPECT_EQ(stack->stack.sections.size(), count_at(truth, "planes_read"));
+    // Holes have the labels of what is around them.
+    EXPECT_EQ(stack->labels.labels.size(),
+              count_at(truth, "components") - count_at(truth, "holes"));
+  }
+}
+
 }  // namespace
 }  // namespace tetloft

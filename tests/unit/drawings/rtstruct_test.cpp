@@ -214,7 +214,7 @@ TEST(Rtstruct, ObliqueAndSagittalPlanesAreFound) {
   ASSERT_TRUE(read.ok()) << to_string(read.error());
   ASSERT_EQ(read->stack.sections.size(), 3U);
   const Point2 v = read->stack.sections[SectionId(1)].contours[ContourId(0)].vertices[2];
-  const Point3 p = place(read->frame, {v.x, v.y, read->stack.sections[SectionId(1)].z});
+  const Point3 p = place(read->stack.frame, {v.x, v.y, read->stack.sections[SectionId(1)].z});
   EXPECT_EQ(p, (Point3{2, 1, 1}));
 }
 

@@ -1,0 +1,41 @@
+// Text line by line, each a row of words; # begins a comment.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include "io/cursor.hpp"
+
+namespace tetloft::internal::io {
+
+class TextLines {
+ public:
+  explicit TextLines(std::string_view text) : cursor_(text) {}
+
+  /// Goes to the next line that has words; false at the end.
+  bool next() {
+    words_.clear();
+    while (!cursor_.at_end()) {
+      cursor_.skip_white();
+      line_ = cursor_.line();
+      while (!cursor_.at_end() && cursor_.peek() != '\n' && cursor_.peek() != '#') {
+        words_.push_back(cursor_.token("#"));
+        cursor_.skip_blanks();
+      }
+      cursor_.skip_line();
+      if (!words_.empty()) return true;
+    }
+    return false;
+  }
+  [[nodiscard]] const std::vector<std::string_view>& words() const { return words_; }
+  /// Its number, one-based; at the end the last one's.
+  [[nodiscard]] std::size_t line() const { return line_; }
+
+ private:
+  TextCursor cursor_;
+  std::vector<std::string_view> words_;
+  std::size_t line_ = 1;
+};
+
+}  // namespace tetloft::internal::io
