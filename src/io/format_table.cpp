@@ -9,6 +9,7 @@
   FORMAT(rtstruct)                   \
   FORMAT(cxt)                        \
   FORMAT(csl)                        \
+  FORMAT(slc)                        \
   FORMAT(cnt)                        \
   FORMAT(vtu)                        \
   FORMAT(obj)                        \

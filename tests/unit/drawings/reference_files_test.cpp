@@ -135,5 +135,28 @@ TEST(ReferenceFiles, Csl) {
   }
 }
 
+TEST(ReferenceFiles, Slc) {
+  const std::vector<fs::path> files = files_of("slc");
+  if (files.empty()) GTEST_SKIP() << "no reference files";
+  for (const fs::path& file : files) {
+    SCOPED_TRACE(file.filename().string());
+    const JsonValue truth = truth_of(file);
+    const auto read = inspect(file.string());
+    ASSERT_TRUE(read.ok()) << to_string(read.error());
+    ASSERT_TRUE(read->lines.has_value());
+    EXPECT_EQ(read->lines->planes, count_at(truth, "slices"));
+    EXPECT_EQ(read->lines->contours, count_at(truth, "contours"));
+    EXPECT_EQ(read->lines->points, count_at(truth, "points"));
+    EXPECT_EQ(read->lines->open, count_at(truth, "open"));
+    EXPECT_EQ(read->lines->closed, count_at(truth, "closed"));
+    EXPECT_EQ(read->warnings.size(), count_at(truth, "adjacency_out_of_range"));
+    const auto stack = read_stack(file.string());
+    EXPECT_EQ(stack.ok(), count_at(truth, "open") == 0);
+    if (!stack) continue;
+    EXPECT_EQ(stack->labels.labels.size() + stack->labels.hole_labels.size(),
+              count_at(truth, "contours"));
+  }
+}
+
 }  // namespace
 }  // namespace tetloft
