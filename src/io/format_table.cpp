@@ -10,6 +10,7 @@
   FORMAT(cxt)                        \
   FORMAT(csl)                        \
   FORMAT(slc)                        \
+  FORMAT(imod)                       \
   FORMAT(cnt)                        \
   FORMAT(vtu)                        \
   FORMAT(obj)                        \

@@ -158,5 +158,32 @@ TEST(ReferenceFiles, Slc) {
   }
 }
 
+TEST(ReferenceFiles, Imod) {
+  const std::vector<fs::path> files = files_of("imod");
+  if (files.empty()) GTEST_SKIP() << "no reference files";
+  for (const fs::path& file : files) {
+    SCOPED_TRACE(file.filename().string());
+    const JsonValue truth = truth_of(file);
+    const auto read = inspect(file.string());
+    ASSERT_TRUE(read.ok()) << to_string(read.error());
+    EXPECT_EQ(read->unit, "nm");
+    EXPECT_EQ(read->warnings.size(), 0U) << warnings_of(read->warnings);
+    const std::vector<JsonValue>& objects = truth.at("objects").array;
+    ASSERT_EQ(read->structures.size(), objects.size());
+    for (std::size_t s = 0; s < objects.size(); ++s) {
+      const StructureSummary& structure = read->structures[s];
+      EXPECT_EQ(structure.name, objects[s].at("name").string);
+      EXPECT_EQ(structure.contours, count_at(objects[s], "contours_header"));
+      std::size_t points = 0;
+      for (const JsonValue& contour : objects[s].at("contours").array) {
+        points += count_at(contour, "points");
+      }
+      EXPECT_EQ(structure.points, points);
+      const bool open = objects[s].at("open_flag").boolean;
+      for (const auto& [type, count] : structure.types) EXPECT_EQ(type, open ? "open" : "closed");
+    }
+  }
+}
+
 }  // namespace
 }  // namespace tetloft
