@@ -73,6 +73,7 @@ FileSummary summary_of_drawing(Drawing drawing) {
   FileSummary summary;
   summary.lines = summary_of_lines(drawing);
   if (drawing.apart || drawing.structures.size() > 1) {
+    summary.structures.reserve(drawing.structures.size());
     for (const DrawnStructure& structure : drawing.structures) {
       summary.structures.push_back(summary_of_structure(structure));
     }
