@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "io/drawing/text_lines.hpp"
 #include "io/drawing/triples.hpp"
 #include "io/format.hpp"
 #include "io/numbers.hpp"
@@ -20,14 +21,6 @@ namespace {
 
 constexpr std::string_view kNamesBegin = "ROI_NAMES";
 constexpr std::string_view kNamesEnd = "END_OF_ROI_NAMES";
-
-// Cuts the first line off `text`, without its end and padding.
-std::string_view cut_line(std::string_view& text) {
-  const std::size_t end = std::min(text.find('\n'), text.size());
-  const std::string_view line = without_padding(text.substr(0, end));
-  text.remove_prefix(std::min(end + 1, text.size()));
-  return line;
-}
 
 // Up to the next bar, which is cut off as well.
 std::string_view cut_field(std::string_view& line) {
@@ -45,9 +38,9 @@ bool is_key(std::string_view word) {
 // Keys up to that of the names.
 bool begins_as_cxt(std::string_view bytes) {
   constexpr std::size_t kMostKeys = 100;
-  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
+  bytes = without_mark(bytes);
   for (std::size_t i = 0; i < kMostKeys && !bytes.empty(); ++i) {
-    const std::string_view line = cut_line(bytes);
+    const std::string_view line = without_padding(cut_line(bytes));
     if (line == kNamesBegin) return true;
     if (!line.empty() && !is_key(line.substr(0, line.find_first_of(" \t")))) return false;
   }
@@ -64,10 +57,9 @@ class CxtReader {
     drawing_.may_touch = true;
     drawing_.leaves_out_open = true;
     drawing_.unit = "mm";
-    std::string_view rest = source_.bytes;
-    if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);
+    std::string_view rest = without_mark(source_.bytes);
     for (line_ = 1; !rest.empty(); ++line_) {
-      const std::string_view line = cut_line(rest);
+      const std::string_view line = without_padding(cut_line(rest));
       if (line.empty() || line.front() == '#') continue;
       if (Result<void> taken = take(line); !taken) return taken.error();
     }

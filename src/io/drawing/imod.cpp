@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/drawing/imod_text.hpp"
 #include "io/drawing/triples.hpp"
 #include "io/format.hpp"
 #include "io/numbers.hpp"
@@ -29,7 +30,9 @@ constexpr std::size_t kImodHeader = 8 + 232;
 constexpr std::uint32_t kOpenFlag = 1U << 3;
 constexpr std::uint32_t kScatteredFlag = 1U << 9;
 
-bool begins_as_imod(std::string_view bytes) { return bytes.starts_with("IMODV"); }
+bool begins_as_imod(std::string_view bytes) {
+  return bytes.starts_with("IMODV") || begins_as_imod_text(bytes);
+}
 
 // A power of ten of the metre, but for the first ones.
 std::string imod_unit(std::int32_t code) {
@@ -259,6 +262,7 @@ class ImodReader {
 };
 
 Result<Drawing> read_imod(const Source& source, const ReadOptions& /*options*/) {
+  if (begins_as_imod_text(source.bytes)) return read_imod_text(source);
   return ImodReader(source).read();
 }
 

@@ -1,6 +1,7 @@
-// Text line by line, each a row of words; # begins a comment.
+// Text line by line.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <string_view>
 #include <vector>
@@ -9,6 +10,20 @@
 
 namespace tetloft::internal::io {
 
+/// Cuts the first line off `text` and returns it, without its end.
+inline std::string_view cut_line(std::string_view& text) {
+  const std::size_t end = std::min(text.find('\n'), text.size());
+  const std::string_view line = text.substr(0, end);
+  text.remove_prefix(std::min(end + 1, text.size()));
+  return line;
+}
+
+/// `text` without a UTF-8 byte order mark at its start.
+inline std::string_view without_mark(std::string_view text) {
+  return text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text;
+}
+
+/// Each line a row of words; # begins a comment.
 class TextLines {
  public:
   explicit TextLines(std::string_view text) : cursor_(text) {}
