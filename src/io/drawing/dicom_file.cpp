@@ -16,6 +16,7 @@ namespace {
 constexpr std::size_t kPreamble = 128;
 constexpr std::uint16_t kMetaGroup = 0x0002;
 constexpr DicomTag kMetaLength{kMetaGroup, 0x0000};
+constexpr DicomTag kMediaClass{kMetaGroup, 0x0002};
 constexpr DicomTag kTransferSyntax{kMetaGroup, 0x0010};
 
 constexpr std::string_view kImplicitLittle = "1.2.840.10008.1.2";
@@ -109,6 +110,7 @@ Result<void> DicomFile::take_meta(std::size_t at, WarningList& warnings) {
     if (!event) return event.error();
     if (event->kind == DicomEvent::Kind::end) break;
     if (event->kind != DicomEvent::Kind::value) continue;
+    if (event->tag == kMediaClass) media_class_ = without_padding(event->value);
     if (event->tag == kTransferSyntax) syntax_ = without_padding(event->value);
     if (event->tag == kMetaLength && event->value.size() == 4) {
       told_end = meta.position() + load_little<std::uint32_t>(event->value.data());

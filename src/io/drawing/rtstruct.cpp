@@ -353,6 +353,8 @@ Result<Drawing> read_rtstruct(const Source& source, const ReadOptions& /*options
   if (!file) return file.error();
   Result<RawSet> raw = RawSetReader(file->elements({kStructures, kRoiContours, kContours})).read();
   if (!raw) return raw.error();
+  // A DICOMDIR names its class there alone.
+  if (raw->sop_class.empty()) raw->sop_class = file->media_class();
   if (Result<void> checked = check_class(*raw, source.name, warnings); !checked) {
     return checked.error();
   }

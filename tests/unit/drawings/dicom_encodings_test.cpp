@@ -109,22 +109,23 @@ TEST(DicomEncodings, PaddingAtTheEndIsNone) {
                                                                            std::string(20, '\0'))));
 }
 
-// A sequence that is written as of unknown kind is implicit, little endian, inside.
+// A sequence that is written as of unknown kind is implicit, little endian, inside; with some
+// writers as all else is.
 TEST(DicomEncodings, SequencesMayBeHiddenAsUnknown) {
-  const DicomWriter inside({.explicit_vr = false});
-  const DicomWriter explicit_writer({});
-  const DicomWriter big({.big_endian = true});
-  DicomItem set = two_structures();
-  std::string known[2];
-  for (DicomNode& node : set) {
-    if (node.vr != "SQ" || (node.element != 0x20 && node.element != 0x39)) continue;
-    const std::string bytes = inside.bytes_of(node);
-    node.vr = "UN";
-    node.value = bytes.substr(8);
-    node.items.clear();
-  }
-  expect_two_structures(explicit_writer.bytes_of(set));
-  expect_two_structures(big.bytes_of(set));
+  const auto hidden = [](DicomStyle outside, DicomStyle inside) {
+    DicomItem set = two_structures();
+    for (DicomNode& node : set) {
+      if (node.vr != "SQ" || (node.element != 0x20 && node.element != 0x39)) continue;
+      node.value = DicomWriter(inside).bytes_of(node).substr(inside.explicit_vr ? 12 : 8);
+      node.vr = "UN";
+      node.items.clear();
+    }
+    return DicomWriter(outside).bytes_of(set);
+  };
+  expect_two_structures(hidden({}, {.explicit_vr = false}));
+  expect_two_structures(hidden({.big_endian = true}, {.explicit_vr = false}));
+  expect_two_structures(hidden({}, {}));
+  expect_two_structures(hidden({.big_endian = true}, {.big_endian = true}));
 }
 
 // Pixel data in fragments stand between, in a file that is otherwise fine.

@@ -195,11 +195,19 @@ TEST(Rtstruct, OtherObjectsAreNamed) {
   expect_error(object("1.2.840.10008.5.1.4.1.1.2", "CT"), {"a CT image", "'CT'"});
   expect_error(object("1.2.840.10008.5.1.4.1.1.481.5", "RTPLAN"), {"RT plan", "'RTPLAN'"});
   expect_error(object("1.2.3.4", ""), {"'1.2.3.4'", "modality none"});
+  const DicomWriter writer({});
+  std::string directory =
+      dicom_part10("1.2.840.10008.1.2.1", writer.bytes_of(dicom_value(4, 0x1130, "CS", "A")));
+  const std::string set_class = "1.2.840.10008.5.1.4.1.1.481.3";
+  const std::string directory_class = "1.2.840.10008.1.3.10";
+  directory.replace(directory.find(set_class), directory_class.size() + 1, directory_class + '\0');
+  directory.replace(directory.find(directory_class) + 21, 8, std::string(8, '\0'));
+  expect_error(directory, {"a DICOMDIR"});
   // The modality alone tells; so do the sequences.
   EXPECT_TRUE(inspected(object("1.2.3.4", "RTSTRUCT")).ok());
   DicomItem bare = dicom_structure_set({dicom_roi("1", "a")}, {});
   bare.erase(bare.begin(), bare.begin() + 2);
-  const auto read = inspected(dicom_part10("1.2.840.10008.1.2.1", file_of(bare)));
+  const auto read = inspected(std::string(128, '\0') + "DICM" + file_of(bare));
   ASSERT_TRUE(read.ok()) << to_string(read.error());
   expect_warning(read->warnings, {"does not say that it is one"});
 }
