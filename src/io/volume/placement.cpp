@@ -9,16 +9,11 @@
 
 #include "io/numbers.hpp"
 #include "io/volume/slice.hpp"
+#include "io/volume/volume_error.hpp"
 
 namespace tetloft::internal::io {
 
 namespace {
-
-Error bad_volume(const std::string& name, const std::string& message) {
-  Error error{ErrorCode::invalid_input, message, {}};
-  error.where.file = name;
-  return error;
-}
 
 Point3 axis_of(const VolumeHeader& header, std::size_t index_axis) {
   const auto& m = header.matrix;
@@ -107,12 +102,12 @@ Result<void> check_matrix(const VolumeHeader& header, const std::string& field,
   for (std::size_t row = 0; row < 3; ++row) {
     for (const double entry : header.matrix[row]) {
       if (!(std::abs(entry) < kLargestCoordinate)) {
-        return bad_volume(name, field + " has a number that is not finite, or too large");
+        return volume_error(name, field + " has a number that is not finite, or too large");
       }
     }
   }
   if (handedness(header) != Sign::zero) return {};
-  return bad_volume(name, field + " is singular: the axes of the volume lie in one plane");
+  return volume_error(name, field + " is singular: the axes of the volume lie in one plane");
 }
 
 Result<SlicePlacement> place_slices(const VolumeHeader& header, std::size_t across,
@@ -137,7 +132,7 @@ Result<SlicePlacement> place_slices(const VolumeHeader& header, std::size_t acro
     append_number(message, coordinate->step);
     message += " from each other, and begin at ";
     append_number(message, coordinate->origin);
-    return bad_volume(name, message);
+    return volume_error(name, message);
   }
   return placed;
 }

@@ -9,6 +9,7 @@
 #include "io/volume/region_choice.hpp"
 #include "io/volume/slices.hpp"
 #include "io/volume/trace.hpp"
+#include "io/volume/volume_error.hpp"
 
 namespace tetloft::internal::io {
 
@@ -21,10 +22,7 @@ constexpr std::size_t kMostPixels = std::size_t{1} << 28;
 constexpr std::size_t kMostVertices = std::size_t{1} << 27;
 
 Error too_large(const std::string& name, const std::string& what, std::size_t most) {
-  Error error{
-      ErrorCode::invalid_input, what + " than the " + std::to_string(most) + " that are read", {}};
-  error.where.file = name;
-  return error;
+  return volume_error(name, what + " than the " + std::to_string(most) + " that are read");
 }
 
 class StackBuilder {

@@ -18,7 +18,6 @@ std::vector<LabelSummary> merged_labels(const VolumeHeader& header,
   for (const ValueCounts& layer : counts) {
     for (const auto& [value, voxels] : layer.values) all[value] += voxels;
   }
-  for (const VolumeSegment& segment : header.segments) all.try_emplace(segment.value, 0);
   if (all.size() > kMostLabels) return {};
   std::vector<LabelSummary> labels;
   for (const auto& [value, voxels] : all) {
@@ -39,7 +38,8 @@ std::vector<LabelSummary> labels_of_segments(const VolumeHeader& header,
   }
   for (const auto& [value, voxels] : unnamed) labels.push_back({value, voxels, {}});
   for (const VolumeSegment& s : header.segments) {
-    labels.push_back({s.value, counts[s.layer].of(s.value), s.name});
+    const std::size_t voxels = counts[s.layer].of(s.value);
+    if (voxels > 0) labels.push_back({s.value, voxels, s.name});
   }
   std::stable_sort(labels.begin(), labels.end(),
                    [](const LabelSummary& a, const LabelSummary& b) { return a.value < b.value; });

@@ -366,7 +366,6 @@ TEST(VolumeStack, IsWatchedAndStopped) {
   EXPECT_EQ(done.back(), 14U);
   std::stop_source stop;
   stop.request_stop();
-  options.execution = untold({.stop = stop.get_token()});
   EXPECT_THROW(static_cast<void>(read_of(volume, options)), Cancelled);
 }
 
