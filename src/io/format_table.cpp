@@ -11,6 +11,7 @@
   FORMAT(csl)                        \
   FORMAT(slc)                        \
   FORMAT(imod)                       \
+  FORMAT(nifti)                      \
   FORMAT(cnt)                        \
   FORMAT(vtu)                        \
   FORMAT(obj)                        \
