@@ -12,6 +12,7 @@
   FORMAT(ply)                        \
   FORMAT(vtp)                        \
   FORMAT(stl)                        \
+  FORMAT(geojson)                    \
   FORMAT(xyz)                        \
   FORMAT(bin)                        \
   FORMAT(labels)

@@ -4,13 +4,16 @@
 #include "io/drawing/stack_of_drawing.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include <tetloft/repair.hpp>
 
 #include "io/drawing/choose_lines.hpp"
 #include "io/drawing/file_labels.hpp"
+#include "io/drawing/join_lines.hpp"
 #include "io/drawing/plane_gaps.hpp"
 #include "io/drawing/planes.hpp"
 #include "io/numbers.hpp"
@@ -25,6 +28,10 @@ class StackMaker {
       : drawing_(std::move(drawing)), name_(name), options_(options) {}
 
   Result<ReadStack> make() {
+    if (drawing_.prepare) {
+      if (Result<void> done = drawing_.prepare(drawing_); !done) return at(done.error());
+    }
+    if (!drawing_.leaves_out_open) join_pieces();
     Result<ChosenLines> chosen = choose_lines(drawing_, options_.structure);
     if (!chosen) return at(chosen.error());
     lines_ = std::move(chosen->lines);
@@ -58,12 +65,25 @@ class StackMaker {
     return error;
   }
 
+  void join_pieces() {
+    std::size_t joined = 0;
+    for (DrawnStructure& structure : drawing_.structures) {
+      joined += join_open_lines(structure.lines);
+    }
+    if (joined == 0) return;
+    drawing_.warnings.push_back({std::to_string(joined) +
+                                     (joined == 1 ? " open line" : " open lines") +
+                                     " joined to others that begin or end in the same point",
+                                 {}});
+  }
+
   // Points, open lines, and what is left of a contour without repeated vertices.
   Result<void> leave_out() {
     std::map<std::string, std::size_t> kinds;  // that are left out, by what they are called
     std::size_t few = 0;
     std::vector<ChosenLine> kept;
     for (ChosenLine& line : lines_) {
+      if (line.line.left_out) continue;
       if (line.line.kind == LineKind::open && !drawing_.leaves_out_open) {
         return of_line("an open line, as " + std::to_string(open_lines()) + " of " +
                            std::to_string(lines_.size()) + " are; it bounds no region" +
@@ -121,7 +141,9 @@ class StackMaker {
   Result<void> fill_sections() {
     std::vector<PointsOfLine> points;
     for (const ChosenLine& line : lines_) points.push_back(&line.line.points);
-    const PlanesOfLines planes = planes_of(points, options_.plane_tolerance);
+    std::optional<double> tolerance = options_.plane_tolerance;
+    if (!tolerance && drawing_.exact_heights) tolerance = std::numeric_limits<double>::denorm_min();
+    const PlanesOfLines planes = planes_of(points, tolerance);
     if (const auto off = off_plane(planes)) return not_parallel(planes, *off);
     read_.frame = planes.frame;
     warn_of_heights(planes);

@@ -36,7 +36,8 @@ StructureSummary summary_of_structure(const DrawnStructure& structure) {
     ++types[line.type.empty() ? type_of(line) : line.type];
     ++summary.contours;
     summary.points += line.points.size();
-    if (line.kind == LineKind::closed && !line.points.empty()) closed.push_back(&line.points);
+    if (line.kind == LineKind::closed && !line.left_out && !line.points.empty())
+      closed.push_back(&line.points);
   }
   summary.types = {types.begin(), types.end()};
   summary.planes = plane_count(closed);
@@ -54,7 +55,8 @@ LinesSummary summary_of_lines(const Drawing& drawing) {
       if (line.kind == LineKind::open) ++summary.open;
       if (line.kind == LineKind::closed) ++summary.closed;
       if (drawing.labelled) labels.insert(line.label);
-      if (line.kind != LineKind::points && !line.points.empty()) lines.push_back(&line.points);
+      if (line.left_out || line.points.empty()) continue;
+      if (line.kind != LineKind::points) lines.push_back(&line.points);
     }
   }
   summary.planes = plane_count(lines);
