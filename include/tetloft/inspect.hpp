@@ -24,7 +24,7 @@ struct StructureSummary {
   std::vector<std::pair<std::string, std::size_t>> types;
   std::size_t contours = 0;
   std::size_t points = 0;
-  std::size_t planes = 0;  ///< of closed contours
+  std::size_t planes = 0;  ///< of closed contours of three points or more
 };
 
 /// A value of the voxels of a volume, and what the file calls it.

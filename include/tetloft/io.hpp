@@ -13,7 +13,6 @@
 
 #include <tetloft/correspondence.hpp>
 #include <tetloft/export.hpp>
-#include <tetloft/frame.hpp>
 #include <tetloft/model.hpp>
 #include <tetloft/result.hpp>
 #include <tetloft/section_stack.hpp>
@@ -36,7 +35,6 @@ struct ReadStack {
   /// Where each contour begins, for messages: lines[section][contour]. Empty where the format has
   /// no lines.
   IdVector<SectionId, IdVector<ContourId, std::size_t>> lines;
-  Frame frame = {};       ///< where the stack lies in the space of the file
   Labels labels = {};     ///< that the file gives its contours
   std::string name = {};  ///< of the structure that was read; empty where it has none
   std::string unit = {};  ///< of length, as the format names it; empty where the file says none

@@ -7,6 +7,7 @@
 
 #include <tetloft/correspondence.hpp>
 #include <tetloft/export.hpp>
+#include <tetloft/frame.hpp>
 #include <tetloft/ids.hpp>
 #include <tetloft/point.hpp>
 #include <tetloft/result.hpp>
@@ -45,6 +46,7 @@ inline constexpr int kPointOrigins = 7;
 [[nodiscard]] TETLOFT_API const char* name_of(PointOrigin origin);
 
 struct Model {
+  /// In the coordinates of the stack.
   IdVector<VertexId, Point3> points;
   /// Positive tets.
   IdVector<TetId, TetVertices> tets;
@@ -70,6 +72,10 @@ struct Model {
   std::vector<VoidLink> void_links;
   /// Where guarantee 5 cannot be had, by (slab, upper, contour).
   std::vector<Deviation> deviations;
+
+  /// As SectionStack::frame. Files hold the points as they lie there; .vtu also those of the stack,
+  /// where placing them rounds.
+  Frame frame = {};
 };
 
 /// Adjacency, stars and links of a model's tets; vertex and tet ids are the model's. Made anew by

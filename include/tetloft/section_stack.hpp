@@ -10,6 +10,7 @@
 
 #include <tetloft/execution.hpp>
 #include <tetloft/export.hpp>
+#include <tetloft/frame.hpp>
 #include <tetloft/ids.hpp>
 #include <tetloft/point.hpp>
 #include <tetloft/predicates.hpp>
@@ -30,6 +31,9 @@ struct Section {
 /// Sections by increasing z.
 struct TETLOFT_API SectionStack {
   IdVector<SectionId, Section> sections;
+  /// Where the stack lies in the space of its file; what is made of it lies there, too. No
+  /// coordinate here is in that space but by place().
+  Frame frame = {};
   [[nodiscard]] std::size_t contour_count() const;
   [[nodiscard]] std::size_t vertex_count() const;
 };

@@ -200,7 +200,7 @@ Result<int> run_between(const Arguments& arguments, Console& console) {
   const auto input = read_stack_input(request->input, request->preparation, console);
   if (!input) return input.error();
   const Result<void> labelled =
-      read_label_option(arguments, input->stack, request->options.correspondence);
+      read_label_option(arguments, *input, request->options.correspondence);
   if (!labelled) return labelled.error();
   const Result<LongStack> made = [&] {
     Progress progress(!console.quiet());

@@ -199,7 +199,7 @@ Result<int> run_check(const Arguments& arguments, Console& console) {
   if (!model) return model.error();
   const auto input = read_stack_input(arguments.operand(1), *prepared, console);
   if (!input) return input.error();
-  const Result<void> labelled = read_label_option(arguments, input->stack, options.correspondence);
+  const Result<void> labelled = read_label_option(arguments, *input, options.correspondence);
   if (!labelled) return labelled.error();
 
   const Result<CheckReport> report = [&] {

@@ -18,6 +18,7 @@ struct Command {
 [[nodiscard]] Command check_command();
 [[nodiscard]] Command delaunay_command();
 [[nodiscard]] Command info_command();
+[[nodiscard]] Command convert_command();
 [[nodiscard]] Command links_command();
 [[nodiscard]] Command between_command();
 [[nodiscard]] Command skeleton_command();

@@ -7,6 +7,7 @@
 #include "cli/engine_option.hpp"
 #include "cli/file_formats.hpp"
 #include "cli/outputs.hpp"
+#include "cli/read_options.hpp"
 #include "cli/signals.hpp"
 #include "core/text.hpp"
 #include "io/stage.hpp"
@@ -86,7 +87,9 @@ Result<int> run_delaunay(const Arguments& arguments, Console& console) {
   }
   const auto format = chosen_format(arguments, "--format", Contents::points);
   if (!format) return format.error();
-  auto read = read_points(arguments.operand(0), {.format = *format});
+  ReadOptions reading;
+  reading.format = *format;
+  auto read = read_points(input_path(arguments.operand(0)), reading);
   if (!read) return read.error();
   for (const Warning& warning : read->warnings) console.warn(warning);
   const std::size_t points = read->points.size();

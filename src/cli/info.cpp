@@ -1,24 +1,33 @@
-// tetloft info: what a stack holds.
+// tetloft info: what a file holds, and the stack that is made of it.
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <filesystem>
 #include <limits>
+#include <optional>
 
 #include <tetloft/tetloft.hpp>
 
 #include "cli/commands.hpp"
 #include "cli/file_formats.hpp"
-#include "cli/stack_input.hpp"
+#include "cli/file_summary.hpp"
+#include "cli/progress.hpp"
+#include "cli/read_options.hpp"
+#include "io/files.hpp"
 
 namespace tetloft::cli {
+
+using namespace internal;
 
 namespace {
 
 Usage info_usage() {
+  std::vector<Option> options = read_option_list();
+  for (const Option& option : {kJsonOption, kQuietOption, kHelpOption}) options.push_back(option);
   return {"info",
-          "Sections, contours, nesting, regions, areas and extents of a stack.",
+          "What a file holds: structures, labels, voxels; sections, contours, nesting, areas.",
           {input_word("IN", Contents::stack)},
-          {stack_format_option(), kJsonOption, kQuietOption, kHelpOption},
+          std::move(options),
           "Depth counts the contours around a contour: even for outer contours, odd for holes. "
           "A region is an outer contour with its immediate holes; areas are those of regions."};
 }
@@ -111,11 +120,8 @@ void write_section(JsonWriter& json, const Section& section, const SectionInfo& 
   json.end_object();
 }
 
-std::string to_json(const SectionStack& stack, const StackInfo& info, const Console& console) {
-  JsonWriter json;
-  json.begin_object();
+void write_stack(JsonWriter& json, const SectionStack& stack, const StackInfo& info) {
   json.member("slices", stack.sections.size());
-  json.member("contours", stack.contour_count());
   json.member("regions", info.regions);
   json.member("vertices", stack.vertex_count());
   json.member("depth", info.depth);
@@ -138,6 +144,13 @@ std::string to_json(const SectionStack& stack, const StackInfo& info, const Cons
     write_section(json, stack.sections[SectionId(s)], info.sections[s]);
   }
   json.end_array();
+}
+
+std::string to_json(const FileSummary& file, const SectionStack* stack, const Console& console) {
+  JsonWriter json;
+  json.begin_object();
+  write_summary(json, file, stack);
+  if (stack != nullptr) write_stack(json, *stack, stack_info(*stack));
   write_warnings(json, console.warnings());
   json.end_object();
   return json.text();
@@ -170,18 +183,63 @@ std::string to_text(const SectionStack& stack, const StackInfo& info) {
   return text;
 }
 
+// A file is looked at twice, a stream once.
+struct File {
+  std::string path;
+  std::optional<std::string> bytes;  // of a stream
+};
+
+Result<File> open_file(const Arguments& arguments) {
+  File file{input_path(arguments.operand(0)), {}};
+  std::error_code code;
+  if (std::filesystem::is_regular_file(file.path, code)) return file;
+  Result<std::string> bytes = io::read_file(file.path);
+  if (!bytes) return bytes.error();
+  file.bytes = *std::move(bytes);
+  return file;
+}
+
+// The stack that would be made of the file, where it is clear of what; a warning says why there is
+// none.
+Result<std::optional<SectionStack>> stack_of(const File& file, const FileSummary& summary,
+                                             const ReadOptions& options, Console& console) {
+  const bool chosen = !options.structure.empty() || options.iso.has_value();
+  if (!chosen && (summary.volume || summary.structures.size() > 1)) {
+    return std::optional<SectionStack>();
+  }
+  Result<ReadStack> read =
+      file.bytes ? parse_stack(*file.bytes, file.path, options) : read_stack(file.path, options);
+  if (!read) {
+    if (read.error().code != ErrorCode::invalid_input) return read.error();
+    console.warn(
+        {"no solid can be made of this as it stands: " + read.error().message, read.error().where});
+    return std::optional<SectionStack>();
+  }
+  console.warn_of(file.path, read->warnings);
+  return std::optional(std::move(read->stack));
+}
+
 Result<int> run_info(const Arguments& arguments, Console& console) {
-  const auto format = chosen_stack_format(arguments);
-  if (!format) return format.error();
-  const Result<ReadStack> read = read_stack(arguments.operand(0), {.format = *format});
-  if (!read) return read.error();
-  for (const Warning& warning : read->warnings) console.warn(warning);
-  const StackInfo info = stack_info(read->stack);
+  auto options = read_options(arguments);
+  if (!options) return options.error();
+  const Result<File> file = open_file(arguments);
+  if (!file) return file.error();
+  Progress progress(!console.quiet());
+  options->execution.progress = progress.callback();
+  const Result<FileSummary> summary = file->bytes
+                                          ? inspect_bytes(*file->bytes, file->path, *options)
+                                          : inspect(file->path, *options);
+  if (!summary) return summary.error();
+  console.warn_of(file->path, summary->warnings);
+  const auto stack = stack_of(*file, *summary, *options, console);
+  if (!stack) return stack.error();
+  const SectionStack* const made = stack->has_value() ? &**stack : nullptr;
   Result<void> told;
   if (console.json()) {
-    told = console.deliver(to_json(read->stack, info, console));
+    told = console.deliver(to_json(*summary, made, console));
   } else if (!console.quiet()) {
-    told = console.deliver(to_text(read->stack, info));
+    told = console.deliver(describe_summary(*summary) +
+                           (made == nullptr ? "" : to_text(*made, stack_info(*made))));
   }
   if (!told) return told.error();
   return 0;

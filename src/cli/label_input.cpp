@@ -91,10 +91,27 @@ class HoleNames {
 
 }  // namespace
 
-Result<void> read_label_option(const Arguments& arguments, const SectionStack& stack,
+namespace {
+
+void take_labels(Labels labels, CorrespondenceOptions& options) {
+  options.voids.labels = std::move(labels.hole_labels);
+  options.voids.decisions = std::move(labels.void_decisions);
+  options.labels = std::move(labels.labels);
+  options.decisions = std::move(labels.decisions);
+}
+
+}  // namespace
+
+Result<void> read_label_option(const Arguments& arguments, const StackInput& input,
                                CorrespondenceOptions& options) {
+  const SectionStack& stack = input.stack;
   const auto path = arguments.text("--labels");
-  if (!path) return {};
+  if (!path) {
+    Labels labels = input.labels;
+    if (options.voids.rule == VoidRule::free) labels.hole_labels.clear();
+    take_labels(std::move(labels), options);
+    return {};
+  }
   Result<Labels> read = read_labels(*path);
   if (!read) return read.error();
   for (const Label& label : read->labels) {
@@ -119,10 +136,7 @@ Result<void> read_label_option(const Arguments& arguments, const SectionStack& s
   for (const LinkDecision& decision : read->void_decisions) {
     if (auto error = holes.check(decision)) return *error;
   }
-  options.voids.labels = std::move(read->hole_labels);
-  options.voids.decisions = std::move(read->void_decisions);
-  options.labels = std::move(read->labels);
-  options.decisions = std::move(read->decisions);
+  take_labels(*std::move(read), options);
   return {};
 }
 

@@ -130,7 +130,7 @@ Result<int> run_links(const Arguments& arguments, Console& console) {
   const auto input = read_stack_input(request->input, request->preparation, console);
   if (!input) return input.error();
   const Result<void> labelled =
-      read_label_option(arguments, input->stack, request->options.correspondence);
+      read_label_option(arguments, *input, request->options.correspondence);
   if (!labelled) return labelled.error();
   Result<StackLinks> found = [&] {
     Progress progress(!console.quiet());

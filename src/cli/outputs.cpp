@@ -95,7 +95,31 @@ Result<ModelOutputs> model_outputs(const Arguments& arguments) {
   return outputs;
 }
 
+namespace {
+
+// Placing points rounds them, where their planes are oblique: what is thinner than that turns over.
+void warn_of_turned(const Model& model, Console& console) {
+  if (is_exact(model.frame)) return;
+  IdVector<VertexId, Point3> placed = model.points;
+  for (Point3& p : placed) p = place(model.frame, p);
+  std::size_t turned = 0;
+  for (const TetVertices& t : model.tets) {
+    if (orient3d(placed[t[0]], placed[t[1]], placed[t[2]], placed[t[3]]) != Sign::positive)
+      ++turned;
+  }
+  if (turned == 0) return;
+  console.warn({std::to_string(turned) + " of " + counted(model.tets.size(), "tet") +
+                    (turned == 1 ? " is" : " are") +
+                    " flat or turned over where the planes lie in the file: its coordinates are "
+                    "oblique, and rounded; the guarantees hold in those of the stack, which a "
+                    ".vtu keeps as stack_point",
+                {}});
+}
+
+}  // namespace
+
 Result<StagedFiles> stage_model(const Model& model, const ModelOutputs& outputs, Console& console) {
+  warn_of_turned(model, console);
   StagedFiles files;
   const auto stage = [&](const std::optional<std::string>& path, auto writer) -> Result<void> {
     if (!path) return {};

@@ -236,7 +236,7 @@ Result<int> run_reconstruct(const Arguments& arguments, Console& console) {
   const auto input = read_stack_input(request->input, request->preparation, console);
   if (!input) return input.error();
   const Result<void> labelled =
-      read_label_option(arguments, input->stack, request->options.correspondence);
+      read_label_option(arguments, *input, request->options.correspondence);
   if (!labelled) return labelled.error();
   seconds.read = reading.seconds();
   if (request->options.thickness && input->stack.sections.size() > 1) {

@@ -53,7 +53,9 @@ Usage render_usage() {
       {{"--output", "OUT", "the picture: " + list_of(picture_extensions()) + "; required", "-o"},
        {"--contours", input_word("IN", Contents::stack),
         "draw the contours of this stack (default: the model's own)"},
-       stack_format_option(),
+       format_option("--format", "the contours", Contents::stack),
+       {"--roi", "NAME", "of their file the structure of this name or number"},
+       {"--label", "NAME", "of their file the label of this value or name"},
        model_format_option(),
        {"--no-contours", "", "draw no contours"},
        {"--colour",
@@ -144,14 +146,17 @@ Result<int> run_render(const Arguments& arguments, Console& console) {
   Result<void> checked = check_output("--output (-o)", *output, picture_extensions(), taken);
   if (!checked) return checked.error();
 
-  const auto stack_format = chosen_stack_format(arguments);
+  auto stack_format = chosen_format(arguments, "--format", Contents::stack);
   if (!stack_format) return stack_format.error();
   const auto model_format = chosen_model_format(arguments);
   if (!model_format) return model_format.error();
 
   std::optional<SectionStack> stack;
   if (stack_path) {
-    Result<ReadStack> read = read_stack(*stack_path, {.format = *stack_format});
+    ReadOptions reading;
+    reading.format = *std::move(stack_format);
+    reading.structure = arguments.text("--roi").value_or(arguments.text("--label").value_or(""));
+    Result<ReadStack> read = read_stack(*stack_path, reading);
     if (!read) return read.error();
     for (const Warning& warning : read->warnings) console.warn(warning);
     stack = std::move(read->stack);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "cli/file_formats.hpp"
+#include "cli/progress.hpp"
 #include "core/option_rules.hpp"
 #include "core/spelling.hpp"
 #include "io/numbers.hpp"
@@ -45,26 +46,21 @@ std::vector<Option> stack_options() {
 }
 
 std::vector<Option> preparation_options() {
-  return {
-      stack_format_option(),
-      {"--repair", "",
-       "first mend contours that cross or touch, spikes and contours without area: the points of "
-       "odd crossing number stay the region; every change is told"},
-      {"--repair-distance", "D",
-       "how far --repair may move the boundary (default 2^-20 of the largest coordinate)"},
-      {"--snap", "BITS",
-       "first round x and y to a lattice of 2^-BITS (1 to 50) of the largest coordinate"},
-      {"--refine", "LENGTH",
-       "then divide contour edges longer than this: coarse contours can close a tunnel"},
-  };
-}
-
-Option stack_format_option() {
-  return format_option("--format", input_word("IN", Contents::stack), Contents::stack);
-}
-
-Result<std::string> chosen_stack_format(const Arguments& arguments) {
-  return chosen_format(arguments, "--format", Contents::stack);
+  std::vector<Option> options = read_option_list();
+  for (const Option& option : std::vector<Option>{
+           {"--repair", "",
+            "first mend contours that cross or touch, spikes and contours without area: the points "
+            "of "
+            "odd crossing number stay the region; every change is told"},
+           {"--repair-distance", "D",
+            "how far --repair may move the boundary (default 2^-20 of the largest coordinate)"},
+           {"--snap", "BITS",
+            "first round x and y to a lattice of 2^-BITS (1 to 50) of the largest coordinate"},
+           {"--refine", "LENGTH",
+            "then divide contour edges longer than this: coarse contours can close a tunnel"}}) {
+    options.push_back(option);
+  }
+  return options;
 }
 
 Option model_format_option() {
@@ -77,7 +73,9 @@ Result<std::string> chosen_model_format(const Arguments& arguments) {
 
 Result<Model> read_model_input(const std::string& path, const std::string& format,
                                Console& console) {
-  Result<ReadModel> read = read_model(path, {.format = format});
+  ReadOptions reading;
+  reading.format = format;
+  Result<ReadModel> read = read_model(path, reading);
   if (!read) return read.error();
   for (const Warning& warning : read->warnings) console.warn(warning);
   return std::move(read->model);
@@ -142,9 +140,9 @@ Result<CorrespondenceOptions> correspondence_options(const Arguments& arguments,
 
 Result<Preparation> preparation(const Arguments& arguments) {
   Preparation result;
-  auto format = chosen_stack_format(arguments);
-  if (!format) return format.error();
-  result.format = *std::move(format);
+  auto read = read_options(arguments);
+  if (!read) return read.error();
+  result.read = *std::move(read);
   const auto bits = arguments.integer("--snap", kFewestSnapBits, kMostSnapBits);
   if (!bits) return bits.error();
   if (bits->has_value()) result.snap = static_cast<int>(**bits);
@@ -197,16 +195,25 @@ void locate(Place& where, const std::string& path, const ReadStack& read) {
 Result<StackInput> read_and_repair(const std::string& path, const Preparation& preparation,
                                    Console& console) {
   const std::optional<RepairOptions>& options = preparation.repair;
-  Result<ReadStack> read =
-      read_stack(path, {.validity = options ? Validity::unchecked : Validity::required,
-                        .format = preparation.format});
+  ReadOptions reading = preparation.read;
+  if (options) reading.validity = Validity::unchecked;
+  Progress progress(!console.quiet());
+  reading.execution.progress = progress.callback();
+  Result<ReadStack> read = read_stack(path, reading);
   if (!read) {
     Error error = read.error();
     if (error.where.contour) error.message += " (--repair may mend it)";
     return error;
   }
   for (const Warning& warning : read->warnings) console.warn(warning);
-  if (!options) return StackInput{std::move(read->stack), {}, {}, {}};
+  StackInput input;
+  input.name = read->name;
+  input.unit = read->unit;
+  if (!options) {
+    input.stack = std::move(read->stack);
+    input.labels = std::move(read->labels);
+    return input;
+  }
   Result<Repaired> repaired = repair(read->stack, *options);
   if (!repaired) {
     Error error = repaired.error();
@@ -217,8 +224,11 @@ Result<StackInput> read_and_repair(const std::string& path, const Preparation& p
     locate(change.where, path, *read);
     console.warn({"repaired: " + change.message, change.where});
   }
-  return StackInput{
-      std::move(repaired->stack), RepairReport{repaired->changes.size(), repaired->moved}, {}, {}};
+  // What is repaired may be numbered anew.
+  if (repaired->changes.empty()) input.labels = std::move(read->labels);
+  input.stack = std::move(repaired->stack);
+  input.repaired = RepairReport{repaired->changes.size(), repaired->moved};
+  return input;
 }
 
 Result<void> snap_input(StackInput& input, int bits, Console& console) {
@@ -245,8 +255,9 @@ Result<void> refine_input(StackInput& input, double length) {
 
 }  // namespace
 
-Result<StackInput> read_stack_input(const std::string& path, const Preparation& preparation,
+Result<StackInput> read_stack_input(const std::string& operand, const Preparation& preparation,
                                     Console& console) {
+  const std::string path = input_path(operand);
   Result<StackInput> read = read_and_repair(path, preparation, console);
   if (!read) return read;
   StackInput input = std::move(read.value());

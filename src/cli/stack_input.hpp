@@ -10,10 +10,11 @@
 
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
+#include "cli/read_options.hpp"
 
 namespace tetloft::cli {
 
-/// --format, --repair, --repair-distance, --snap, --refine.
+/// Those of read_options.hpp, --repair, --repair-distance, --snap, --refine.
 [[nodiscard]] std::vector<Option> preparation_options();
 /// The same, after --correspondence, --overlap, --voids, --labels.
 [[nodiscard]] std::vector<Option> stack_options();
@@ -34,7 +35,7 @@ struct RepairReport {
 
 /// What is done to a stack before it is worked on: repaired, then snapped, then refined.
 struct Preparation {
-  std::string format;  ///< of the file; empty: recognised
+  ReadOptions read;
   std::optional<RepairOptions> repair;
   std::optional<int> snap;       ///< bits
   std::optional<double> refine;  ///< the longest edge left
@@ -42,6 +43,9 @@ struct Preparation {
 
 struct StackInput {
   SectionStack stack;  ///< as it is worked on
+  Labels labels;       ///< that the file gives its contours
+  std::string name;    ///< of the structure that was read
+  std::string unit;    ///< of length, where the file names one
   std::optional<RepairReport> repaired;
   std::optional<SnapReport> snapped;
   std::optional<std::size_t> inserted;  ///< vertices, by refining
@@ -50,16 +54,12 @@ struct StackInput {
 /// Checks the options' values without touching a file. Labels and decisions stay empty.
 [[nodiscard]] Result<CorrespondenceOptions> correspondence_options(const Arguments& arguments,
                                                                    Console& console);
-/// --format, --repair, --repair-distance, --snap and --refine as given.
+/// All of these as given.
 [[nodiscard]] Result<Preparation> preparation(const Arguments& arguments);
 
-/// Reads and prepares the stack; warnings go to the console.
+/// Reads and prepares the stack; "-" is standard input. Warnings go to the console.
 [[nodiscard]] Result<StackInput> read_stack_input(const std::string& path,
                                                   const Preparation& preparation, Console& console);
-/// --format of stacks, alone.
-[[nodiscard]] Option stack_format_option();
-[[nodiscard]] Result<std::string> chosen_stack_format(const Arguments& arguments);
-
 /// --model-format.
 [[nodiscard]] Option model_format_option();
 [[nodiscard]] Result<std::string> chosen_model_format(const Arguments& arguments);

@@ -257,6 +257,7 @@ Result<GeigerModel> reconstruct_geiger(const SectionStack& stack,
     auto made = Geiger(stack, sections::unit_of(stack).exponent(), options).run();
     if (made && !*made) made = Geiger(stack, 0, options).run();
     if (!made) return made.error();
+    (*made)->model.frame = stack.frame;
     return std::move(**made);
   });
 }

@@ -34,6 +34,9 @@ struct Source {
 struct Target {
   std::string name;  ///< of the file, for messages; empty where there is none
   WriteOptions options;
+  /// Of a model that lies elsewhere than its stack, whose points are handed over as they lie in
+  /// its file: those of the stack. Null: the same.
+  const IdVector<VertexId, Point3>* stack_points = nullptr;
 };
 
 using Written = Result<std::vector<Warning>>;

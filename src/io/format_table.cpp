@@ -6,6 +6,7 @@
 // The table: a line for each format, in the order in which contents are looked at and help lists
 // them. NAME stands for the value io::NAME_format.
 #define TETLOFT_FORMAT_TABLE(FORMAT) \
+  FORMAT(rtstruct)                   \
   FORMAT(cnt)                        \
   FORMAT(vtu)                        \
   FORMAT(obj)                        \

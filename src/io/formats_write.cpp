@@ -67,7 +67,12 @@ Body stack_body(const SectionStack& stack) {
 Body model_body(const Model& model) {
   return [&model](const Format& format, Sink& sink, const Target& target) -> Written {
     if (Result<void> formed = check_well_formed(model); !formed) return formed.error();
-    return format.write_model(sink, model, target);
+    if (model.frame == Frame{}) return format.write_model(sink, model, target);
+    Model placed = model;
+    for (Point3& p : placed.points) p = place(model.frame, p);
+    Target told = target;
+    told.stack_points = &model.points;
+    return format.write_model(sink, placed, told);
   };
 }
 

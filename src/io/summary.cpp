@@ -38,9 +38,7 @@ Result<FileSummary> summary_of(const Format& format, const Source& source,
     if (!drawing) return drawing.error();
     return summary_of_drawing(*std::move(drawing));
   }
-  ReadOptions as_it_stands = options;
-  as_it_stands.validity = Validity::unchecked;
-  Result<ReadStack> read = format.read_stack(source, as_it_stands);
+  Result<ReadStack> read = format.read_stack(source, options);
   if (!read) return read.error();
   return summary_of_stack(*std::move(read));
 }

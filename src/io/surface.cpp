@@ -17,7 +17,7 @@ SurfaceMesh surface_mesh(const Model& model) {
     if (number[v] == 0) continue;
     number[v] = static_cast<std::uint32_t>(mesh.vertex.size());
     mesh.vertex.push_back(v);
-    mesh.points.push_back(model.points[v]);
+    mesh.points.push_back(place(model.frame, model.points[v]));
   }
   mesh.triangles.reserve(surface.triangles.size());
   for (const TriangleVertices& t : surface.triangles) {

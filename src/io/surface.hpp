@@ -10,8 +10,8 @@
 namespace tetloft::internal::io {
 
 struct SurfaceMesh {
-  std::vector<Point3> points;    ///< those on the surface, in the model's order
-  std::vector<VertexId> vertex;  ///< the model vertex of each point
+  std::vector<Point3> points;  ///< those on the surface, in the model's order, placed by its frame
+  std::vector<VertexId> vertex;                         ///< the model vertex of each point
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< outward
   std::vector<TetId> tet;                               ///< behind each triangle
 };

@@ -12,6 +12,7 @@
 #include "io/format.hpp"
 #include "io/stage.hpp"
 #include "io/vtk_write.hpp"
+#include "io/vtu_frame.hpp"
 #include "io/vtu_read.hpp"
 #include "model/fields.hpp"
 #include "model/tables.hpp"
@@ -65,6 +66,19 @@ VtkGroup table_group(const Model& model) {
   return group;
 }
 
+VtkArray frame_array(const Frame& frame) {
+  return vtk_array<double>(std::string(kFrameArray), kFrameNumbers, kFrameNumbers,
+                           [numbers = numbers_of(frame)](std::size_t i) { return numbers[i]; });
+}
+
+VtkArray stack_point_array(const IdVector<VertexId, Point3>& points) {
+  return vtk_array<double>(std::string(kStackPointArray), 3, 3 * points.size(),
+                           [&points](std::size_t i) {
+                             const Point3& p = points[VertexId(i / 3)];
+                             return i % 3 == 0 ? p.x : i % 3 == 1 ? p.y : p.z;
+                           });
+}
+
 // `groups` are those of the data.
 void append_grid(Sink& sink, VtkGroup tables, std::vector<VtkGroup> groups,
                  const std::vector<Point3>& points, const std::vector<TetVertices>& tets,
@@ -84,9 +98,14 @@ void append_grid(Sink& sink, VtkGroup tables, std::vector<VtkGroup> groups,
 Written write_grid(Sink& sink, const Model& model, const Target& target) {
   std::vector<VtkGroup> fields{field_group("PointData", model, true),
                                field_group("CellData", model, false)};
+  VtkGroup tables = table_group(model);
+  if (target.stack_points != nullptr) {
+    tables.arrays.push_back(frame_array(model.frame));
+    if (!is_exact(model.frame)) fields[0].arrays.push_back(stack_point_array(*target.stack_points));
+  }
   // A mesh without any provenance has no element for it.
   if (fields[0].arrays.empty() && fields[1].arrays.empty()) fields.clear();
-  append_grid(sink, table_group(model), std::move(fields), model.points.raw(), model.tets.raw(),
+  append_grid(sink, std::move(tables), std::move(fields), model.points.raw(), model.tets.raw(),
               target.options.encoding);
   return std::vector<Warning>();
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "io/vtk_data.hpp"
+#include "io/vtu_frame.hpp"
 #include "io/vtu_scan.hpp"
 #include "io/xml.hpp"
 #include "model/fields.hpp"
@@ -41,6 +42,7 @@ class GridDecoder {
       if (tables) tables = read_table(table);
     });
     if (!tables) return tables.error();
+    if (Result<void> frame = read_frame(); !frame) return frame.error();
     return std::move(model_);
   }
 
@@ -154,6 +156,29 @@ class GridDecoder {
       }
       model_.tets.push_back(tet);
     }
+    return {};
+  }
+
+  // Where the points are no longer those that were placed, the model stays as it lies.
+  Result<void> read_frame() {
+    const DataArray* const array = grid_.find_column(kFrameArray);
+    if (array == nullptr || !is_float(array->type)) return {};
+    const auto numbers = read_doubles(*array, grid_.source, scanner_);
+    if (!numbers) return numbers.error();
+    const auto finite = [](double x) { return std::isfinite(x); };
+    if (numbers->size() != kFrameNumbers || !std::all_of(numbers->begin(), numbers->end(), finite))
+      return {};
+    std::vector<double> points;
+    for (std::size_t p = 0; p < grid_.pieces.size(); ++p) {
+      const DataArray* const found = grid_.find(p, VtuRole::stack_point);
+      if (found == nullptr || !is_float(found->type) || found->components != 3) continue;
+      const auto values = read_doubles(*found, grid_.source, scanner_);
+      if (!values) return values.error();
+      points.insert(points.end(), values->begin(), values->end());
+    }
+    if (!std::all_of(points.begin(), points.end(), finite)) return {};
+    const Frame frame = frame_of(*numbers);
+    if (take_back(frame, points, model_.points)) model_.frame = frame;
     return {};
   }
 

@@ -10,6 +10,7 @@
 
 #include "io/cursor.hpp"
 #include "io/numbers.hpp"
+#include "io/vtu_frame.hpp"
 #include "model/fields.hpp"
 #include "model/tables.hpp"
 
@@ -34,6 +35,12 @@ std::optional<KnownArray> known_array(std::string_view group, std::string_view n
   if (group == "Points") return KnownArray{group, "Points", VtuRole::points};
   for (const KnownArray& known : kOfCells) {
     if (known.group == group && known.name == name) return known;
+  }
+  if (group == "PointData" && name == kStackPointArray) {
+    return KnownArray{group, kStackPointArray, VtuRole::stack_point};
+  }
+  if (group == "FieldData" && name == kFrameArray) {
+    return KnownArray{group, kFrameArray, VtuRole::column};
   }
   std::optional<KnownArray> found;
   for_each_field([&](const auto& field) {
@@ -204,7 +211,9 @@ class VtuScanner {
     // Another writer's array of that name may have any type.
     const std::string* const type = tag.find("type");
     const bool text = type != nullptr && (*type == "String" || *type == "Bit");
-    if (text && (known->role == VtuRole::field || known->role == VtuRole::column)) return {};
+    const bool of_grid = known->role != VtuRole::field && known->role != VtuRole::column &&
+                         known->role != VtuRole::stack_point;
+    if (text && !of_grid) return {};
     VtuArray array{known->role, {}};
     Result<DataArray> declared = declare_array(tag, known->name, scanner_);
     if (!declared) return declared.error();

@@ -17,7 +17,15 @@
 
 namespace tetloft::internal::io {
 
-enum class VtuRole : std::uint8_t { points, connectivity, offsets, types, field, column };
+enum class VtuRole : std::uint8_t {
+  points,
+  connectivity,
+  offsets,
+  types,
+  field,
+  stack_point,
+  column
+};
 
 struct VtuArray {
   VtuRole role = VtuRole::points;

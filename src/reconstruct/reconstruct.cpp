@@ -64,6 +64,7 @@ Result<std::optional<Reconstruction>> reconstruct_in(Unit unit, const SectionSta
   std::optional<Model> model = take_model(*built);
   if (!model) return std::optional<Reconstruction>();
   result.model = std::move(*model);
+  result.model.frame = stack.frame;
   result.warnings = std::move(built->warnings);
   if (const auto hint = hint_of_many_tets(built->prepared, result.model)) {
     result.warnings.push_back(*hint);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include <tetloft/formats.hpp>
 
@@ -194,6 +195,22 @@ PlanesOfLines planes_of(const std::vector<PointsOfLine>& lines,
   }
   cluster(planes);
   return planes;
+}
+
+double lattice_of(const PlanesOfLines& planes, const std::vector<PointsOfLine>& lines) {
+  if (is_exact(planes.frame)) return 0;
+  double largest = 0;
+  for (const PointsOfLine points : lines) {
+    for (const Point3& p : *points) {
+      largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    }
+  }
+  return largest > 0 ? std::ldexp(1, std::ilogb(largest) + 1 - 32) : 0;
+}
+
+std::optional<double> plane_tolerance(const Drawing& drawing, const std::optional<double>& asked) {
+  if (asked || !drawing.exact_heights) return asked;
+  return std::numeric_limits<double>::denorm_min();
 }
 
 std::optional<std::size_t> off_plane(const PlanesOfLines& planes) {

@@ -9,6 +9,8 @@
 #include <tetloft/frame.hpp>
 #include <tetloft/point.hpp>
 
+#include "io/drawing/drawing.hpp"
+
 namespace tetloft::internal::io {
 
 using PointsOfLine = const std::vector<Point3>*;
@@ -33,11 +35,22 @@ struct PlanesOfLines {
 [[nodiscard]] PlanesOfLines planes_of(const std::vector<PointsOfLine>& lines,
                                       const std::optional<double>& asked);
 
+/// What is asked for, or what the drawing means.
+[[nodiscard]] std::optional<double> plane_tolerance(const Drawing& drawing,
+                                                    const std::optional<double>& asked);
+
 /// The line that extends farthest across its plane, beyond the tolerance; none if all are in
 /// planes.
 [[nodiscard]] std::optional<std::size_t> off_plane(const PlanesOfLines& planes);
 
-/// The coordinates of the stack of a point of the file; the height is rounded as the others are.
+/// What x and y of a stack are multiples of: 0, or where the planes are oblique, so that turning
+/// rounds, 2^-32 of the largest coordinate. Points that were in line before the turn are in line
+/// again, most of them; the rest lie far enough beside it that turning back, which rounds to 2^-53,
+/// turns nothing over.
+[[nodiscard]] double lattice_of(const PlanesOfLines& planes,
+                                const std::vector<PointsOfLine>& lines);
+
+/// The coordinates of the stack of a point of the file.
 [[nodiscard]] Point3 unplace(const Frame& frame, const Point3& point);
 
 /// Twice the area vector of a closed line (Newell).

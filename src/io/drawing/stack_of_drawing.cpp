@@ -4,9 +4,8 @@
 #include "io/drawing/stack_of_drawing.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 #include <map>
-#include <optional>
 #include <utility>
 
 #include <tetloft/repair.hpp>
@@ -40,6 +39,9 @@ class StackMaker {
     read_.warnings = std::move(drawing_.warnings);
     if (Result<void> done = leave_out(); !done) return at(done.error());
     if (Result<void> done = fill_sections(); !done) return at(done.error());
+    if (options_.close_on_frame) {
+      if (Result<void> done = close_lines(); !done) return at(done.error());
+    }
     for (Warning& warning : suspicious_gaps(read_.stack)) warn(std::move(warning));
     if (options_.validity == Validity::required) {
       if (Result<void> done = make_valid(); !done) return at(done.error());
@@ -84,22 +86,22 @@ class StackMaker {
     std::vector<ChosenLine> kept;
     for (ChosenLine& line : lines_) {
       if (line.line.left_out) continue;
-      if (line.line.kind == LineKind::open && !drawing_.leaves_out_open) {
-        return of_line("an open line, as " + std::to_string(open_lines()) + " of " +
-                           std::to_string(lines_.size()) + " are; it bounds no region" +
-                           (options_.close_on_frame ? ""
-                                                    : " (lines that end at the frame of all "
-                                                      "lines are closed along it on request: "
-                                                      "--close-on-frame)"),
-                       line);
+      const bool closes = options_.close_on_frame && line.line.kind == LineKind::open;
+      if (line.line.kind == LineKind::open && !drawing_.leaves_out_open && !closes) {
+        return of_line(
+            "an open line, as " + std::to_string(open_lines()) + " of " +
+                std::to_string(lines_.size()) +
+                " are; it bounds no region (lines that end at the frame of all lines are "
+                "closed along it on request: --close-on-frame)",
+            line);
       }
-      if (line.line.kind != LineKind::closed) {
+      if (line.line.kind != LineKind::closed && !closes) {
         const bool open = line.line.kind == LineKind::open;
         ++kinds[line.line.type.empty() ? (open ? "open line" : "points") : line.line.type];
         continue;
       }
       drop_repeated(line.line.points);
-      if (line.line.points.size() < 3) {
+      if (line.line.points.size() < (closes ? 2U : 3U)) {
         ++few;
         continue;
       }
@@ -141,11 +143,10 @@ class StackMaker {
   Result<void> fill_sections() {
     std::vector<PointsOfLine> points;
     for (const ChosenLine& line : lines_) points.push_back(&line.line.points);
-    std::optional<double> tolerance = options_.plane_tolerance;
-    if (!tolerance && drawing_.exact_heights) tolerance = std::numeric_limits<double>::denorm_min();
-    const PlanesOfLines planes = planes_of(points, tolerance);
+    const PlanesOfLines planes =
+        planes_of(points, plane_tolerance(drawing_, options_.plane_tolerance));
     if (const auto off = off_plane(planes)) return not_parallel(planes, *off);
-    read_.frame = planes.frame;
+    read_.stack.frame = planes.frame;
     warn_of_heights(planes);
     for (Warning& warning : plane_gaps(planes)) warn(std::move(warning));
     for (const double z : planes.height) {
@@ -153,20 +154,59 @@ class StackMaker {
       read_.lines.push_back({});
       origin_.emplace_back();
     }
+    const double lattice = lattice_of(planes, points);
+    const auto rounded = [&](double x) {
+      return lattice == 0 ? x : std::nearbyint(x / lattice) * lattice;
+    };
     for (std::size_t i = 0; i < lines_.size(); ++i) {
       const SectionId s(planes.plane[i]);
       Contour contour;
       contour.vertices.reserve(lines_[i].line.points.size());
       for (const Point3& p : lines_[i].line.points) {
         const Point3 q = unplace(planes.frame, p);
-        if (!contour.vertices.empty() && contour.vertices.back() == Point2{q.x, q.y}) continue;
-        contour.vertices.push_back({q.x, q.y});
+        const Point2 flat{rounded(q.x), rounded(q.y)};
+        if (!contour.vertices.empty() && contour.vertices.back() == flat) continue;
+        contour.vertices.push_back(flat);
       }
       lines_[i].line.points = {};
       read_.stack.sections[s].contours.push_back(std::move(contour));
       read_.lines[s].push_back(lines_[i].line.line);
       origin_[s.index()].push_back(i);
     }
+    return {};
+  }
+
+  // Contours that are lines stand in the sections like others, until here.
+  Result<void> close_lines() {
+    std::vector<ContourOfSection> open;
+    for (const SectionId s : read_.stack.sections.ids()) {
+      for (std::size_t c = 0; c < origin_[s.index()].size(); ++c) {
+        if (lines_[origin_[s.index()][c]].line.kind != LineKind::open) continue;
+        open.push_back({s, ContourId(c)});
+      }
+    }
+    if (open.empty()) {
+      warn({"no line is open: nothing is closed along a frame", {}});
+      return {};
+    }
+    Result<ClosedOnFrame> closed = close_on_frame(read_.stack, open);
+    if (!closed) return refusal(closed.error());
+    read_.stack = std::move(closed->stack);
+    for (Warning& change : closed->changes) warn(std::move(change));
+    const LineOfContour before = std::move(origin_);
+    origin_ = {};
+    for (const SectionId s : read_.stack.sections.ids()) {
+      origin_.emplace_back();
+      read_.lines[s].clear();
+      for (const ContourId of : closed->origin[s]) {
+        // The rectangle stands for the first line of the file.
+        const std::size_t line = of.valid() ? before[s.index()][of.index()] : 0;
+        origin_.back().push_back(line);
+        read_.lines[s].push_back(of.valid() ? lines_[line].line.line : 0);
+      }
+    }
+    // What runs along the frame may touch what ends there.
+    drawing_.may_touch = true;
     return {};
   }
 

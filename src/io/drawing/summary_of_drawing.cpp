@@ -11,9 +11,9 @@ namespace tetloft::internal::io {
 namespace {
 
 // Of lines that are in parallel planes; 0 where they are not.
-std::size_t plane_count(const std::vector<PointsOfLine>& lines) {
+std::size_t plane_count(const std::vector<PointsOfLine>& lines, const Drawing& drawing) {
   if (lines.empty()) return 0;
-  const PlanesOfLines planes = planes_of(lines, std::nullopt);
+  const PlanesOfLines planes = planes_of(lines, plane_tolerance(drawing, {}));
   return off_plane(planes) ? 0 : planes.height.size();
 }
 
@@ -26,7 +26,12 @@ const char* type_of(const DrawnLine& line) {
   return "points";
 }
 
-StructureSummary summary_of_structure(const DrawnStructure& structure) {
+// Shorter ones are left out of any stack.
+bool bounds_area(const DrawnLine& line) {
+  return line.kind == LineKind::closed && !line.left_out && line.points.size() >= 3;
+}
+
+StructureSummary summary_of_structure(const DrawnStructure& structure, const Drawing& drawing) {
   StructureSummary summary;
   summary.number = structure.number;
   summary.name = structure.name;
@@ -36,11 +41,10 @@ StructureSummary summary_of_structure(const DrawnStructure& structure) {
     ++types[line.type.empty() ? type_of(line) : line.type];
     ++summary.contours;
     summary.points += line.points.size();
-    if (line.kind == LineKind::closed && !line.left_out && !line.points.empty())
-      closed.push_back(&line.points);
+    if (bounds_area(line)) closed.push_back(&line.points);
   }
   summary.types = {types.begin(), types.end()};
-  summary.planes = plane_count(closed);
+  summary.planes = plane_count(closed, drawing);
   return summary;
 }
 
@@ -59,7 +63,7 @@ LinesSummary summary_of_lines(const Drawing& drawing) {
       if (line.kind != LineKind::points) lines.push_back(&line.points);
     }
   }
-  summary.planes = plane_count(lines);
+  summary.planes = plane_count(lines, drawing);
   summary.labels = {labels.begin(), labels.end()};
   return summary;
 }
@@ -71,7 +75,7 @@ FileSummary summary_of_drawing(Drawing drawing) {
   summary.lines = summary_of_lines(drawing);
   if (drawing.apart || drawing.structures.size() > 1) {
     for (const DrawnStructure& structure : drawing.structures) {
-      summary.structures.push_back(summary_of_structure(structure));
+      summary.structures.push_back(summary_of_structure(structure, drawing));
     }
   }
   summary.unit = std::move(drawing.unit);

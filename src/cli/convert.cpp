@@ -1,0 +1,137 @@
+// tetloft convert: the stack that a file holds, written in another format.
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <tetloft/tetloft.hpp>
+
+#include "cli/commands.hpp"
+#include "cli/file_formats.hpp"
+#include "cli/outputs.hpp"
+#include "cli/signals.hpp"
+#include "cli/stack_input.hpp"
+#include "core/text.hpp"
+#include "io/stage.hpp"
+
+namespace tetloft::cli {
+
+using namespace internal;
+
+namespace {
+
+Usage convert_usage() {
+  Usage usage{
+      "convert",
+      "From one format of stacks to another, mended on the way.",
+      {input_word("IN", Contents::stack)},
+      {{"--output", output_word("OUT", Contents::stack),
+        "the stack: " + described_outputs(Contents::stack) + "; required", "-o"},
+       {"--labels-out", "FILE",
+        "the labels that the input gives its contours, as lines that --labels takes"}},
+      "Numbers are written with the digits that read back exactly. Contours and sections keep "
+      "their order; planes that are not z = const are turned to it, for formats that know no "
+      "other, with a warning."};
+  for (const Option& option : preparation_options()) usage.options.push_back(option);
+  for (const Option& option : {kJsonOption, kQuietOption, kHelpOption}) {
+    usage.options.push_back(option);
+  }
+  return usage;
+}
+
+struct ConvertRequest {
+  std::string output;
+  std::optional<std::string> labels_out;
+};
+
+Result<ConvertRequest> convert_request_of(const Arguments& arguments) {
+  const auto output = arguments.text("--output");
+  if (!output) {
+    return usage_error("missing option --output (-o) " + output_word("OUT", Contents::stack));
+  }
+  ConvertRequest request{*output, arguments.text("--labels-out")};
+  std::vector<std::string> taken{arguments.operand(0)};
+  Result<void> checked =
+      check_output("--output (-o)", request.output, output_extensions(Contents::stack), taken);
+  if (checked && request.labels_out) {
+    taken.push_back(request.output);
+    checked = check_output("--labels-out", *request.labels_out, output_extensions(Contents::labels),
+                           taken);
+  }
+  if (!checked) return checked.error();
+  return request;
+}
+
+bool has_any(const Labels& labels) {
+  return !labels.labels.empty() || !labels.decisions.empty() || !labels.hole_labels.empty() ||
+         !labels.void_decisions.empty();
+}
+
+Result<StagedFiles> stage_converted(const ConvertRequest& request, const StackInput& input,
+                                    Console& console) {
+  StagedFiles files;
+  auto stack = io::stage_stack(request.output, input.stack, {}, temporary_watcher());
+  if (!stack) return stack.error();
+  for (const Warning& warning : stack->warnings) console.warn(warning);
+  files.push_back(std::move(stack->file));
+  if (has_any(input.labels) && !request.labels_out) {
+    console.warn({"the input has labels, which --labels-out FILE would keep", {}});
+  }
+  if (!request.labels_out) return files;
+  const auto lines = format_labels(input.labels);
+  if (!lines) return lines.error();
+  auto labels = io::stage_file(*request.labels_out, *lines, temporary_watcher());
+  if (!labels) return labels.error();
+  files.push_back(std::move(labels->file));
+  return files;
+}
+
+std::string to_json(const StackInput& input, const ConvertRequest& request,
+                    const Console& console) {
+  JsonWriter json;
+  json.begin_object();
+  json.member("slices", input.stack.sections.size());
+  json.member("contours", input.stack.contour_count());
+  json.member("vertices", input.stack.vertex_count());
+  json.member("name", input.name);
+  json.member("unit", input.unit);
+  json.member("written", request.output);
+  write_preparation(json, input);
+  write_warnings(json, console.warnings());
+  json.end_object();
+  return json.text();
+}
+
+std::string to_text(const StackInput& input, const ConvertRequest& request) {
+  std::string text = describe_preparation(input) + counted(input.stack.sections.size(), "section") +
+                     ", " + counted(input.stack.contour_count(), "contour") + ", " +
+                     std::to_string(input.stack.vertex_count()) +
+                     " vertices\nwritten: " + printable(request.output);
+  if (request.labels_out) text += ", " + printable(*request.labels_out);
+  return text + '\n';
+}
+
+Result<int> run_convert(const Arguments& arguments, Console& console) {
+  const auto request = convert_request_of(arguments);
+  if (!request) return request.error();
+  const auto prepared = preparation(arguments);
+  if (!prepared) return prepared.error();
+  const auto input = read_stack_input(arguments.operand(0), *prepared, console);
+  if (!input) return input.error();
+  auto files = stage_converted(*request, *input, console);
+  if (!files) return files.error();
+  std::string told;
+  if (console.json()) {
+    told = to_json(*input, *request, console);
+  } else if (!console.quiet()) {
+    told = to_text(*input, *request);
+  }
+  const Result<void> done = deliver_with(*files, told, console);
+  if (!done) return done.error();
+  return 0;
+}
+
+}  // namespace
+
+Command convert_command() { return {convert_usage(), run_convert}; }
+
+}  // namespace tetloft::cli
