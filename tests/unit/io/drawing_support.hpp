@@ -59,13 +59,13 @@ inline std::string refusal_of(const std::string& text, const ReadOptions& option
   return read ? "" : to_string(read.error());
 }
 
-/// The folder of reference files of a format, which may not be there: the environment names it.
+/// The reference files of a format, where they are.
 inline std::vector<std::filesystem::path> reference_files(const std::string& format) {
   namespace fs = std::filesystem;
   std::vector<fs::path> files;
-  const char* const root = std::getenv("TETLOFT_REFERENCE_FORMATS");
-  if (root == nullptr || !fs::is_directory(fs::path(root) / format)) return files;
-  for (const auto& entry : fs::directory_iterator(fs::path(root) / format)) {
+  const fs::path folder = fs::path(TETLOFT_SHARED_DATA_DIR) / "formats" / format;
+  if (!fs::is_directory(folder)) return files;
+  for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().string();
     if (fs::exists(name + ".truth.json")) files.push_back(entry.path());
   }

@@ -2,6 +2,7 @@
 // writers make is read back.
 #include <gtest/gtest.h>
 
+#include <map>
 #include <string>
 
 #include "unit/io/drawing_support.hpp"
@@ -210,6 +211,51 @@ TEST(GeoJson, JoinsLinesInPieces) {
                                 feature("\"z\":2", "LineString", kSquare)}))
                 .find("an open line"),
             std::string::npos);
+}
+
+TEST(GeoJson, ClosesLinesAlongTheFrameOnRequest) {
+  ReadOptions options;
+  options.close_on_frame = true;
+  const std::string text =
+      collection({feature("\"z\":0.5", "LineString", "[[1,8],[0,7]]"),
+                  feature("\"z\":1", "MultiLineString", "[[[2,0],[2,3]],[[2,8],[2,3]]]"),
+                  feature("\"z\":2", "LineString", "[[4,8],[4,0]]"),
+                  feature("\"z\":3", "LineString", "[[7,8],[8,7]]"),
+                  feature("\"z\":3", "LineString", "[[5,1],[6,1],[6,2],[5,1]]")});
+  const ReadStack stack = read(text, options);
+  ASSERT_EQ(heights_of(stack.stack), (std::vector<double>{0.5, 1, 2, 3}));
+  const std::vector<double> areas{63.5, 48, 32, 1};
+  for (const SectionId s : stack.stack.sections.ids()) {
+    EXPECT_NEAR(test::region_area(stack.stack.sections[s]), areas[s.index()], 1e-12);
+  }
+  EXPECT_TRUE(
+      says(stack.warnings, "4 open lines closed along the rectangle from (0, 0) to (8, 8)"));
+  const std::string inside = collection({feature("\"z\":1", "LineString", "[[2,0],[3,4]]"),
+                                         feature("\"z\":2", "LineString", "[[4,8],[4,0]]")});
+  EXPECT_NE(refusal(inside, options).find("a.geojson:1: section 0, contour 0"), std::string::npos)
+      << refusal(inside, options);
+}
+
+// Bands and level lines of the same terrain, made by one program each in its own way.
+TEST(GeoJson, ClosedLinesAndUnitedBandsOfATerrainAgree) {
+  std::map<std::string, std::map<double, double>> areas;
+  for (const auto& file : test::reference_files("geojson")) {
+    const std::string name = file.filename().string();
+    if (name != "gdal_elev_lonlat.geojson" && name != "gdal_polygons_minmax.geojson") continue;
+    ReadOptions options;
+    options.close_on_frame = true;
+    const Result<ReadStack> stack = read_stack(file.string(), options);
+    ASSERT_TRUE(stack.ok()) << to_string(stack.error());
+    for (const Section& section : stack->stack.sections) {
+      areas[name][section.z] = test::region_area(section);
+    }
+  }
+  if (areas.size() < 2) GTEST_SKIP() << "no files of reference";
+  const auto& bands = areas["gdal_polygons_minmax.geojson"];
+  EXPECT_EQ(bands.size(), 13U);
+  for (const auto& [height, area] : bands) {
+    EXPECT_NEAR(areas["gdal_elev_lonlat.geojson"][height], area, 1e-10) << height;
+  }
 }
 
 TEST(GeoJson, TellsOfCoordinateSystems) {
