@@ -14,6 +14,7 @@
   FORMAT(vtp)                        \
   FORMAT(stl)                        \
   FORMAT(geojson)                    \
+  FORMAT(svg)                        \
   FORMAT(xyz)                        \
   FORMAT(bin)                        \
   FORMAT(labels)
