@@ -15,6 +15,7 @@
   FORMAT(stl)                        \
   FORMAT(geojson)                    \
   FORMAT(svg)                        \
+  FORMAT(dxf)                        \
   FORMAT(xyz)                        \
   FORMAT(bin)                        \
   FORMAT(labels)
