@@ -177,6 +177,11 @@ Result<Payload> binary_payload(const DataArray& array, const DataSource& source,
                             "big-endian data are not supported; write them little-endian or "
                             "as ascii");
   }
+  if (source.packed && source.compressor != "vtkZLibDataCompressor") {
+    return scanner.complain(array.position, "the data are compressed by " +
+                                                in_quotes(source.compressor) +
+                                                "; only vtkZLibDataCompressor is read");
+  }
   const bool appended = array.format == DataArray::Format::appended;
   if (appended && !source.appended) {
     return scanner.complain(array.position,
@@ -341,13 +346,8 @@ Result<DataSource> declare_source(const XmlTag& tag, std::string_view grid_type,
     return scanner.complain(tag.position, "unknown header_type " + in_quotes(*header));
   }
   source.header_bytes = header != nullptr && *header == "UInt64" ? 8 : 4;
-  const std::string* const compressor = tag.find("compressor");
-  if (compressor == nullptr || compressor->empty()) return source;
-  if (*compressor != "vtkZLibDataCompressor") {
-    return scanner.complain(tag.position, "the data are compressed by " + in_quotes(*compressor) +
-                                              "; only vtkZLibDataCompressor is read");
-  }
-  source.packed = true;
+  if (const std::string* compressor = tag.find("compressor")) source.compressor = *compressor;
+  source.packed = !source.compressor.empty();
   return source;
 }
 

@@ -51,7 +51,8 @@ struct DataArray {
 struct DataSource {
   bool little_endian = true;
   std::size_t header_bytes = 4;              ///< of the byte counts before binary data
-  bool packed = false;                       ///< by zlib, in blocks
+  bool packed = false;                       ///< in blocks, by
+  std::string compressor;                    ///< as the file names it
   std::optional<std::string_view> appended;  ///< behind the underscore, to the closing tag
   bool appended_base64 = false;
 };
