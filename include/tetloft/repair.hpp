@@ -2,6 +2,7 @@
 // refined; and gaps that are told of.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -73,6 +74,44 @@ struct Snapped {
 /// (invalid_input) where no lattice keeps the stack valid.
 [[nodiscard]] TETLOFT_API Result<Snapped> snap(const SectionStack& stack, int bits,
                                                const Execution& execution = {});
+
+struct ContourOfSection {
+  SectionId section;
+  ContourId contour;
+};
+
+struct FrameOptions {
+  /// The rectangle's corners of least and largest coordinates. None: the box of all lines; a side
+  /// of it where no open line ends is taken farther out, by a sixteenth of the larger extent.
+  std::optional<std::array<Point2, 2>> corners = {};
+};
+
+struct ClosedOnFrame {
+  SectionStack stack;  ///< not validated
+  /// Of each contour the one of the stack that it is, or the first that became part of it; invalid
+  /// for the rectangle.
+  IdVector<SectionId, IdVector<ContourId, ContourId>> origin;
+  Point2 low, high;  ///< the rectangle
+  std::vector<Warning> changes;
+};
+
+/// Closes open level lines along a rectangle, so that the region of each section is where a height
+/// field, of which the sections are levels, is at least as high. `open` are the contours that are
+/// lines, from their first vertex to their last one; without any the stack stays as it is. Refused
+/// (invalid_input, naming section and contour) where a line ends off the rectangle, or two in one
+/// point of it.
+/// The rule: the ends of a section's lines cut the rectangle's perimeter into arcs that lie inside
+/// and outside by turns, so there are two closings, each the complement of the other; without open
+/// lines these are the region of the closed contours and the rectangle less that region. Two
+/// closings of neighbouring sections contradict each other wherever the upper region is not within
+/// the lower one: on each arc between ends of either that only the upper one holds, and at each
+/// closed contour of the upper section outside of the lower region, or of the lower section inside
+/// of the upper region. Of all choices that with the fewest contradictions is taken, exactly; a
+/// height field has one without. Of equal ones, from the top section down, the closing that is
+/// outside before the rectangle's lowest corner, counter-clockwise; a warning names the sections.
+[[nodiscard]] TETLOFT_API Result<ClosedOnFrame> close_on_frame(
+    const SectionStack& stack, const std::vector<ContourOfSection>& open,
+    const FrameOptions& options = {});
 
 struct Refined {
   SectionStack stack;

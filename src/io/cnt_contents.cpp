@@ -193,31 +193,63 @@ std::optional<double> conspicuous_closing(const Contour& contour) {
   return closing / longest;
 }
 
-std::vector<Warning> open_lines(const SectionStack& stack, std::size_t most) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  Point2 low{kInfinity, kInfinity};
-  Point2 high{-kInfinity, -kInfinity};
-  for (const Section& section : stack.sections.raw()) {
-    for (const Contour& contour : section.contours.raw()) {
-      for (const Point2& p : contour.vertices) {
-        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+namespace {
+
+// The box of all contours.
+class FrameOfAll {
+ public:
+  explicit FrameOfAll(const SectionStack& stack) {
+    for (const Section& section : stack.sections.raw()) {
+      for (const Contour& contour : section.contours.raw()) {
+        for (const Point2& p : contour.vertices) {
+          low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
+          high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y)};
+        }
       }
     }
   }
-  // The sides of the frame that hold a point, a bit each.
-  const auto sides = [&](const Point2& p) {
-    return (p.x == low.x ? 1U : 0U) | (p.x == high.x ? 2U : 0U) | (p.y == low.y ? 4U : 0U) |
-           (p.y == high.y ? 8U : 0U);
-  };
+
+  // The sides that hold a point, a bit each.
+  [[nodiscard]] unsigned sides(const Point2& p) const {
+    return (p.x == low_.x ? 1U : 0U) | (p.x == high_.x ? 2U : 0U) | (p.y == low_.y ? 4U : 0U) |
+           (p.y == high_.y ? 8U : 0U);
+  }
+
+ private:
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Point2 low_{kInfinity, kInfinity};
+  Point2 high_{-kInfinity, -kInfinity};
+};
+
+}  // namespace
+
+std::vector<ContourOfSection> lines_to_the_frame(const SectionStack& stack) {
+  const FrameOfAll frame(stack);
+  std::vector<ContourOfSection> lines;
+  for (const SectionId s : stack.sections.ids()) {
+    for (const ContourId c : stack.sections[s].contours.ids()) {
+      const Contour& contour = stack.sections[s].contours[c];
+      if (contour.vertices.size() < 2) continue;
+      const unsigned first = frame.sides(contour.vertices.front());
+      const unsigned last = frame.sides(contour.vertices.back());
+      if (first == 0 || last == 0) continue;
+      if ((first & last) != 0 && !conspicuous_closing(contour)) continue;
+      lines.push_back({s, c});
+    }
+  }
+  return lines;
+}
+
+std::vector<Warning> open_lines(const SectionStack& stack, std::size_t most) {
+  const FrameOfAll frame(stack);
   std::vector<Warning> warnings;
   for (std::size_t s = 0; s < stack.sections.size(); ++s) {
     const auto& contours = stack.sections[SectionId(s)].contours;
     for (std::size_t c = 0; c < contours.size() && warnings.size() < most; ++c) {
       const std::vector<Point2>& v = contours[ContourId(c)].vertices;
       if (v.empty()) continue;
-      const unsigned first = sides(v.front());
-      const unsigned last = sides(v.back());
+      const unsigned first = frame.sides(v.front());
+      const unsigned last = frame.sides(v.back());
       // Along one side of the frame is how such a line is to be closed.
       if (first == 0 || last == 0 || (first & last) != 0) continue;
       const auto times = conspicuous_closing(contours[ContourId(c)]);
@@ -226,7 +258,8 @@ std::vector<Warning> open_lines(const SectionStack& stack, std::size_t most) {
           "the contour may be an open line, cut off at the frame of all sections: it is closed by "
           "an edge from one side of the frame to another, " +
               std::to_string(static_cast<long long>(std::min(*times, 1e9))) +
-              " times as long as its longest other; if so, close it along the frame",
+              " times as long as its longest other; if so, close it along the frame "
+              "(--close-on-frame)",
           {}};
       warning.where.section = s;
       warning.where.contour = c;

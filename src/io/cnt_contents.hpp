@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <tetloft/io.hpp>
+#include <tetloft/repair.hpp>
 #include <tetloft/result.hpp>
 #include <tetloft/section_stack.hpp>
 
@@ -42,5 +43,9 @@ struct CntContents {
 /// Warnings of contours that are closed conspicuously, from one side of the box of all contours
 /// to another: lines cut off at a frame. At most `most`.
 [[nodiscard]] std::vector<Warning> open_lines(const SectionStack& stack, std::size_t most);
+
+/// The contours that are lines, taken for such on request: the first and the last vertex lie on the
+/// box of all contours, on different sides; or on one, and the edge between them is conspicuous.
+[[nodiscard]] std::vector<ContourOfSection> lines_to_the_frame(const SectionStack& stack);
 
 }  // namespace tetloft::internal::io

@@ -26,7 +26,7 @@ class CntReader {
  public:
   CntReader(std::string_view text, const std::string& name) : cursor_(text), name_(name) {}
 
-  Result<ReadStack> read(Validity validity) {
+  Result<ReadStack> read(const ReadOptions& options) {
     Result<void> parsed = read_sections();
     // Nothing is wrong before the first odd contour, whatever follows.
     if (!parsed && !contents_.odd) return parsed.error();
@@ -36,12 +36,15 @@ class CntReader {
     compare_counts();
     if (settled->has_value()) warn(**std::move(settled));
     mend_contours();
+    if (options.close_on_frame) {
+      if (Result<void> closed = close_lines(); !closed) return closed.error();
+    }
     for (Warning& warning : suspicious_gaps(contents_.stack)) warn(std::move(warning));
     for (Warning& warning : open_lines(contents_.stack, kMostWarnings)) {
       warn(std::move(warning));
     }
     sum_up();
-    if (validity == Validity::required) {
+    if (options.validity == Validity::required) {
       if (Result<void> valid = validate(contents_.stack, {.threads = 1}); !valid)
         return refusal(valid.error());
     }
@@ -223,6 +226,27 @@ class CntReader {
     return error;
   }
 
+  Result<void> close_lines() {
+    const std::vector<ContourOfSection> lines = lines_to_the_frame(contents_.stack);
+    Result<ClosedOnFrame> closed = close_on_frame(contents_.stack, lines);
+    if (!closed) {
+      Error error = closed.error();
+      locate(error.where);
+      return error;
+    }
+    for (Warning& change : closed->changes) warn(std::move(change));
+    if (lines.empty()) warn({"no line is open: nothing is closed along a frame", {}});
+    contents_.stack = std::move(closed->stack);
+    for (const SectionId s : contents_.stack.sections.ids()) {
+      IdVector<ContourId, std::size_t> of_contours;
+      for (const ContourId of : closed->origin[s]) {
+        of_contours.push_back(of.valid() ? contents_.lines[s][of] : contents_.header_lines[s]);
+      }
+      contents_.lines[s] = std::move(of_contours);
+    }
+    return {};
+  }
+
   void warn_at(const std::string& message, std::size_t line, SectionId section = {}) {
     Warning warning{message, {}};
     warning.where.line = line;
@@ -255,7 +279,7 @@ class CntReader {
     if (!times) return error;
     error.message += "; the edge that closes the contour is " + number_text(std::floor(*times)) +
                      " times as long as its longest other: if it is an open line, close it along "
-                     "the frame";
+                     "the frame (--close-on-frame)";
     return error;
   }
 
@@ -293,7 +317,7 @@ class CntReader {
 }  // namespace
 
 Result<ReadStack> read_cnt_source(const Source& source, const ReadOptions& options) {
-  return CntReader(source.bytes, source.name).read(options.validity);
+  return CntReader(source.bytes, source.name).read(options);
 }
 
 }  // namespace tetloft::internal::io

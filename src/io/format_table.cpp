@@ -18,6 +18,9 @@
   FORMAT(ply)                        \
   FORMAT(vtp)                        \
   FORMAT(stl)                        \
+  FORMAT(geojson)                    \
+  FORMAT(svg)                        \
+  FORMAT(dxf)                        \
   FORMAT(xyz)                        \
   FORMAT(bin)                        \
   FORMAT(labels)

@@ -1,12 +1,14 @@
 // Decoding DataArray elements (VTK File Formats, "XML File Formats").
 #include "io/vtk_data.hpp"
 
+#include <algorithm>
 #include <array>
 #include <type_traits>
 #include <utility>
 
 #include "core/little_endian.hpp"
 #include "io/base64.hpp"
+#include "io/bytes/inflate.hpp"
 #include "io/cursor.hpp"
 #include "io/numbers.hpp"
 
@@ -49,60 +51,159 @@ Error too_short(const DataArray& array, const XmlScanner& scanner) {
                           array_name(array) + " claims more data than the file holds");
 }
 
-Result<Payload> raw_payload(const DataArray& array, const DataSource& source,
-                            const XmlScanner& scanner) {
-  const std::string_view all = *source.appended;
-  if (array.offset > all.size() || all.size() - array.offset < source.header_bytes) {
-    return too_short(array, scanner);
+// The bytes of an array as they stand, from its header on: a view, or decoded as far as wanted.
+class EncodedBytes {
+ public:
+  // Requires that binary data are there.
+  EncodedBytes(const DataArray& array, const DataSource& source)
+      : base64_(array.format == DataArray::Format::binary || source.appended_base64) {
+    text_ = array.text;
+    if (array.format == DataArray::Format::appended) {
+      text_ = source.appended->substr(std::min(array.offset, source.appended->size()));
+    }
   }
-  const std::string_view from = all.substr(array.offset);
-  const std::uint64_t count = load_count(from.data(), source.header_bytes);
-  if (count > from.size() - source.header_bytes) return too_short(array, scanner);
-  return Payload{{}, from.substr(source.header_bytes, static_cast<std::size_t>(count))};
+
+  // The first `count` bytes; fewer where the data end. Nothing where they are no base64.
+  [[nodiscard]] std::optional<Payload> first(std::size_t count) const {
+    if (!base64_) return Payload{{}, text_.substr(0, count)};
+    auto bytes = decode_base64(text_, count);
+    if (!bytes) return std::nullopt;
+    if (bytes->size() > count) bytes->resize(count);
+    return Payload{*std::move(bytes), {}};
+  }
+
+  // An upper bound of how many bytes there can be.
+  [[nodiscard]] std::size_t most() const { return text_.size(); }
+  // How much of the text the header and the data behind it take: each is encoded apart where data
+  // are packed.
+  [[nodiscard]] std::size_t extent(std::size_t header, std::size_t data, bool apart) const {
+    const auto encoded = [](std::size_t n) { return (n + 2) / 3 * 4; };
+    if (!base64_) return header + data;
+    return apart ? encoded(header) + encoded(data) : encoded(header + data);
+  }
+
+ private:
+  bool base64_;
+  std::string_view text_;
+};
+
+std::string_view view_of(const Payload& payload) {
+  return payload.owned.empty() ? payload.bytes : std::string_view(payload.owned);
 }
 
-Result<Payload> base64_payload(const DataArray& array, std::string_view text,
-                               const DataSource& source, const XmlScanner& scanner) {
-  const auto foreign = [&] {
-    return scanner.complain(array.position, array_name(array) + " is not valid base64");
+// What stands before the data: their size; of packed data, the blocks'.
+struct BlockHeader {
+  std::size_t bytes = 0;   // of the header
+  std::size_t packed = 0;  // of the data in the file
+  std::uint64_t unpacked = 0;
+  std::vector<std::uint64_t> block;  // packed sizes
+  std::uint64_t of_block = 0;        // unpacked size of each, but for the last
+  std::uint64_t of_last = 0;         // 0: as the others
+};
+
+enum class HeaderFault : std::uint8_t { none, not_base64, too_short };
+
+// Sizes are compared with what there is, and no sum overflows.
+HeaderFault read_header(const EncodedBytes& encoded, const DataSource& source,
+                        BlockHeader& header) {
+  const std::size_t word = source.header_bytes;
+  const auto words = [&](std::size_t count, std::vector<std::uint64_t>& values) {
+    const std::optional<Payload> bytes = encoded.first(count * word);
+    if (!bytes) return HeaderFault::not_base64;
+    const std::string_view all = view_of(*bytes);
+    if (all.size() < count * word) return HeaderFault::too_short;
+    for (std::size_t i = 0; i < count; ++i) {
+      values.push_back(load_count(all.data() + i * word, word));
+    }
+    return HeaderFault::none;
   };
-  const auto header = decode_base64(text, source.header_bytes);
-  if (!header) return foreign();
-  if (header->size() < source.header_bytes) return too_short(array, scanner);
-  const std::uint64_t count = load_count(header->data(), source.header_bytes);
-  if (count > text.size()) return too_short(array, scanner);
-  const std::size_t wanted = source.header_bytes + static_cast<std::size_t>(count);
-  auto bytes = decode_base64(text, wanted);
-  if (!bytes) return foreign();
-  if (bytes->size() < wanted) return too_short(array, scanner);
-  // The header is cut off rather than stepped over: a view into a moved string would dangle.
-  bytes->resize(wanted);
-  bytes->erase(0, source.header_bytes);
-  return Payload{*std::move(bytes), {}};
+  std::vector<std::uint64_t> first;
+  if (const HeaderFault fault = words(1, first); fault != HeaderFault::none) return fault;
+  const std::size_t most = encoded.most();
+  if (!source.packed) {
+    header.bytes = word;
+    if (first[0] > most) return HeaderFault::too_short;
+    header.packed = static_cast<std::size_t>(first[0]);
+    header.unpacked = first[0];
+    return HeaderFault::none;
+  }
+  if (first[0] > most / word) return HeaderFault::too_short;
+  const auto blocks = static_cast<std::size_t>(first[0]);
+  header.bytes = (blocks == 0 ? 1 : 3 + blocks) * word;
+  if (blocks == 0) return HeaderFault::none;
+  std::vector<std::uint64_t> all;
+  if (const HeaderFault fault = words(3 + blocks, all); fault != HeaderFault::none) return fault;
+  header.of_block = all[1];
+  header.of_last = all[2];
+  constexpr std::uint64_t kMostBlock = std::uint64_t{1} << 32;
+  if (header.of_block > kMostBlock || header.of_last > kMostBlock) return HeaderFault::too_short;
+  header.block.assign(all.begin() + 3, all.end());
+  for (const std::uint64_t size : header.block) {
+    if (size > most || header.packed + size > most) return HeaderFault::too_short;
+    header.packed += static_cast<std::size_t>(size);
+  }
+  const std::uint64_t last = header.of_last == 0 ? header.of_block : header.of_last;
+  header.unpacked = header.of_block * (blocks - 1) + last;
+  return HeaderFault::none;
+}
+
+Result<Payload> unpack(const DataArray& array, const BlockHeader& header, std::string_view bytes,
+                       const XmlScanner& scanner) {
+  Payload payload;
+  payload.owned.reserve(static_cast<std::size_t>(header.unpacked));
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < header.block.size(); ++i) {
+    const bool shorter = i + 1 == header.block.size() && header.of_last != 0;
+    const auto due = static_cast<std::size_t>(shorter ? header.of_last : header.of_block);
+    const auto size = static_cast<std::size_t>(header.block[i]);
+    const Result<std::string> block =
+        inflate(bytes.substr(at, size), Wrapping::zlib, due, scanner.name());
+    if (!block || block->size() != due) {
+      return scanner.complain(array.position,
+                              array_name(array) + ": block " + std::to_string(i) +
+                                  " does not unpack to what is announced" +
+                                  (block ? "" : " (" + block.error().message + ')'));
+    }
+    payload.owned += *block;
+    at += size;
+  }
+  return payload;
 }
 
 Result<Payload> binary_payload(const DataArray& array, const DataSource& source,
                                const XmlScanner& scanner) {
-  if (!source.compressor.empty()) {
-    return scanner.complain(array.position, "the data are compressed (" +
-                                                in_quotes(source.compressor) +
-                                                "); write the file without compression");
-  }
   if (!source.little_endian) {
     return scanner.complain(array.position,
                             "big-endian data are not supported; write them little-endian or "
                             "as ascii");
   }
-  if (array.format == DataArray::Format::binary) {
-    return base64_payload(array, array.text, source, scanner);
+  if (source.packed && source.compressor != "vtkZLibDataCompressor") {
+    return scanner.complain(array.position, "the data are compressed by " +
+                                                in_quotes(source.compressor) +
+                                                "; only vtkZLibDataCompressor is read");
   }
-  if (!source.appended) {
+  const bool appended = array.format == DataArray::Format::appended;
+  if (appended && !source.appended) {
     return scanner.complain(array.position,
                             array_name(array) + " refers to appended data, which are missing");
   }
-  if (!source.appended_base64) return raw_payload(array, source, scanner);
-  if (array.offset > source.appended->size()) return too_short(array, scanner);
-  return base64_payload(array, source.appended->substr(array.offset), source, scanner);
+  const EncodedBytes encoded(array, source);
+  BlockHeader header;
+  const HeaderFault fault = read_header(encoded, source, header);
+  const std::size_t wanted = header.bytes + header.packed;
+  std::optional<Payload> bytes;
+  if (fault == HeaderFault::none) bytes = encoded.first(wanted);
+  if (fault == HeaderFault::not_base64 || (fault == HeaderFault::none && !bytes)) {
+    return scanner.complain(array.position, array_name(array) + " is not valid base64");
+  }
+  if (fault == HeaderFault::too_short || view_of(*bytes).size() < wanted) {
+    return too_short(array, scanner);
+  }
+  if (source.packed) return unpack(array, header, view_of(*bytes).substr(header.bytes), scanner);
+  // The header is cut off rather than stepped over: a view into a moved string would dangle.
+  if (bytes->owned.empty()) return Payload{{}, bytes->bytes.substr(header.bytes)};
+  bytes->owned.erase(0, header.bytes);
+  return *std::move(bytes);
 }
 
 template <class Stored, class T>
@@ -186,7 +287,7 @@ Result<std::vector<T>> read_values(const DataArray& array, const DataSource& sou
   if (array.format == DataArray::Format::ascii) return parse_text<T>(array, scanner);
   Result<Payload> payload = binary_payload(array, source, scanner);
   if (!payload) return payload.error();
-  const std::string_view bytes = payload->owned.empty() ? payload->bytes : payload->owned;
+  const std::string_view bytes = view_of(*payload);
   if (bytes.size() % bytes_of(array.type) != 0) {
     return scanner.complain(array.position,
                             array_name(array) + " does not hold a whole number of values");
@@ -198,17 +299,83 @@ Result<std::vector<T>> read_values(const DataArray& array, const DataSource& sou
 
 std::optional<AppendedExtent> appended_extent(const DataArray& array, const DataSource& source) {
   if (array.format != DataArray::Format::appended || !source.appended) return std::nullopt;
-  const std::string_view all = *source.appended;
-  if (array.offset >= all.size()) return std::nullopt;
-  const std::string_view from = all.substr(array.offset);
-  std::string header(from.substr(0, source.header_bytes));
-  if (source.appended_base64) header = decode_base64(from, source.header_bytes).value_or("");
-  if (header.size() < source.header_bytes) return std::nullopt;
-  const std::uint64_t count = load_count(header.data(), source.header_bytes);
-  if (count == 0 || count > from.size()) return std::nullopt;
-  std::size_t bytes = source.header_bytes + static_cast<std::size_t>(count);
-  if (source.appended_base64) bytes = (bytes + 2) / 3 * 4;
-  return AppendedExtent{array.offset, array.offset + bytes, &array};
+  if (array.offset >= source.appended->size()) return std::nullopt;
+  const EncodedBytes encoded(array, source);
+  BlockHeader header;
+  if (read_header(encoded, source, header) != HeaderFault::none) return std::nullopt;
+  if (header.packed == 0) return std::nullopt;
+  return AppendedExtent{array.offset,
+                        array.offset + encoded.extent(header.bytes, header.packed, source.packed),
+                        &array};
+}
+
+Result<void> check_unpacking(const std::vector<const DataArray*>& arrays, const DataSource& source,
+                             const XmlScanner& scanner) {
+  if (!source.packed) return {};
+  std::size_t left = kUnpackedMultiple * scanner.size() + kUnpackedBytes;
+  for (const DataArray* array : arrays) {
+    const bool inside = array->format == DataArray::Format::binary;
+    if (!inside && (array->format == DataArray::Format::ascii || !source.appended)) continue;
+    BlockHeader header;
+    // What is wrong is told by who reads it.
+    if (read_header(EncodedBytes(*array, source), source, header) != HeaderFault::none) continue;
+    const std::uint64_t values = header.unpacked / bytes_of(array->type);
+    if (header.unpacked > left || values > left / 8 || header.unpacked + 8 * values > left) {
+      return scanner.complain(array->position, array_name(*array) +
+                                                   ": the file unpacks to more than " +
+                                                   std::to_string(kUnpackedMultiple) +
+                                                   " times its size; write it without compression");
+    }
+    left -= static_cast<std::size_t>(header.unpacked + 8 * values);
+  }
+  return {};
+}
+
+Result<DataSource> declare_source(const XmlTag& tag, std::string_view grid_type,
+                                  const XmlScanner& scanner) {
+  DataSource source;
+  const std::string* const type = tag.find("type");
+  if (type == nullptr || *type != grid_type) {
+    return scanner.complain(tag.position, "this VTK file is no " + std::string(grid_type) +
+                                              (type == nullptr ? "" : " but " + in_quotes(*type)));
+  }
+  const std::string* const order = tag.find("byte_order");
+  source.little_endian = order == nullptr || *order == "LittleEndian";
+  const std::string* const header = tag.find("header_type");
+  if (header != nullptr && *header != "UInt32" && *header != "UInt64") {
+    return scanner.complain(tag.position, "unknown header_type " + in_quotes(*header));
+  }
+  source.header_bytes = header != nullptr && *header == "UInt64" ? 8 : 4;
+  if (const std::string* compressor = tag.find("compressor")) source.compressor = *compressor;
+  source.packed = !source.compressor.empty();
+  return source;
+}
+
+Result<void> take_appended_data(const XmlTag& tag, XmlScanner& scanner, DataSource& source) {
+  if (source.appended) {
+    return scanner.complain(tag.position, "the file has two elements 'AppendedData'");
+  }
+  const std::string* const encoding = tag.find("encoding");
+  if (encoding == nullptr || (*encoding != "raw" && *encoding != "base64")) {
+    return scanner.complain(tag.position, "the appended data have no known encoding");
+  }
+  source.appended_base64 = *encoding == "base64";
+  source.appended = std::string_view();
+  if (tag.kind != XmlTag::Kind::open) return {};
+  std::string_view rest = scanner.rest();
+  const std::size_t end = rest.rfind("</AppendedData");
+  if (end == std::string_view::npos) {
+    return scanner.complain(tag.position,
+                            "the appended data do not end: the end of the file is missing");
+  }
+  scanner.pass_over(end);
+  rest = rest.substr(0, end);
+  while (!rest.empty() && is_white(rest.front())) rest.remove_prefix(1);
+  if (rest.empty() || rest.front() != '_') {
+    return scanner.complain(tag.position, "the appended data do not begin with '_'");
+  }
+  source.appended = rest.substr(1);
+  return {};
 }
 
 Result<DataArray> declare_array(const XmlTag& tag, std::string_view name,

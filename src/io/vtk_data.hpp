@@ -51,7 +51,8 @@ struct DataArray {
 struct DataSource {
   bool little_endian = true;
   std::size_t header_bytes = 4;              ///< of the byte counts before binary data
-  std::string compressor;                    ///< empty: uncompressed
+  bool packed = false;                       ///< in blocks, by
+  std::string compressor;                    ///< as the file names it
   std::optional<std::string_view> appended;  ///< behind the underscore, to the closing tag
   bool appended_base64 = false;
 };
@@ -59,6 +60,14 @@ struct DataSource {
 /// The declaration in a DataArray tag; `name` must outlive it.
 [[nodiscard]] Result<DataArray> declare_array(const XmlTag& tag, std::string_view name,
                                               const XmlScanner& scanner);
+
+/// What the VTKFile tag says. Error invalid_input where the file is of another type of grid.
+[[nodiscard]] Result<DataSource> declare_source(const XmlTag& tag, std::string_view grid_type,
+                                                const XmlScanner& scanner);
+/// Passes over the data behind the AppendedData tag, to its closing one, and takes them down. Raw
+/// data may hold anything, tags too: their end is that of the file's last closing tag.
+[[nodiscard]] Result<void> take_appended_data(const XmlTag& tag, XmlScanner& scanner,
+                                              DataSource& source);
 
 /// Which part of the appended data an array takes, in the file's encoding.
 struct AppendedExtent {
@@ -69,6 +78,14 @@ struct AppendedExtent {
 /// Nothing for arrays without values, not appended, or beyond the data, which no one can read.
 [[nodiscard]] std::optional<AppendedExtent> appended_extent(const DataArray& array,
                                                             const DataSource& source);
+
+/// What the arrays unpack to, and their values take, is bounded by the file's size: error
+/// invalid_input above kUnpackedMultiple times that and kUnpackedBytes. To be asked before any is
+/// read, of all that are.
+inline constexpr std::size_t kUnpackedMultiple = 16;
+inline constexpr std::size_t kUnpackedBytes = std::size_t{1} << 20;
+[[nodiscard]] Result<void> check_unpacking(const std::vector<const DataArray*>& arrays,
+                                           const DataSource& source, const XmlScanner& scanner);
 
 /// All values, converted. Integer arrays may be read as double (inexactly above 2^53);
 /// floating arrays are refused as integers.

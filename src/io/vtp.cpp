@@ -1,11 +1,13 @@
-// VTK XML poly data (.vtp): boundary surfaces, and lines in space.
+// VTK XML poly data (.vtp): boundary surfaces, lines in space, and contours.
 #include <cstdint>
 #include <string>
 #include <type_traits>
 
+#include "io/drawing/written_stack.hpp"
 #include "io/format.hpp"
 #include "io/numbers.hpp"
 #include "io/vtk_write.hpp"
+#include "io/vtp_read.hpp"
 #include "model/fields.hpp"
 
 namespace tetloft::internal::io {
@@ -96,12 +98,55 @@ Written write_lines_vtp(Sink& sink, const LineSet& lines, const Target& target) 
   return std::vector<Warning>();
 }
 
+// Closed polylines: of each contour its points, and the first id once more.
+Written write_stack_vtp(Sink& sink, const SectionStack& stack, const Target& target) {
+  const Result<std::vector<Warning>> fit = check_written(stack, target);
+  if (!fit) return fit.error();
+  std::vector<Point3> points;
+  std::vector<std::int64_t> ids;
+  std::vector<std::int64_t> ends;
+  std::vector<std::int32_t> section_of;
+  for (const SectionId s : stack.sections.ids()) {
+    const Section& section = stack.sections[s];
+    for (const Contour& contour : section.contours) {
+      const auto first = static_cast<std::int64_t>(points.size());
+      for (const Point2& p : contour.vertices) {
+        ids.push_back(static_cast<std::int64_t>(points.size()));
+        points.push_back(place(stack.frame, {p.x, p.y, section.z}));
+      }
+      ids.push_back(first);
+      ends.push_back(static_cast<std::int64_t>(ids.size()));
+      section_of.push_back(static_cast<std::int32_t>(s.value()));
+    }
+  }
+  VtkGroup cell_data{"CellData", {}};
+  cell_data.arrays.push_back(vtk_array<std::int32_t>(kSectionOfLine, 1, section_of.size(),
+                                                     [&](std::size_t i) { return section_of[i]; }));
+  VtkGroup cells{"Lines", {}};
+  cells.arrays.push_back(vtk_array<std::int64_t>("connectivity", 1, ids.size(),
+                                                 [&](std::size_t i) { return ids[i]; }));
+  cells.arrays.push_back(
+      vtk_array<std::int64_t>("offsets", 1, ends.size(), [&](std::size_t i) { return ends[i]; }));
+  append_vtk_file(sink,
+                  {.grid_type = "PolyData",
+                   .counts = poly_counts(points.size(), ends.size(), 0),
+                   .groups = {cell_data,
+                              vtk_points(points.size(),
+                                         [&](std::size_t i) -> const Point3& { return points[i]; }),
+                              cells}},
+                  target.options.encoding);
+  return *fit;
+}
+
 }  // namespace
 
 extern constinit const Format vtp_format{.name = "vtp",
                                          .summary = "VTK XML poly data",
                                          .extensions = {".vtp"},
                                          .recognise = is_poly_data,
+                                         .read_drawing = read_vtp_lines,
+                                         .read_points = read_vtp_points,
+                                         .write_stack = write_stack_vtp,
                                          .write_surface = write_surface_vtp,
                                          .write_lines = write_lines_vtp};
 

@@ -31,6 +31,11 @@ class GridDecoder {
 
   Result<Model> decode() {
     if (Result<void> apart = check_apart(); !apart) return apart.error();
+    std::vector<const DataArray*> arrays;
+    for (const VtuArray& array : grid_.arrays) arrays.push_back(&array.data);
+    for (const DataArray& array : grid_.columns) arrays.push_back(&array);
+    Result<void> unpacked = check_unpacking(arrays, grid_.source, scanner_);
+    if (!unpacked) return unpacked.error();
     for (std::size_t piece = 0; piece < grid_.pieces.size(); ++piece) {
       const std::size_t first_point = model_.points.size();
       if (Result<void> points = add_points(piece); !points) return points.error();

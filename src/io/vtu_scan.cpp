@@ -8,7 +8,6 @@
 #include <type_traits>
 #include <utility>
 
-#include "io/cursor.hpp"
 #include "io/numbers.hpp"
 #include "io/vtu_frame.hpp"
 #include "model/fields.hpp"
@@ -121,7 +120,7 @@ class VtuScanner {
   Result<void> take(const XmlTag& tag) {
     if (tag.name == "VTKFile") return take_root(tag);
     if (tag.name == "Piece") return take_piece(tag);
-    if (tag.name == "AppendedData") return take_appended(tag);
+    if (tag.name == "AppendedData") return take_appended_data(tag, scanner_, grid_.source);
     if (inside() == "Piece") return take_group(tag);
     const bool of_whole = inside(1) == "UnstructuredGrid" && inside() == "FieldData";
     if (tag.name == "FieldData" && inside() == "UnstructuredGrid") return take_field_data(tag);
@@ -135,22 +134,9 @@ class VtuScanner {
   Result<void> take_root(const XmlTag& tag) {
     if (!open_.empty()) return scanner_.complain(tag.position, "the file holds two grids");
     seen_root_ = true;
-    const std::string* const type = tag.find("type");
-    if (type == nullptr || *type != "UnstructuredGrid") {
-      return scanner_.complain(tag.position,
-                               "this VTK file is no UnstructuredGrid" +
-                                   (type == nullptr ? "" : " but " + in_quotes(*type)));
-    }
-    const std::string* const order = tag.find("byte_order");
-    grid_.source.little_endian = order == nullptr || *order == "LittleEndian";
-    const std::string* const header = tag.find("header_type");
-    if (header != nullptr && *header != "UInt32" && *header != "UInt64") {
-      return scanner_.complain(tag.position, "unknown header_type " + in_quotes(*header));
-    }
-    grid_.source.header_bytes = header != nullptr && *header == "UInt64" ? 8 : 4;
-    if (const std::string* compressor = tag.find("compressor")) {
-      grid_.source.compressor = *compressor;
-    }
+    Result<DataSource> source = declare_source(tag, "UnstructuredGrid", scanner_);
+    if (!source) return source.error();
+    grid_.source = *std::move(source);
     return {};
   }
 
@@ -224,34 +210,6 @@ class VtuScanner {
     } else {
       grid_.arrays.push_back(array);
     }
-    return {};
-  }
-
-  // Raw data may hold anything, tags too: their end is that of the file's last closing tag.
-  Result<void> take_appended(const XmlTag& tag) {
-    if (grid_.source.appended) {
-      return scanner_.complain(tag.position, "the file has two elements 'AppendedData'");
-    }
-    const std::string* const encoding = tag.find("encoding");
-    if (encoding == nullptr || (*encoding != "raw" && *encoding != "base64")) {
-      return scanner_.complain(tag.position, "the appended data have no known encoding");
-    }
-    grid_.source.appended_base64 = *encoding == "base64";
-    grid_.source.appended = std::string_view();
-    if (tag.kind != XmlTag::Kind::open) return {};
-    std::string_view rest = scanner_.rest();
-    const std::size_t end = rest.rfind("</AppendedData");
-    if (end == std::string_view::npos) {
-      return scanner_.complain(tag.position,
-                               "the appended data do not end: the end of the file is missing");
-    }
-    scanner_.pass_over(end);
-    rest = rest.substr(0, end);
-    while (!rest.empty() && is_white(rest.front())) rest.remove_prefix(1);
-    if (rest.empty() || rest.front() != '_') {
-      return scanner_.complain(tag.position, "the appended data do not begin with '_'");
-    }
-    grid_.source.appended = rest.substr(1);
     return {};
   }
 

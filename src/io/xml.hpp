@@ -42,6 +42,9 @@ class XmlScanner {
   /// Goes on `bytes` further.
   void pass_over(std::size_t bytes) { at_ += bytes; }
   [[nodiscard]] std::size_t position() const { return at_; }
+  /// Of the whole text.
+  [[nodiscard]] std::size_t size() const { return text_.size(); }
+  [[nodiscard]] const std::string& name() const { return name_; }
 
   /// invalid_input, naming the file and the line of byte `position`.
   [[nodiscard]] Error complain(std::size_t position, const std::string& message) const;

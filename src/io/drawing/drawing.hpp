@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,7 @@ struct DrawnLine {
   std::int64_t label = 0;    ///< of drawings with labels
   std::size_t line = 0;      ///< where it begins in a text file, one-based; 0: none
   std::uint64_t offset = 0;  ///< where it begins in a binary one; 0: none
+  bool left_out = false;     ///< counted, but of no stack; the reader says why
 };
 
 struct DrawnStructure {
@@ -60,6 +62,12 @@ struct Drawing {
   std::size_t planes = 0;
   /// Where the file itself tells that its planes are not parallel: two that are not.
   std::string not_parallel;
+  /// Every line has one height, as the file says it: those of equal height are one section, and no
+  /// others, if no tolerance is asked for.
+  bool exact_heights = false;
+  /// What is to be done to the lines before they become a stack, but not before they are counted;
+  /// or the error that they become none. Null: nothing.
+  std::function<Result<void>(Drawing&)> prepare;
   std::string unit;
   std::vector<Warning> warnings;
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include <tetloft/formats.hpp>
 
@@ -205,6 +206,11 @@ double lattice_of(const PlanesOfLines& planes, const std::vector<PointsOfLine>& 
     }
   }
   return largest > 0 ? std::ldexp(1, std::ilogb(largest) + 1 - 32) : 0;
+}
+
+std::optional<double> plane_tolerance(const Drawing& drawing, const std::optional<double>& asked) {
+  if (asked || !drawing.exact_heights) return asked;
+  return std::numeric_limits<double>::denorm_min();
 }
 
 std::optional<std::size_t> off_plane(const PlanesOfLines& planes) {

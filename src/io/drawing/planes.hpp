@@ -9,6 +9,8 @@
 #include <tetloft/frame.hpp>
 #include <tetloft/point.hpp>
 
+#include "io/drawing/drawing.hpp"
+
 namespace tetloft::internal::io {
 
 using PointsOfLine = const std::vector<Point3>*;
@@ -32,6 +34,10 @@ struct PlanesOfLines {
 /// `lines` are not empty, nor is any of them.
 [[nodiscard]] PlanesOfLines planes_of(const std::vector<PointsOfLine>& lines,
                                       const std::optional<double>& asked);
+
+/// What is asked for, or what the drawing means.
+[[nodiscard]] std::optional<double> plane_tolerance(const Drawing& drawing,
+                                                    const std::optional<double>& asked);
 
 /// The line that extends farthest across its plane, beyond the tolerance; none if all are in
 /// planes.

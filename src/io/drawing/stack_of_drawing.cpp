@@ -12,6 +12,7 @@
 
 #include "io/drawing/choose_lines.hpp"
 #include "io/drawing/file_labels.hpp"
+#include "io/drawing/join_lines.hpp"
 #include "io/drawing/plane_gaps.hpp"
 #include "io/drawing/planes.hpp"
 #include "io/numbers.hpp"
@@ -26,6 +27,10 @@ class StackMaker {
       : drawing_(std::move(drawing)), name_(name), options_(options) {}
 
   Result<ReadStack> make() {
+    if (drawing_.prepare) {
+      if (Result<void> done = drawing_.prepare(drawing_); !done) return at(done.error());
+    }
+    if (!drawing_.leaves_out_open) join_pieces();
     Result<ChosenLines> chosen = choose_lines(drawing_, options_.structure);
     if (!chosen) return at(chosen.error());
     lines_ = std::move(chosen->lines);
@@ -39,6 +44,9 @@ class StackMaker {
     }
     if (Result<void> done = leave_out(); !done) return at(done.error());
     if (Result<void> done = fill_sections(); !done) return at(done.error());
+    if (options_.close_on_frame) {
+      if (Result<void> done = close_lines(); !done) return at(done.error());
+    }
     for (Warning& warning : suspicious_gaps(read_.stack)) warn(std::move(warning));
     if (options_.validity == Validity::required) {
       if (Result<void> done = make_valid(); !done) return at(done.error());
@@ -64,28 +72,41 @@ class StackMaker {
     return error;
   }
 
+  void join_pieces() {
+    std::size_t joined = 0;
+    for (DrawnStructure& structure : drawing_.structures) {
+      joined += join_open_lines(structure.lines);
+    }
+    if (joined == 0) return;
+    drawing_.warnings.push_back({std::to_string(joined) +
+                                     (joined == 1 ? " open line" : " open lines") +
+                                     " joined to others that begin or end in the same point",
+                                 {}});
+  }
+
   // Points, open lines, and what is left of a contour without repeated vertices.
   Result<void> leave_out() {
     std::map<std::string, std::size_t> kinds;  // that are left out, by what they are called
     std::size_t few = 0;
     std::vector<ChosenLine> kept;
     for (ChosenLine& line : lines_) {
-      if (line.line.kind == LineKind::open && !drawing_.leaves_out_open) {
-        return of_line("an open line, as " + std::to_string(open_lines()) + " of " +
-                           std::to_string(lines_.size()) + " are; it bounds no region" +
-                           (options_.close_on_frame ? ""
-                                                    : " (lines that end at the frame of all "
-                                                      "lines are closed along it on request: "
-                                                      "--close-on-frame)"),
-                       line);
+      if (line.line.left_out) continue;
+      const bool closes = options_.close_on_frame && line.line.kind == LineKind::open;
+      if (line.line.kind == LineKind::open && !drawing_.leaves_out_open && !closes) {
+        return of_line(
+            "an open line, as " + std::to_string(open_lines()) + " of " +
+                std::to_string(lines_.size()) +
+                " are; it bounds no region (lines that end at the frame of all lines are "
+                "closed along it on request: --close-on-frame)",
+            line);
       }
-      if (line.line.kind != LineKind::closed) {
+      if (line.line.kind != LineKind::closed && !closes) {
         const bool open = line.line.kind == LineKind::open;
         ++kinds[line.line.type.empty() ? (open ? "open line" : "points") : line.line.type];
         continue;
       }
       drop_repeated(line.line.points);
-      if (line.line.points.size() < 3) {
+      if (line.line.points.size() < (closes ? 2U : 3U)) {
         ++few;
         continue;
       }
@@ -127,7 +148,8 @@ class StackMaker {
   Result<void> fill_sections() {
     std::vector<PointsOfLine> points;
     for (const ChosenLine& line : lines_) points.push_back(&line.line.points);
-    const PlanesOfLines planes = planes_of(points, options_.plane_tolerance);
+    const PlanesOfLines planes =
+        planes_of(points, plane_tolerance(drawing_, options_.plane_tolerance));
     if (const auto off = off_plane(planes)) return not_parallel(planes, *off);
     read_.stack.frame = planes.frame;
     warn_of_heights(planes);
@@ -156,6 +178,40 @@ class StackMaker {
       read_.lines[s].push_back(lines_[i].line.line);
       origin_[s.index()].push_back(i);
     }
+    return {};
+  }
+
+  // Contours that are lines stand in the sections like others, until here.
+  Result<void> close_lines() {
+    std::vector<ContourOfSection> open;
+    for (const SectionId s : read_.stack.sections.ids()) {
+      for (std::size_t c = 0; c < origin_[s.index()].size(); ++c) {
+        if (lines_[origin_[s.index()][c]].line.kind != LineKind::open) continue;
+        open.push_back({s, ContourId(c)});
+      }
+    }
+    if (open.empty()) {
+      warn({"no line is open: nothing is closed along a frame", {}});
+      return {};
+    }
+    Result<ClosedOnFrame> closed = close_on_frame(read_.stack, open);
+    if (!closed) return refusal(closed.error());
+    read_.stack = std::move(closed->stack);
+    for (Warning& change : closed->changes) warn(std::move(change));
+    const LineOfContour before = std::move(origin_);
+    origin_ = {};
+    for (const SectionId s : read_.stack.sections.ids()) {
+      origin_.emplace_back();
+      read_.lines[s].clear();
+      for (const ContourId of : closed->origin[s]) {
+        // The rectangle stands for the first line of the file.
+        const std::size_t line = of.valid() ? before[s.index()][of.index()] : 0;
+        origin_.back().push_back(line);
+        read_.lines[s].push_back(of.valid() ? lines_[line].line.line : 0);
+      }
+    }
+    // What runs along the frame may touch what ends there.
+    drawing_.may_touch = true;
     return {};
   }
 

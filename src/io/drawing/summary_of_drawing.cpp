@@ -11,9 +11,9 @@ namespace tetloft::internal::io {
 namespace {
 
 // Of lines that are in parallel planes; 0 where they are not.
-std::size_t plane_count(const std::vector<PointsOfLine>& lines) {
+std::size_t plane_count(const std::vector<PointsOfLine>& lines, const Drawing& drawing) {
   if (lines.empty()) return 0;
-  const PlanesOfLines planes = planes_of(lines, std::nullopt);
+  const PlanesOfLines planes = planes_of(lines, plane_tolerance(drawing, {}));
   return off_plane(planes) ? 0 : planes.height.size();
 }
 
@@ -28,10 +28,10 @@ const char* type_of(const DrawnLine& line) {
 
 // Shorter ones are left out of any stack.
 bool bounds_area(const DrawnLine& line) {
-  return line.kind == LineKind::closed && line.points.size() >= 3;
+  return line.kind == LineKind::closed && !line.left_out && line.points.size() >= 3;
 }
 
-StructureSummary summary_of_structure(const DrawnStructure& structure) {
+StructureSummary summary_of_structure(const DrawnStructure& structure, const Drawing& drawing) {
   StructureSummary summary;
   summary.number = structure.number;
   summary.name = structure.name;
@@ -44,7 +44,7 @@ StructureSummary summary_of_structure(const DrawnStructure& structure) {
     if (bounds_area(line)) closed.push_back(&line.points);
   }
   summary.types = {types.begin(), types.end()};
-  summary.planes = plane_count(closed);
+  summary.planes = plane_count(closed, drawing);
   return summary;
 }
 
@@ -59,10 +59,11 @@ LinesSummary summary_of_lines(const Drawing& drawing) {
       if (line.kind == LineKind::open) ++summary.open;
       if (line.kind == LineKind::closed) ++summary.closed;
       if (drawing.labelled) labels.insert(line.label);
-      if (line.kind != LineKind::points && !line.points.empty()) lines.push_back(&line.points);
+      if (line.left_out || line.points.empty()) continue;
+      if (line.kind != LineKind::points) lines.push_back(&line.points);
     }
   }
-  summary.planes = drawing.planes != 0 ? drawing.planes : plane_count(lines);
+  summary.planes = drawing.planes != 0 ? drawing.planes : plane_count(lines, drawing);
   summary.labels = {labels.begin(), labels.end()};
   return summary;
 }
@@ -75,7 +76,7 @@ FileSummary summary_of_drawing(Drawing drawing) {
   if (drawing.apart || drawing.structures.size() > 1) {
     summary.structures.reserve(drawing.structures.size());
     for (const DrawnStructure& structure : drawing.structures) {
-      summary.structures.push_back(summary_of_structure(structure));
+      summary.structures.push_back(summary_of_structure(structure, drawing));
     }
   }
   summary.unit = std::move(drawing.unit);

@@ -79,6 +79,7 @@ constexpr std::array kKinds{
     Kind{StackKind::lattice_pores, "lattice_pores", draft_lattice_pores},
     Kind{StackKind::coarse_lofts, "coarse_lofts", draft_coarse_lofts},
     Kind{StackKind::thin_parts, "thin_parts", draft_thin_parts},
+    Kind{StackKind::height_fields, "height_fields", draft_height_fields},
 };
 
 constexpr auto kAllKinds = [] {

@@ -63,6 +63,7 @@ enum class StackKind : std::uint8_t {
   lattice_pores,   ///< bitmaps of blocks with pores and notches of a few pixels
   coarse_lofts,    ///< contours of few vertices turned, moved, crossed, and beside fine ones
   thin_parts,      ///< tubes, sheets and shells that lean by more than they are thick
+  height_fields,   ///< level lines of height fields, closed along a rectangle
 };
 
 [[nodiscard]] std::span<const StackKind> all_kinds();

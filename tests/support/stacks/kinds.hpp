@@ -72,6 +72,9 @@ SectionStack draft_touching_holes(Prng& prng);
 SectionStack draft_rings(Prng& prng);
 SectionStack draft_lattice_pores(Prng& prng);
 
+// height_fields.cpp
+SectionStack draft_height_fields(Prng& prng);
+
 // labels.cpp
 /// Labels for regions of a valid stack such that each label can be made one component by
 /// links between its own regions: its regions lie in consecutive sections, at least one in

@@ -1,12 +1,14 @@
 // Forms in which people's programs write .cnt: triples, commas, comments, open lines.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <functional>
 #include <string>
 #include <vector>
 
+#include <tetloft/formats.hpp>
 #include <tetloft/io.hpp>
 
 #include "core/prng.hpp"
@@ -287,6 +289,35 @@ TEST(CntOpenLines, ClosedAlongTheFrameAreFine) {
   const auto read = parse_cnt(bump + "}\n", "t.cnt");
   ASSERT_TRUE(read.ok());
   EXPECT_EQ(told_open(*read), 0U);
+}
+
+TEST(CntOpenLines, AreClosedOnRequest) {
+  ReadOptions options;
+  options.close_on_frame = true;
+  for (const double to_y : {10.0, 80.0}) {
+    for (const double wave : {0.0, 40.0}) {
+      // Above it a square, which the line's lower side does not hold.
+      std::string text = level_line(40, to_y, wave, false);
+      text.resize(text.find("v 4 z 5"));
+      text += "v 4 z 5\n{ 100 90 90 90 90 100 100 100 }\n";
+      const auto read = parse_stack(text, "t.cnt", options);
+      ASSERT_TRUE(read.ok()) << to_string(read.error());
+      const Section& section = read->stack.sections[SectionId(0)];
+      ASSERT_EQ(section.contours.size(), 1U);
+      const std::vector<Point2>& v = section.contours[ContourId(0)].vertices;
+      ASSERT_GE(v.size(), 53U);
+      // No line ends above: the frame is beyond the square.
+      for (const double x : {0.0, 100.0}) {
+        EXPECT_TRUE(std::any_of(v.begin(), v.end(),
+                                [&](const Point2& p) { return p.x == x && p.y > 100; }));
+      }
+      EXPECT_EQ(read->lines[SectionId(0)][ContourId(0)], 3U);
+    }
+  }
+  // Contours along the frame are none.
+  const auto closed = parse_stack(level_line(40, 40, 40, true), "t.cnt", options);
+  ASSERT_TRUE(closed.ok());
+  EXPECT_EQ(closed->stack.contour_count(), 2U);
 }
 
 TEST(CntWarnings, ThatAreManyAreSummedUp) {

@@ -256,7 +256,7 @@ TEST(ChooseReader, RefusesWithTheListOfWhatCanBeRead) {
     const auto named = io::choose_reader(table, Contents::stack, {"S 0", "a", {}}, name);
     ASSERT_FALSE(named.ok());
     EXPECT_EQ(named.error().code, ErrorCode::usage);
-    EXPECT_NE(named.error().message.find("cnt or dots"), std::string::npos);
+    EXPECT_NE(named.error().message.find(" or dots, not as"), std::string::npos);
   }
 }
 
@@ -272,8 +272,9 @@ TEST(ChooseWriter, GoesByTheLongestExtension) {
   EXPECT_EQ(writer("a.vtu", "dots"), "dots");
   const auto refused = io::choose_writer(table, Contents::stack, "a.vtu", {});
   EXPECT_EQ(refused.error().code, ErrorCode::usage);
-  EXPECT_EQ(refused.error().message,
-            "a stack is written as .cnt, .dots or .dots.cnt, not as '.vtu'");
+  const std::string& message = refused.error().message;
+  EXPECT_EQ(message.find("a stack is written as .cnt, "), 0U) << message;
+  EXPECT_TRUE(message.ends_with(", .dots or .dots.cnt, not as '.vtu'")) << message;
 }
 
 TEST(Formatting, MakesTheBytesThatAreWritten) {

@@ -200,7 +200,7 @@ TEST(ReadVtu, IgnoresArraysThatOnlyShareAName) {
 TEST(ReadVtu, RefusesWhatItCannotRead) {
   ArrayText arrays = ascii_arrays();
   expect_error(
-      file_of("compressor=\"vtkZLibDataCompressor\"",
+      file_of("compressor=\"vtkLZ4DataCompressor\"",
               {array("Float32", "Points", "NumberOfComponents=\"3\" format=\"binary\"", "AQAAAA=="),
                arrays.corners, arrays.offsets, arrays.types}),
       "compressed");
