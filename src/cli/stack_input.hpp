@@ -10,10 +10,11 @@
 
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
+#include "cli/mending_options.hpp"
 
 namespace tetloft::cli {
 
-/// --format, --repair, --repair-distance, --snap, --refine.
+/// --format, those of mending_options.hpp, --snap, --refine.
 [[nodiscard]] std::vector<Option> preparation_options();
 /// The same, after --correspondence, --overlap, --voids, --labels.
 [[nodiscard]] std::vector<Option> stack_options();
@@ -27,21 +28,17 @@ struct SnapReport {
   std::vector<MovedVertex> first;  ///< a few, for people
 };
 
-struct RepairReport {
-  std::size_t changes = 0;  ///< each told as a warning
-  double moved = 0;         ///< how far the boundary moved at most
-};
-
-/// What is done to a stack before it is worked on: repaired, then snapped, then refined.
+/// What is done to a stack before it is worked on: mended, then snapped, then refined.
 struct Preparation {
   std::string format;  ///< of the file; empty: recognised
-  std::optional<RepairOptions> repair;
+  Mending mending;
   std::optional<int> snap;       ///< bits
   std::optional<double> refine;  ///< the longest edge left
 };
 
 struct StackInput {
   SectionStack stack;  ///< as it is worked on
+  std::optional<PlanesReport> planes;
   std::optional<RepairReport> repaired;
   std::optional<SnapReport> snapped;
   std::optional<std::size_t> inserted;  ///< vertices, by refining
@@ -50,7 +47,7 @@ struct StackInput {
 /// Checks the options' values without touching a file. Labels and decisions stay empty.
 [[nodiscard]] Result<CorrespondenceOptions> correspondence_options(const Arguments& arguments,
                                                                    Console& console);
-/// --format, --repair, --repair-distance, --snap and --refine as given.
+/// All of these as given.
 [[nodiscard]] Result<Preparation> preparation(const Arguments& arguments);
 
 /// Reads and prepares the stack; warnings go to the console.
@@ -67,7 +64,7 @@ struct StackInput {
 [[nodiscard]] Result<Model> read_model_input(const std::string& path, const std::string& format,
                                              Console& console);
 
-/// Members "repair", "snap" and "refine", where that was done.
+/// Members "planes", "repair", "snap" and "refine", where that was done.
 void write_preparation(JsonWriter& json, const StackInput& input);
 /// The same as lines of text.
 [[nodiscard]] std::string describe_preparation(const StackInput& input);
