@@ -72,6 +72,12 @@ SectionStack draft_touching_holes(Prng& prng);
 SectionStack draft_rings(Prng& prng);
 SectionStack draft_lattice_pores(Prng& prng);
 
+// kinds_mended.cpp
+SectionStack draft_mended_overlaps(Prng& prng);
+SectionStack draft_mended_copies(Prng& prng);
+SectionStack draft_mended_keyholes(Prng& prng);
+SectionStack draft_arranged_planes(Prng& prng);
+
 // labels.cpp
 /// Labels for regions of a valid stack such that each label can be made one component by
 /// links between its own regions: its regions lie in consecutive sections, at least one in
