@@ -15,6 +15,8 @@ using namespace internal;
 
 namespace {
 
+constexpr const char* kMergeRemedy = " (--planes merge=TOL does that)";
+
 using Lines = IdVector<SectionId, IdVector<ContourId, std::size_t>>;
 
 const std::vector<std::string>& fill_words() {
@@ -163,17 +165,6 @@ Lines moved_lines(const Lines& lines, const ArrangedPlanes& arranged) {
   return moved;
 }
 
-void warn_of_reader(const ReadStack& read, bool rearranged, Console& console) {
-  const std::vector<Warning> gaps =
-      rearranged ? suspicious_gaps(read.stack) : std::vector<Warning>{};
-  for (const Warning& warning : read.warnings) {
-    const bool of_gap = std::any_of(gaps.begin(), gaps.end(), [&](const Warning& gap) {
-      return gap.message == warning.message;
-    });
-    if (!of_gap) console.warn(warning);
-  }
-}
-
 RepairReport report_of(const Repaired& repaired, FillRule fill) {
   return {fill,
           repaired.changes.size(),
@@ -187,12 +178,24 @@ RepairReport report_of(const Repaired& repaired, FillRule fill) {
 
 }  // namespace
 
+void warn_of_reader(const ReadStack& read, const Mending& mending, Console& console) {
+  const std::vector<Warning> gaps = suspicious_gaps(read.stack);
+  for (Warning warning : read.warnings) {
+    const bool of_gap = std::any_of(gaps.begin(), gaps.end(), [&](const Warning& gap) {
+      return gap.message == warning.message;
+    });
+    if (of_gap && mending.planes) continue;
+    if (of_gap) warning.message += kMergeRemedy;
+    console.warn(warning);
+  }
+}
+
 Result<MendedStack> mend_read(const ReadStack& read, const std::string& path,
                               const Mending& mending, Console& console) {
   MendedStack mended;
   mended.stack = read.stack;
   Lines lines = read.lines;
-  warn_of_reader(read, mending.planes.has_value(), console);
+  warn_of_reader(read, mending, console);
   const auto warn_each = [&](const std::vector<Warning>& warnings, const char* what) {
     for (Warning warning : warnings) {
       locate_in(warning.where, path, lines);
@@ -206,7 +209,9 @@ Result<MendedStack> mend_read(const ReadStack& read, const std::string& path,
     mended.planes = PlanesReport{read.stack.sections.size(), arranged->stack.sections.size()};
     mended.stack = std::move(arranged->stack);
     warn_each(arranged->changes, "planes: ");
-    warn_each(suspicious_gaps(mended.stack), "");
+    std::vector<Warning> gaps = suspicious_gaps(mended.stack);
+    for (Warning& gap : gaps) gap.message += kMergeRemedy;
+    warn_each(gaps, "");
   }
   if (!mending.repair) {
     const Result<void> valid = validate(mended.stack);

@@ -49,8 +49,12 @@ struct MendedStack {
   std::optional<RepairReport> repair;
 };
 
+/// Warns of what the reader warned of, with the option that may help; but not of gaps between
+/// planes that are to be arranged.
+void warn_of_reader(const ReadStack& read, const Mending& mending, Console& console);
+
 /// What was read from `path`, unchecked, mended; valid, unless nothing is left. Changes are told as
-/// warnings; the warnings of the reader, too, but for gaps that are no more.
+/// warnings.
 [[nodiscard]] Result<MendedStack> mend_read(const ReadStack& read, const std::string& path,
                                             const Mending& mending, Console& console);
 

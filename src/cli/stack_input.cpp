@@ -184,7 +184,7 @@ Result<StackInput> read_and_mend(const std::string& path, const Preparation& pre
   if (!read) return with_remedy(read.error());
   StackInput input;
   if (!mending.any()) {
-    for (const Warning& warning : read->warnings) console.warn(warning);
+    warn_of_reader(*read, mending, console);
     input.stack = std::move(read->stack);
     return input;
   }
