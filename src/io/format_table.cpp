@@ -7,6 +7,7 @@
 // them. NAME stands for the value io::NAME_format.
 #define TETLOFT_FORMAT_TABLE(FORMAT) \
   FORMAT(nifti)                      \
+  FORMAT(nrrd)                       \
   FORMAT(cnt)                        \
   FORMAT(vtu)                        \
   FORMAT(obj)                        \
