@@ -8,6 +8,7 @@
 #define TETLOFT_FORMAT_TABLE(FORMAT) \
   FORMAT(nifti)                      \
   FORMAT(nrrd)                       \
+  FORMAT(metaimage)                  \
   FORMAT(cnt)                        \
   FORMAT(vtu)                        \
   FORMAT(obj)                        \

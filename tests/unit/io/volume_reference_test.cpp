@@ -243,5 +243,36 @@ TEST(ReferenceVolumes, Nrrd) {
   }
 }
 
+TEST(ReferenceVolumes, MetaImage) {
+  const std::string folder = reference_folder() + "metaimage/";
+  const std::vector<std::string> names = files_in(folder);
+  if (names.empty()) GTEST_SKIP() << "no reference files in " << folder;
+  for (const std::string& name : names) {
+    SCOPED_TRACE(name);
+    const JsonValue truth = *test::parse_json(test::get(folder + name + ".truth.json"));
+    const Result<FileSummary> summary = inspect(folder + name);
+    ASSERT_TRUE(summary.ok()) << to_string(summary.error());
+    EXPECT_EQ(summary->format, "metaimage");
+    const VolumeSummary& volume = *summary->volume;
+    EXPECT_EQ(as_numbers(volume.size), numbers_of(truth.at("dims")));
+    EXPECT_EQ(volume.type, plain_type(truth.at("dtype").string));
+    EXPECT_EQ(volume.space, "LPS");
+    const std::vector<double> spacing = numbers_of(truth.at("spacing"));
+    const std::vector<double> offset = numbers_of(truth.at("offset"));
+    for (std::size_t axis = 0; axis < spacing.size(); ++axis) {
+      EXPECT_EQ(volume.spacing[axis], spacing[axis]);
+      EXPECT_EQ(volume.matrix[axis][3], offset[axis]);
+      for (std::size_t row = 0; row < spacing.size(); ++row) {
+        const double direction =
+            truth.at("axis_direction_rows").array.at(axis).array.at(row).number;
+        EXPECT_EQ(volume.matrix[row][axis], direction * spacing[axis]);
+      }
+    }
+    if (spacing.size() == 3) expect_itk(volume, truth.at("itk_5.2_via_plastimatch"), false);
+    expect_labels(volume, truth.at("labels"));
+    expect_stacks(folder + name, volume);
+  }
+}
+
 }  // namespace
 }  // namespace tetloft
