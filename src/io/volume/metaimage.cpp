@@ -3,66 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 
 #include "io/format.hpp"
 #include "io/numbers.hpp"
-#include "io/volume/data_files.hpp"
 #include "io/volume/file_volume.hpp"
 #include "io/volume/header_text.hpp"
+#include "io/volume/metaimage_header.hpp"
 #include "io/volume/placement.hpp"
-#include "io/volume/volume_error.hpp"
 
 namespace tetloft::internal::io {
 
 namespace {
-
-constexpr std::size_t kMostDataFiles = std::size_t{1} << 16;
-
-/// "Key = value" lines, up to that of the data.
-struct MetaHeader {
-  struct Field {
-    std::string value;
-    std::size_t line = 0;
-  };
-  std::string name;
-  std::map<std::string, Field> fields;  ///< by key in lower case
-  std::vector<std::string> listed;      ///< lines behind "ElementDataFile = LIST"
-  std::uint64_t data = 0;               ///< behind the line "ElementDataFile = LOCAL"
-
-  /// Of the first of these keys that there is; null if none is.
-  [[nodiscard]] const Field* find(std::initializer_list<const char*> keys) const {
-    for (const char* key : keys) {
-      if (const auto at = fields.find(key); at != fields.end()) return &at->second;
-    }
-    return nullptr;
-  }
-  [[nodiscard]] bool is_true(std::initializer_list<const char*> keys, bool otherwise) const {
-    const Field* const field = find(keys);
-    if (field == nullptr || field->value.empty()) return otherwise;
-    const char c = field->value.front();
-    return c == 'T' || c == 't' || c == '1' || c == 'Y' || c == 'y';
-  }
-  [[nodiscard]] Error complain(const Field* field, const std::string& message) const {
-    return volume_error(name, message,
-                        field == nullptr ? std::nullopt : std::optional<std::size_t>(field->line));
-  }
-  /// All numbers of a field, `count` of them; empty where there is no such field.
-  [[nodiscard]] Result<std::vector<double>> numbers(std::initializer_list<const char*> keys,
-                                                    std::size_t count) const {
-    std::vector<double> numbers;
-    const Field* const field = find(keys);
-    if (field == nullptr) return numbers;
-    for (const std::string& word : words_of(field->value)) {
-      const ParsedNumber number = parse_number(word);
-      if (!number.ok()) return complain(field, complaint(word, number.status));
-      numbers.push_back(number.value);
-    }
-    if (numbers.size() >= count) return numbers;
-    return complain(field, std::string(*keys.begin()) + " has " + std::to_string(numbers.size()) +
-                               " numbers, and should have " + std::to_string(count));
-  }
-};
 
 // The first line that says anything is one of these.
 bool recognise_metaimage(std::string_view bytes) {
@@ -74,37 +25,6 @@ bool recognise_metaimage(std::string_view bytes) {
     return lower_case(trimmed(text.substr(equals + 1, 16))).substr(0, 5) == "image";
   }
   return key == "ndims";
-}
-
-Result<MetaHeader> read_meta_header(const ByteSource& file, const std::string& name) {
-  MetaHeader header;
-  header.name = name;
-  HeaderLines lines(file, name);
-  bool in_list = false;
-  for (;;) {
-    const Result<bool> next = lines.next();
-    if (!next) return next.error();
-    if (!*next) break;
-    const std::string_view line = trimmed(lines.text());
-    if (line.empty() || line.front() == '#') continue;
-    if (in_list) {
-      header.listed.emplace_back(line);
-      continue;
-    }
-    const std::size_t equals = line.find('=');
-    if (equals == std::string_view::npos) {
-      return volume_error(name, in_quotes(line) + " is no line \"key = value\"", lines.number());
-    }
-    const std::string key = lower_case(trimmed(line.substr(0, equals)));
-    const std::string_view value = trimmed(line.substr(equals + 1));
-    header.fields[key] = {std::string(value), lines.number()};
-    if (key != "elementdatafile") continue;
-    header.data = lines.position();
-    in_list = value == "LIST" || value.substr(0, 5) == "LIST ";
-    if (!in_list) return header;
-  }
-  if (in_list) return header;
-  return volume_error(name, "the header has no ElementDataFile");
 }
 
 Result<SampleType> element_type(const MetaHeader& meta) {
@@ -180,8 +100,8 @@ Result<std::size_t> set_meta_sizes(const MetaHeader& meta, VolumeHeader& header)
   return static_cast<std::size_t>(channels);
 }
 
-// x = offset + R S (i − c) + c, R of the direction of an index axis in each triple, S the spacings,
-// c the centre of rotation; it is 0 in all files but old ones, whose c is passed over as ITK does.
+// x = offset + R S i, each triple of R the direction of an index axis, S the spacings. The centre
+// of rotation is passed over, as ITK does: the offset is where the first voxel is.
 Result<void> set_meta_space(const MetaHeader& meta, VolumeHeader& header) {
   const std::size_t n = header.sizes.size();
   const std::size_t spatial = std::min<std::size_t>(n, 3);
@@ -206,119 +126,6 @@ Result<void> set_meta_space(const MetaHeader& meta, VolumeHeader& header) {
   const auto units = meta.find({"distanceunits"});
   if (units != nullptr && units->value != "?") header.unit = units->value;
   return check_matrix(header, "TransformMatrix, ElementSpacing or Offset", meta.name);
-}
-
-// Names of the files of data, in order, and how many dimensions each has.
-struct MetaNames {
-  std::vector<std::string> names;
-  std::size_t dimension = 0;
-};
-
-Result<std::size_t> files_dimension(const MetaHeader& meta, const std::string& word) {
-  const auto number = parse_integer(word);
-  if (number && *number >= 1 && *number <= 10) return static_cast<std::size_t>(*number);
-  return meta.complain(meta.find({"elementdatafile"}),
-                       in_quotes(word) + " is no dimension of a file");
-}
-
-// "PATTERN MIN MAX STEP"; no names where it is none such.
-Result<MetaNames> numbered_slices(const MetaHeader& meta, const VolumeHeader& header) {
-  const MetaHeader::Field& field = *meta.find({"elementdatafile"});
-  const std::vector<std::string> words = words_of(field.value);
-  MetaNames data{{}, header.sizes.size() - 1};
-  if (words.size() < 2 || !is_pattern(words[0])) return data;
-  std::array<std::int64_t, 3> range{1, 1, 1};
-  range[1] = static_cast<std::int64_t>(header.sizes.back());
-  for (std::size_t i = 1; i < words.size() && i < 4; ++i) {
-    const auto number = parse_integer(words[i]);
-    if (!number || std::abs(*number) > 1'000'000'000) return MetaNames{};
-    range[i - 1] = *number;
-  }
-  const auto [from, to, step] = range;
-  if (step == 0 || (to - from) / step < 0 ||
-      static_cast<std::size_t>((to - from) / step) >= kMostDataFiles) {
-    return meta.complain(&field, "the numbers of files do not go from the first to the last");
-  }
-  for (std::int64_t i = from; step > 0 ? i <= to : i >= to; i += step) {
-    data.names.push_back(numbered(words[0], i));
-  }
-  return data;
-}
-
-Result<MetaNames> data_names(const MetaHeader& meta, const VolumeHeader& header) {
-  const MetaHeader::Field& field = *meta.find({"elementdatafile"});
-  const std::vector<std::string> words = words_of(field.value);
-  if (!words.empty() && words[0] == "LIST") {
-    MetaNames data{meta.listed, header.sizes.size() - 1};
-    if (words.size() == 1) return data;
-    const Result<std::size_t> dimension = files_dimension(meta, words[1]);
-    if (!dimension) return dimension.error();
-    data.dimension = *dimension;
-    return data;
-  }
-  Result<MetaNames> data = numbered_slices(meta, header);
-  if (data && data->names.empty()) *data = {{field.value}, header.sizes.size()};
-  return data;
-}
-
-// −1: the data are the last bytes of the file.
-Result<void> skip_header(const MetaHeader& meta, const VoxelData& data, DataPart& part) {
-  const MetaHeader::Field* const field = meta.find({"headersize"});
-  if (field == nullptr) return {};
-  const auto bytes = parse_integer(field->value);
-  if (!bytes || *bytes < -1 || *bytes >= std::int64_t{1} << 48) {
-    return meta.complain(field, "HeaderSize is neither -1 nor a number of bytes");
-  }
-  if (*bytes >= 0) {
-    part.offset += static_cast<std::uint64_t>(*bytes);
-    return {};
-  }
-  if (data.encoding != DataEncoding::raw) {
-    return meta.complain(field, "HeaderSize is -1 of data that are not raw");
-  }
-  const Result<OpenPart> file = open_part(data, part);
-  if (!file) return file.error();
-  const std::uint64_t wanted = part.samples * size_of(data.format.type);
-  const std::uint64_t size = file->bytes->size();
-  if (size >= part.offset && size - part.offset >= wanted) part.offset = size - wanted;
-  return {};
-}
-
-Result<void> find_meta_data(const MetaHeader& meta, const Source& source,
-                            const VolumeHeader& header, VoxelData& data) {
-  const MetaHeader::Field& field = *meta.find({"elementdatafile"});
-  const std::uint64_t all = std::uint64_t{header.voxels()} * header.layers;
-  if (lower_case(field.value) == "local") {
-    DataPart part;
-    part.offset = meta.data;
-    part.samples = all;
-    data.parts.push_back(part);
-    return check_parts(data);
-  }
-  const Result<MetaNames> names = data_names(meta, header);
-  if (!names) return names.error();
-  const std::size_t files = names->names.size();
-  if (files == 0 || files > kMostDataFiles || all % files != 0) {
-    return meta.complain(&field, std::to_string(files) + " files are named, between which " +
-                                     std::to_string(all) + " samples cannot be divided");
-  }
-  std::uint64_t expected = 1;
-  for (std::size_t i = names->dimension; i < header.sizes.size(); ++i) expected *= header.sizes[i];
-  if (files != expected) {
-    return meta.complain(&field, std::to_string(files) +
-                                     " files are named, where DimSize asks for " +
-                                     std::to_string(expected));
-  }
-  for (const std::string& name : names->names) {
-    Result<std::string> path = data_file(source.folder, source.name, name);
-    if (!path) return path.error();
-    DataPart part;
-    part.path = *std::move(path);
-    part.samples = all / files;
-    if (Result<void> skipped = skip_header(meta, data, part); !skipped) return skipped;
-    data.parts.push_back(std::move(part));
-  }
-  return check_parts(data);
 }
 
 Result<std::unique_ptr<Volume>> open_metaimage(const Source& source,
