@@ -42,8 +42,12 @@ struct VolumeSummary {
   std::string space;
   std::string type;  ///< of a voxel: "uint8", "float64", …
   std::string unit;  ///< "mm", "um", …; empty where the file says none
-  /// By value, 0 among them; empty where the voxels have more than kMostLabels values.
+  /// By value, 0 among them; empty where the voxels have more than kMostLabels values. Of all
+  /// volumes of the file together, but for segments of several volumes, which are one each.
   std::vector<LabelSummary> labels;
+  /// What ReadOptions::structure names, one after the other, to read all structures: segments by
+  /// name, labels but 0 by value. Empty of an image.
+  std::vector<std::string> structures;
   bool intensities = false;  ///< more values than labels have: an image, to be read at an iso-value
   double least = 0;          ///< value of a voxel
   double largest = 0;

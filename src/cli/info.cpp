@@ -215,7 +215,14 @@ Result<std::optional<SectionStack>> stack_of(const File& file, const FileSummary
         {"no solid can be made of this as it stands: " + read.error().message, read.error().where});
     return std::optional<SectionStack>();
   }
-  console.warn_of(file.path, read->warnings);
+  for (const Warning& warning : read->warnings) {
+    // What the file itself is odd in has been told.
+    const auto same = [&](const Warning& told) {
+      return told.message == warning.message && to_string(told.where) == to_string(warning.where);
+    };
+    const bool told = std::any_of(summary.warnings.begin(), summary.warnings.end(), same);
+    if (!told) console.warn_of(file.path, {warning});
+  }
   return std::optional(std::move(read->stack));
 }
 

@@ -34,6 +34,10 @@ class TextCursor {
   /// The next byte, or 0 at the end.
   [[nodiscard]] char peek() const { return at_ == end_ ? '\0' : *at_; }
   void advance() { ++at_; }
+  /// All that is left.
+  [[nodiscard]] std::string_view rest() const {
+    return {at_, static_cast<std::size_t>(end_ - at_)};
+  }
   /// One-based.
   [[nodiscard]] std::size_t line() const { return line_; }
 

@@ -7,6 +7,11 @@
 // them. NAME stands for the value io::NAME_format.
 #define TETLOFT_FORMAT_TABLE(FORMAT) \
   FORMAT(rtstruct)                   \
+  FORMAT(cxt)                        \
+  FORMAT(csl)                        \
+  FORMAT(slc)                        \
+  FORMAT(imod)                       \
+  FORMAT(nifti)                      \
   FORMAT(cnt)                        \
   FORMAT(vtu)                        \
   FORMAT(obj)                        \

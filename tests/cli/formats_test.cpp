@@ -108,7 +108,7 @@ TEST(Formats, AreRecognisedUnderAnyName) {
 TEST(Formats, ThatNothingTellsAreRefusedWithTheList) {
   TempFolder folder;
   test::put(folder.file("a.dat"), std::string("DICM\0\1", 6));
-  expect_failure({"info", folder.file("a.dat")}, 3, "invalid_input", "a stack is read as cnt (");
+  expect_failure({"info", folder.file("a.dat")}, 3, "invalid_input", "a stack is read as ");
   expect_failure({"render", folder.file("a.dat"), "-o", folder.file("a.png")}, 3, "invalid_input",
                  "a model is read as vtu (");
   // Its extension, or text, makes it a .cnt with an error.

@@ -233,7 +233,7 @@ TEST_F(LinksCommand, OfASingleSectionAreNone) {
 }
 
 TEST_F(LinksCommand, RefusesWhatMakesNoSense) {
-  expect_failure({"links"}, 2, "usage", "IN.cnt");
+  expect_failure({"links"}, 2, "usage", "missing IN");
   expect_failure({"links", in_, "-o", folder_.file("l.csv")}, 2, "usage", ".labels");
   expect_failure({"links", in_, "--first", "0"}, 2, "usage", "--first");
   expect_failure({"links", in_, "--verify"}, 2, "usage", "--verify");

@@ -79,7 +79,7 @@ TEST(Help, OfACommandByItsName) {
 TEST(Usage, SuggestsWhatWasMeant) {
   expect_failure({"recnstruct"}, 2, "usage", "did you mean reconstruct?");
   expect_failure({"version"}, 2, "usage", "did you mean --version?");
-  expect_failure({"a.cnt"}, 2, "usage", "tetloft reconstruct IN.cnt -o OUT.vtu");
+  expect_failure({"a.cnt"}, 2, "usage", "tetloft reconstruct IN -o OUT.vtu");
   expect_failure({"reconstruct", "a.cnt", "--srface", "a.ply"}, 2, "usage",
                  "did you mean --surface?");
   expect_failure({"reconstruct", "a.cnt", "a.vtu"}, 2, "usage", "an output needs -o");
@@ -97,11 +97,11 @@ TEST(Usage, SuggestsWhatWasMeant) {
 }
 
 TEST(Usage, NeedsOperands) {
-  expect_failure({"reconstruct"}, 2, "usage", "IN.cnt");
+  expect_failure({"reconstruct"}, 2, "usage", "missing IN");
   expect_failure({"check"}, 2, "usage", "MODEL.vtu");
-  expect_failure({"check", "a.vtu"}, 2, "usage", "IN.cnt");
+  expect_failure({"check", "a.vtu"}, 2, "usage", "missing IN");
   expect_failure({"delaunay"}, 2, "usage", "POINTS");
-  expect_failure({"info"}, 2, "usage", "IN.cnt");
+  expect_failure({"info"}, 2, "usage", "missing IN");
   expect_failure({"info", "a.cnt", "b.cnt"}, 2, "usage", "'b.cnt'");
   // Behind "--" nothing is an option.
   const Outcome outcome = run({"info", "--", "a.cnt", "--json"});

@@ -28,7 +28,7 @@ set(may_subdivision core spatial predicates mesh sections contact model slab com
 set(may_reconstruct core arithmetic spatial predicates mesh delaunay2 delaunay3 sections motion contact model slab correspondence between completion subdivision)
 set(may_geiger core predicates mesh delaunay2 delaunay3 sections model slab)
 set(may_check core arithmetic predicates mesh sections motion contact model)
-set(may_io core sections model)
+set(may_io core predicates sections model)
 set(may_render core mesh sections model io)
 set(modules core arithmetic spatial predicates mesh delaunay2 delaunay3 sections motion contact model slab correspondence between completion subdivision
   reconstruct geiger check io render c)

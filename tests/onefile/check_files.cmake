@@ -20,7 +20,7 @@ endforeach()
 
 # Each file of ours stands in one of the two, once; umbrella and command line do not.
 file(GLOB expected RELATIVE "${ROOT}" "${ROOT}/include/tetloft/*.hpp" "${ROOT}/src/*/*.hpp"
-  "${ROOT}/src/*/*.cpp" "${ROOT}/src/*/*.cpp.in")
+  "${ROOT}/src/*/*.cpp" "${ROOT}/src/*/*.cpp.in" "${ROOT}/src/io/*/*.hpp" "${ROOT}/src/io/*/*.cpp")
 list(FILTER expected EXCLUDE REGEX "^src/cli/|/tetloft[.]hpp$")
 set(parts)
 set(system)

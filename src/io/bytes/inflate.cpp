@@ -41,21 +41,23 @@ class Inflater::Work {
   Work(const ByteSource& source, std::uint64_t offset, Wrapping wrapping, std::string name)
       : in_(source, offset, std::move(name)), wrapping_(wrapping) {}
 
+  // What was unpacked before an error is handed out before it, as far as whole requests go.
   Result<std::size_t> read(std::span<char> to) {
-    if (error_) return *error_;
-    try {
-      return fill(to);
-    } catch (const Failed& failed) {
-      error_ = failed.error();
-      return *error_;
+    std::size_t done = take_ready(to);
+    while (done < to.size() && state_ != State::end) {
+      if (error_) return *error_;
+      go_on();
+      done += take_ready(to.subspan(done));
     }
+    return done;
   }
   [[nodiscard]] std::uint64_t position() const { return in_.position(); }
 
  private:
   enum class State : std::uint8_t { wrapping, block, stored, coded, trailer, end };
 
-  std::size_t fill(std::span<char> to);
+  std::size_t take_ready(std::span<char> to);
+  void go_on();
   void step();
   void begin_member();
   void read_zlib_header();
@@ -97,20 +99,25 @@ class Inflater::Work {
   std::uint32_t header_sum_ = 0;
 };
 
-std::size_t Inflater::Work::fill(std::span<char> to) {
+std::size_t Inflater::Work::take_ready(std::span<char> to) {
   std::size_t done = 0;
-  for (;;) {
-    while (done < to.size() && taken_ < written_) {
-      const auto from = static_cast<std::size_t>(taken_ & (ring_.size() - 1));
-      const auto ready = static_cast<std::size_t>(written_ - taken_);
-      const std::size_t part = std::min({to.size() - done, ready, ring_.size() - from});
-      std::copy_n(ring_.data() + from, part, to.data() + done);
-      taken_ += part;
-      done += part;
-    }
-    if (done == to.size() || state_ == State::end) return done;
+  while (done < to.size() && taken_ < written_) {
+    const auto from = static_cast<std::size_t>(taken_ & (ring_.size() - 1));
+    const auto ready = static_cast<std::size_t>(written_ - taken_);
+    const std::size_t part = std::min({to.size() - done, ready, ring_.size() - from});
+    std::copy_n(ring_.data() + from, part, to.data() + done);
+    taken_ += part;
+    done += part;
+  }
+  return done;
+}
+
+void Inflater::Work::go_on() {
+  try {
     step();
     add_to_sum();
+  } catch (const Failed& failed) {
+    error_ = failed.error();
   }
 }
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstdio>
 
+#include "core/little_endian.hpp"
+
 namespace tetloft::internal::io {
 
 namespace {
@@ -137,6 +139,18 @@ Result<DicomElements::Header> DicomElements::read_header() const {
   return header;
 }
 
+// What is hidden as unknown is implicit, little endian (PS3.5, 6.2.2). Some writers leave it as it
+// was: then there are letters behind the tag of the first item's first element, which taken for a
+// length would lead out of all.
+DicomEncoding DicomElements::hidden_encoding(std::size_t end) const {
+  constexpr std::size_t kLetters = 8 + 4;
+  if (end - at_ < kLetters + 4) return {false, false};
+  const std::string_view letters = bytes_.substr(at_ + kLetters, 4);
+  const bool known = is_value_representation(letters.substr(0, 2));
+  const bool too_long = load_little<std::uint32_t>(letters.data()) > end - at_;
+  return known && too_long ? encoding() : DicomEncoding{false, false};
+}
+
 DicomElements::Step DicomElements::read_element() {
   const std::size_t begin = at_;
   const Result<Header> header = read_header();
@@ -158,8 +172,7 @@ DicomElements::Step DicomElements::read_element() {
   frame.tag = tag;
   frame.begin = begin;
   frame.end = undefined ? limit() : at_ + header->length;
-  // What is hidden as unknown is implicit, little endian (PS3.5, 6.2.2).
-  frame.encoding = header->unknown_vr ? DicomEncoding{false, false} : encoding();
+  frame.encoding = header->unknown_vr ? hidden_encoding(frame.end) : encoding();
   frames_.push_back(frame);
   return std::optional<DicomEvent>();
 }

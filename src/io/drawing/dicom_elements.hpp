@@ -84,6 +84,7 @@ class DicomElements {
 
   [[nodiscard]] std::size_t limit() const;
   [[nodiscard]] DicomEncoding encoding() const;
+  [[nodiscard]] DicomEncoding hidden_encoding(std::size_t end) const;
   [[nodiscard]] std::uint16_t load16(std::size_t at) const;
   [[nodiscard]] std::uint32_t load32(std::size_t at) const;
   [[nodiscard]] DicomTag tag_at(std::size_t at) const;

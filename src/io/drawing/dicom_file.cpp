@@ -6,6 +6,7 @@
 
 #include "core/little_endian.hpp"
 #include "io/bytes/inflate.hpp"
+#include "io/drawing/triples.hpp"
 #include "io/numbers.hpp"
 
 namespace tetloft::internal::io {
@@ -15,6 +16,7 @@ namespace {
 constexpr std::size_t kPreamble = 128;
 constexpr std::uint16_t kMetaGroup = 0x0002;
 constexpr DicomTag kMetaLength{kMetaGroup, 0x0000};
+constexpr DicomTag kMediaClass{kMetaGroup, 0x0002};
 constexpr DicomTag kTransferSyntax{kMetaGroup, 0x0010};
 
 constexpr std::string_view kImplicitLittle = "1.2.840.10008.1.2";
@@ -65,13 +67,6 @@ Error no_dicom(const std::string& name, const std::string& message) {
 
 }  // namespace
 
-std::string_view without_padding(std::string_view value) {
-  constexpr std::string_view kPadding("\0 \t\r\n", 5);
-  const std::size_t first = value.find_first_not_of(kPadding);
-  if (first == std::string_view::npos) return {};
-  return value.substr(first, value.find_last_not_of(kPadding) - first + 1);
-}
-
 bool begins_as_dicom(std::string_view bytes) {
   if (has_preamble(bytes)) return true;
   if (bytes.size() < 8) return false;
@@ -115,6 +110,7 @@ Result<void> DicomFile::take_meta(std::size_t at, WarningList& warnings) {
     if (!event) return event.error();
     if (event->kind == DicomEvent::Kind::end) break;
     if (event->kind != DicomEvent::Kind::value) continue;
+    if (event->tag == kMediaClass) media_class_ = without_padding(event->value);
     if (event->tag == kTransferSyntax) syntax_ = without_padding(event->value);
     if (event->tag == kMetaLength && event->value.size() == 4) {
       told_end = meta.position() + load_little<std::uint32_t>(event->value.data());

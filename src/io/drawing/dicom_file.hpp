@@ -20,6 +20,8 @@ class DicomFile {
   [[nodiscard]] static Result<DicomFile> open(std::string_view bytes, const std::string& name,
                                               WarningList& warnings);
 
+  /// The SOP class that the meta information names; empty where there is none.
+  [[nodiscard]] const std::string& media_class() const { return media_class_; }
   /// The elements of the data set; the file must stay.
   [[nodiscard]] DicomElements elements(std::initializer_list<DicomTag> entered) const;
 
@@ -30,7 +32,8 @@ class DicomFile {
 
   std::string_view bytes_;
   std::string name_;
-  std::string syntax_;    ///< transfer syntax, as the meta information tells it
+  std::string syntax_;  ///< transfer syntax, as the meta information tells it
+  std::string media_class_;
   std::string unpacked_;  ///< of a deflated data set
   bool deflated_ = false;
   std::size_t begin_ = 0;  ///< of the data set
@@ -39,8 +42,5 @@ class DicomFile {
 
 /// Whether bytes begin as a DICOM file does, with or without preamble and meta information.
 [[nodiscard]] bool begins_as_dicom(std::string_view bytes);
-
-/// `value` without the blanks and zeros at its ends, which only pad it.
-[[nodiscard]] std::string_view without_padding(std::string_view value);
 
 }  // namespace tetloft::internal::io

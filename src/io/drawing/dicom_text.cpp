@@ -7,7 +7,7 @@
 #include <cstdio>
 
 #include "core/text.hpp"
-#include "io/drawing/dicom_file.hpp"
+#include "io/drawing/triples.hpp"
 #include "io/numbers.hpp"
 
 namespace tetloft::internal::io {

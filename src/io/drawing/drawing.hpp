@@ -58,6 +58,10 @@ struct Drawing {
   bool may_touch = false;
   /// Open lines and points are left out, as the format means them; else an open line is refused.
   bool leaves_out_open = false;
+  /// Planes, where the file tells how many it has; 0: those of the lines are counted.
+  std::size_t planes = 0;
+  /// Where the file itself tells that its planes are not parallel: two that are not.
+  std::string not_parallel;
   /// Every line has one height, as the file says it: those of equal height are one section, and no
   /// others, if no tolerance is asked for.
   bool exact_heights = false;

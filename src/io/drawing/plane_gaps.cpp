@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kSlack = 0.1;  // of the usual gap, within which a gap counts as that
 
-std::string text_of(double value) {
+std::string gap_text(double value) {
   std::string text;
   append_number(text, value);
   return text;
@@ -56,24 +56,24 @@ std::vector<Warning> plane_gaps(const PlanesOfLines& planes) {
     } else if (multiple >= 2) {
       missing += static_cast<std::size_t>(std::min(multiple - 1, 1e9));
       if (++places <= kFew) {
-        where += (places == 1 ? "" : ", ") + text_of(planes.height[i]) + " and " +
-                 text_of(planes.height[i + 1]);
+        where += (places == 1 ? "" : ", ") + gap_text(planes.height[i]) + " and " +
+                 gap_text(planes.height[i + 1]);
       }
     }
   }
   std::vector<Warning> warnings;
   if (missing > 0) {
     warnings.push_back({std::to_string(missing) + (missing == 1 ? " plane seems" : " planes seem") +
-                            " to be missing: planes are " + text_of(usual) +
+                            " to be missing: planes are " + gap_text(usual) +
                             " apart, but not between " + where +
                             (places > kFew ? " and elsewhere" : ""),
                         {}});
   }
   if (uneven > 0) {
     warnings.push_back({"gaps between planes are uneven: from " +
-                            text_of(*std::min_element(gaps.begin(), gaps.end())) + " to " +
-                            text_of(*std::max_element(gaps.begin(), gaps.end())) + ", most are " +
-                            text_of(usual),
+                            gap_text(*std::min_element(gaps.begin(), gaps.end())) + " to " +
+                            gap_text(*std::max_element(gaps.begin(), gaps.end())) + ", most are " +
+                            gap_text(usual),
                         {}});
   }
   return warnings;

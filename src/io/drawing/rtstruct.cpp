@@ -11,6 +11,7 @@
 #include "io/drawing/dicom_elements.hpp"
 #include "io/drawing/dicom_file.hpp"
 #include "io/drawing/dicom_text.hpp"
+#include "io/drawing/triples.hpp"
 #include "io/format.hpp"
 #include "io/numbers.hpp"
 #include "io/warning_list.hpp"
@@ -263,11 +264,13 @@ class StructureSet {
     } else if (!kind) {
       odd.unknown_type[line.type].add(index);
     }
-    if (without_padding(raw.data).empty()) {
+    Triples triples = triples_of(raw.data);
+    if (!triples.wrong.empty()) return data_error(raw, s, index, triples.wrong);
+    line.points = std::move(triples.points);
+    if (line.points.empty()) {
       odd.without_data.add(index);
       return {};
     }
-    if (Result<void> taken = take_points(raw, line, s, index); !taken) return taken;
     const std::optional<std::int64_t> count = number_of(raw.count);
     const bool told = !without_padding(raw.count).empty();
     if (told && (!count || *count != static_cast<std::int64_t>(line.points.size()))) {
@@ -302,36 +305,6 @@ class StructureSet {
                     "): " + message;
     error.where.file = name_;
     return error;
-  }
-
-  Result<void> take_points(const RawContour& raw, DrawnLine& line, std::size_t s,
-                           std::size_t index) const {
-    std::string_view rest = without_padding(raw.data);
-    // A separator behind the last value.
-    while (!rest.empty() && rest.back() == '\\')
-      rest = without_padding(rest.substr(0, rest.size() - 1));
-    const auto values = static_cast<std::size_t>(std::count(rest.begin(), rest.end(), '\\')) + 1;
-    if (values % 3 != 0) {
-      return data_error(raw, s, index,
-                        std::to_string(values) + (values == 1 ? " value" : " values") +
-                            ", which is no multiple of three");
-    }
-    line.points.resize(values / 3);
-    for (std::size_t i = 0; i < values; ++i) {
-      const std::size_t end = std::min(rest.find('\\'), rest.size());
-      const std::string_view token = without_padding(rest.substr(0, end));
-      const ParsedNumber number = parse_number(token);
-      if (!number.ok()) {
-        return data_error(
-            raw, s, index,
-            "value " + std::to_string(i) + ": " + complaint(token, number.status) +
-                (token.find(',') != std::string_view::npos ? " (a decimal comma?)" : ""));
-      }
-      Point3& p = line.points[i / 3];
-      (i % 3 == 0 ? p.x : i % 3 == 1 ? p.y : p.z) = number.value;
-      rest.remove_prefix(std::min(end + 1, rest.size()));
-    }
-    return {};
   }
 
   void warn_of(const OddOfStructure& odd, const std::string& structure) {
@@ -380,6 +353,8 @@ Result<Drawing> read_rtstruct(const Source& source, const ReadOptions& /*options
   if (!file) return file.error();
   Result<RawSet> raw = RawSetReader(file->elements({kStructures, kRoiContours, kContours})).read();
   if (!raw) return raw.error();
+  // A DICOMDIR names its class there alone.
+  if (raw->sop_class.empty()) raw->sop_class = file->media_class();
   if (Result<void> checked = check_class(*raw, source.name, warnings); !checked) {
     return checked.error();
   }

@@ -37,6 +37,11 @@ class StackMaker {
     read_.name = std::move(chosen->name);
     read_.unit = drawing_.unit;
     read_.warnings = std::move(drawing_.warnings);
+    if (!drawing_.not_parallel.empty()) {
+      return at({ErrorCode::invalid_input,
+                 drawing_.not_parallel + "; sections must be parallel planes",
+                 {}});
+    }
     if (Result<void> done = leave_out(); !done) return at(done.error());
     if (Result<void> done = fill_sections(); !done) return at(done.error());
     if (options_.close_on_frame) {

@@ -63,7 +63,7 @@ LinesSummary summary_of_lines(const Drawing& drawing) {
       if (line.kind != LineKind::points) lines.push_back(&line.points);
     }
   }
-  summary.planes = plane_count(lines, drawing);
+  summary.planes = drawing.planes != 0 ? drawing.planes : plane_count(lines, drawing);
   summary.labels = {labels.begin(), labels.end()};
   return summary;
 }
@@ -74,6 +74,7 @@ FileSummary summary_of_drawing(Drawing drawing) {
   FileSummary summary;
   summary.lines = summary_of_lines(drawing);
   if (drawing.apart || drawing.structures.size() > 1) {
+    summary.structures.reserve(drawing.structures.size());
     for (const DrawnStructure& structure : drawing.structures) {
       summary.structures.push_back(summary_of_structure(structure, drawing));
     }

@@ -1,4 +1,4 @@
-// What files of voxels hold, before contours are traced: a grid, where it lies, and its slices one
+// What files of voxels hold, before contours are traced: a grid, where it lies, and its values one
 // after the other.
 #pragma once
 
@@ -21,18 +21,20 @@ struct VolumeSegment {
 };
 
 struct VolumeHeader {
-  std::array<std::size_t, 3> size{};  ///< the fastest index first
-  std::size_t layers = 1;             ///< further dimensions, together
-  bool layer_is_fastest = false;      ///< values of a voxel stand together
+  std::array<std::size_t, 3> size{};  ///< above 0, the fastest index first
+  std::size_t layers = 1;             ///< further dimensions, together; above 0
   std::vector<std::size_t> sizes;     ///< of all dimensions, as the file has them
   std::array<double, 3> spacing{};
   /// From indices to the format's world, row by row; which world: `space` ("LPS", "RAS").
   std::array<std::array<double, 4>, 4> matrix{};
   std::string space;
-  std::string type;  ///< "uint8", …
-  std::string unit;
+  std::string type;                     ///< "uint8", …
+  std::string unit;                     ///< of length
   std::vector<VolumeSegment> segments;  ///< that the file names
   std::vector<Warning> warnings;
+
+  /// Of a layer. Readers refuse what does not fit.
+  [[nodiscard]] std::size_t voxels() const { return size[0] * size[1] * size[2]; }
 };
 
 class Volume {
@@ -40,11 +42,11 @@ class Volume {
   virtual ~Volume() = default;
   [[nodiscard]] const VolumeHeader& header() const { return header_; }
 
-  /// Of `layer`, all slices of constant last index, ascending: size[0] · size[1] values, scaled as
-  /// the file says. Memory: a slice. May be called again; ends early with what `take` returns.
-  virtual Result<void> for_each_slice(
-      std::size_t layer,
-      const std::function<Result<void>(std::size_t k, std::span<const double> values)>& take) = 0;
+  using TakeValues = std::function<Result<void>(std::span<const double>)>;
+  /// Hands out all values of `layer` in pieces, the fastest index first, scaled as the file says.
+  /// Memory: a piece, whatever the size of the volume. May be called again; ends early with an
+  /// error of `take`.
+  virtual Result<void> for_each_piece(std::size_t layer, const TakeValues& take) = 0;
 
  protected:
   VolumeHeader header_;

@@ -236,6 +236,21 @@ TEST(Inflate, WhatIsCutOffIsRefusedWhereverItIsCut) {
   }
 }
 
+TEST(Inflate, WhatComesBeforeAnErrorIsHandedOut) {
+  BitWriter out;
+  const std::string symbols = noise(300, 1, 256);
+  put_fixed(out, literals_of(symbols), true);
+  const std::string cut = out.bytes().substr(0, 100);
+  const MemoryBytes source(cut);
+  Inflater inflater(source, 0, Wrapping::raw, "file");
+  std::string to(60, '\0');
+  const Result<std::size_t> got = inflater.read(to);
+  ASSERT_TRUE(got.ok());
+  EXPECT_EQ(to, symbols.substr(0, 60));
+  EXPECT_FALSE(inflater.read(to).ok());
+  EXPECT_FALSE(inflater.read(to).ok());
+}
+
 TEST(Inflate, MoreThanAskedForIsRefused) {
   const std::string bomb = render::zlib_compressed(std::string(1 << 20, '\0'));
   EXPECT_EQ(refusal(bomb, Wrapping::zlib, 1000),

@@ -1,70 +1,23 @@
 // What readers take of memory, over files made to take much: counted by this program's own
 // allocation functions.
 #include <gtest/gtest.h>
-#include <malloc.h>
 
-#include <atomic>
-#include <cstdlib>
 #include <functional>
-#include <new>
 #include <string>
 #include <vector>
 
 #include <tetloft/formats.hpp>
 
 #include "io/files.hpp"
+#include "support/counted_memory.hpp"
 #include "unit/io/io_support.hpp"
-
-namespace {
-
-std::atomic<std::size_t> live{0};
-std::atomic<std::size_t> peak{0};
-
-void* counted(std::size_t size) {
-  void* const p = std::malloc(size);
-  if (p == nullptr) throw std::bad_alloc();
-  const std::size_t now = live += malloc_usable_size(p);
-  std::size_t known = peak;
-  while (now > known && !peak.compare_exchange_weak(known, now)) {
-  }
-  return p;
-}
-
-void uncounted(void* p) noexcept {
-  if (p != nullptr) live -= malloc_usable_size(p);
-  std::free(p);
-}
-
-}  // namespace
-
-void* operator new(std::size_t size) { return counted(size); }
-void* operator new[](std::size_t size) { return counted(size); }
-void operator delete(void* p) noexcept { uncounted(p); }
-void operator delete[](void* p) noexcept { uncounted(p); }
-void operator delete(void* p, std::size_t) noexcept { uncounted(p); }
-void operator delete[](void* p, std::size_t) noexcept { uncounted(p); }
 
 namespace tetloft {
 
 using namespace internal;
+using test::peak_of;
+using test::repeated;
 namespace {
-
-// The most that `work` held beyond what there was.
-template <class Work>
-std::size_t peak_of(Work&& work) {
-  const std::size_t before = live;
-  peak = before;
-  work();
-  return peak - before;
-}
-
-std::string repeated(const std::string& piece, std::size_t bytes, const std::string& head = "",
-                     const std::string& tail = "") {
-  std::string text = head;
-  text.reserve(head.size() + bytes + piece.size() + tail.size());
-  while (text.size() < bytes) text += piece;
-  return text + tail;
-}
 
 struct Family {
   std::string name;

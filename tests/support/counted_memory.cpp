@@ -1,0 +1,45 @@
+// Allocation functions that count.
+#include "support/counted_memory.hpp"
+
+#include <malloc.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+namespace {
+
+std::atomic<std::size_t> live{0};
+std::atomic<std::size_t> peak{0};
+
+void* counted(std::size_t size) {
+  void* const p = std::malloc(size);
+  if (p == nullptr) throw std::bad_alloc();
+  const std::size_t now = live += malloc_usable_size(p);
+  std::size_t known = peak;
+  while (now > known && !peak.compare_exchange_weak(known, now)) {
+  }
+  return p;
+}
+
+void uncounted(void* p) noexcept {
+  if (p != nullptr) live -= malloc_usable_size(p);
+  std::free(p);
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) { return counted(size); }
+void* operator new[](std::size_t size) { return counted(size); }
+void operator delete(void* p) noexcept { uncounted(p); }
+void operator delete[](void* p) noexcept { uncounted(p); }
+void operator delete(void* p, std::size_t) noexcept { uncounted(p); }
+void operator delete[](void* p, std::size_t) noexcept { uncounted(p); }
+
+namespace tetloft::test {
+
+std::size_t live_bytes() { return live; }
+std::size_t peak_bytes() { return peak; }
+void start_peak() { peak = live.load(); }
+
+}  // namespace tetloft::test
