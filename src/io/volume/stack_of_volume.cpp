@@ -115,7 +115,7 @@ Result<ReadStack> stack_of_volume(Volume& volume, const std::string& name,
   read.stack = std::move(builder).finished();
   if (read.stack.sections.empty()) return empty_region(volume, name, options, *region);
   read.warnings = header.warnings;
-  read.frame = placed->frame;
+  read.stack.frame = placed->frame;
   read.name = region->name;
   read.unit = header.unit;
   if (options.validity == Validity::required) {
