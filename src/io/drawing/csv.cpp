@@ -145,9 +145,16 @@ class CsvReader {
     };
     const bool begins = line_.points.empty() || rows_.after_gap() ||
                         text(columns_.structure) != structure_ ||
-                        text(columns_.contour) != contour_ || text(columns_.section) != section_;
+                        text(columns_.contour) != contour_ || text(columns_.section) != section_ ||
+                        (!by_number() && xyz[2] != line_.points.back().z);
     if (begins) {
       finish_contour();
+      if (alone_ > kMostAlone) {
+        return row_error(name_, rows_.line(),
+                         "more than " + std::to_string(kMostAlone) +
+                             " points stand alone, with another contour or height before and "
+                             "behind them: these rows are no contours");
+      }
       line_.line = rows_.line();
       structure_ = text(columns_.structure);
       contour_ = text(columns_.contour);
@@ -168,9 +175,8 @@ class CsvReader {
       if (points[i].z != points[i - 1].z) begins.push_back(i);
     }
     begins.push_back(points.size());
-    const bool by_id = columns_.contour != kNone || columns_.section != kNone;
     bool splits = true;
-    for (std::size_t k = 0; by_id && k + 1 < begins.size(); ++k) {
+    for (std::size_t k = 0; k + 1 < begins.size(); ++k) {
       splits = splits && begins[k + 1] - begins[k] >= 3;
     }
     if (!splits) begins = {0, points.size()};
@@ -178,12 +184,18 @@ class CsvReader {
     for (std::size_t k = 0; k + 1 < begins.size(); ++k) {
       DrawnLine line;
       line.line = lines_of_points_[begins[k]];
+      if (begins[k + 1] - begins[k] == 1) ++alone_;
       line.points.assign(points.begin() + static_cast<std::ptrdiff_t>(begins[k]),
                          points.begin() + static_cast<std::ptrdiff_t>(begins[k + 1]));
       lines.push_back(std::move(line));
     }
     line_.points.clear();
     lines_of_points_.clear();
+  }
+
+  // Else contours are told apart by their heights.
+  [[nodiscard]] bool by_number() const {
+    return columns_.contour != kNone || columns_.section != kNone;
   }
 
   DrawnStructure& structure() {
@@ -198,6 +210,7 @@ class CsvReader {
   }
 
   static constexpr std::size_t kLongestList = 200;
+  static constexpr std::size_t kMostAlone = 10'000;
 
   TableRows rows_;
   const std::string& name_;
@@ -207,6 +220,7 @@ class CsvReader {
   std::vector<std::size_t> lines_of_points_;
   std::string structure_, contour_, section_;  // of it
   std::map<std::string, std::size_t> structure_ids_;
+  std::size_t alone_ = 0;  // contours of one point
 };
 
 Result<Drawing> read_csv(const Source& source, const ReadOptions& /*options*/) {

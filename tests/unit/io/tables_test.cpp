@@ -123,6 +123,12 @@ TEST(Csv, RefusesWithTheLine) {
   }
 }
 
+TEST(Csv, RefusesClouds) {
+  std::string cloud;
+  for (int i = 0; i < 20'000; ++i) cloud += "0,1," + std::to_string(i) + '\n';
+  EXPECT_NE(refusal(cloud).find("these rows are no contours"), std::string::npos);
+}
+
 TEST(Csv, IsRecognisedByItsNames) {
   EXPECT_TRUE(parse_stack("x,y,z,contour\n" + rows("1", ",0"), "a").ok());
   EXPECT_FALSE(parse_stack("x,y,z\n" + rows("1", ""), "a").ok());

@@ -77,7 +77,7 @@ std::vector<Point3> lone_voxels(const ReadStack& read) {
       if (contour.vertices.size() != 4) continue;
       Point3 sum{0, 0, section.z};
       for (const Point2& v : contour.vertices) sum.x += v.x / 4, sum.y += v.y / 4;
-      centres.push_back(place(read.frame, sum));
+      centres.push_back(place(read.stack.frame, sum));
     }
   }
   return centres;
@@ -115,9 +115,9 @@ TEST(VolumeStack, VoxelsLieWhereTheMatrixPutsThem) {
         options.axis = axis;
         const Result<ReadStack> read = read_of(volume, options);
         ASSERT_TRUE(read.ok()) << to_string(read.error());
-        const auto& [x, y, z] = read->frame.axes;
+        const auto& [x, y, z] = read->stack.frame.axes;
         EXPECT_EQ(orient3d({}, x, y, z), Sign::positive);
-        EXPECT_EQ(is_exact(read->frame), !oblique);
+        EXPECT_EQ(is_exact(read->stack.frame), !oblique);
         const std::vector<Point3> centres = lone_voxels(*read);
         ASSERT_EQ(centres.size(), 3U);
         for (const auto& voxel : {Point3{1, 2, 3}, Point3{4, 5, 6}, Point3{3, 0, 2}}) {
@@ -138,7 +138,7 @@ TEST(VolumeStack, CoordinatesOfAlignedAxesAreThoseOfTheWorld) {
   volume.set_axes({{{0.1, 0, 0}, {0, 0.1, 0}, {0, 0, -0.7}}}, {0.3, 0, 100});
   const Result<ReadStack> read = read_of(volume, {});
   ASSERT_TRUE(read.ok());
-  EXPECT_EQ(read->frame, Frame{});
+  EXPECT_EQ(read->stack.frame, Frame{});
   ASSERT_EQ(read->stack.sections.size(), 4U);
   for (int k = 0; k < 4; ++k) {
     EXPECT_EQ(read->stack.sections[SectionId(3 - k)].z, 100 + k * -0.7);
