@@ -22,38 +22,38 @@ namespace {
 
 enum class PlyType : std::uint8_t { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 
-struct TypeName {
+struct PlyTypeName {
   std::string_view name;
   PlyType type;
   std::size_t bytes;
 };
-constexpr std::array<TypeName, 16> kTypes{{{"char", PlyType::int8, 1},
-                                           {"int8", PlyType::int8, 1},
-                                           {"uchar", PlyType::uint8, 1},
-                                           {"uint8", PlyType::uint8, 1},
-                                           {"short", PlyType::int16, 2},
-                                           {"int16", PlyType::int16, 2},
-                                           {"ushort", PlyType::uint16, 2},
-                                           {"uint16", PlyType::uint16, 2},
-                                           {"int", PlyType::int32, 4},
-                                           {"int32", PlyType::int32, 4},
-                                           {"uint", PlyType::uint32, 4},
-                                           {"uint32", PlyType::uint32, 4},
-                                           {"float", PlyType::float32, 4},
-                                           {"float32", PlyType::float32, 4},
-                                           {"double", PlyType::float64, 8},
-                                           {"float64", PlyType::float64, 8}}};
+constexpr std::array<PlyTypeName, 16> kPlyTypes{{{"char", PlyType::int8, 1},
+                                                 {"int8", PlyType::int8, 1},
+                                                 {"uchar", PlyType::uint8, 1},
+                                                 {"uint8", PlyType::uint8, 1},
+                                                 {"short", PlyType::int16, 2},
+                                                 {"int16", PlyType::int16, 2},
+                                                 {"ushort", PlyType::uint16, 2},
+                                                 {"uint16", PlyType::uint16, 2},
+                                                 {"int", PlyType::int32, 4},
+                                                 {"int32", PlyType::int32, 4},
+                                                 {"uint", PlyType::uint32, 4},
+                                                 {"uint32", PlyType::uint32, 4},
+                                                 {"float", PlyType::float32, 4},
+                                                 {"float32", PlyType::float32, 4},
+                                                 {"double", PlyType::float64, 8},
+                                                 {"float64", PlyType::float64, 8}}};
 
-struct Property {
+struct PlyProperty {
   std::string_view name;
-  TypeName type;
-  std::optional<TypeName> count;  // of lists
+  PlyTypeName type;
+  std::optional<PlyTypeName> count;  // of lists
 };
 
-struct Element {
+struct PlyElement {
   std::string_view name;
   std::size_t count = 0;
-  std::vector<Property> properties;
+  std::vector<PlyProperty> properties;
 };
 
 enum class PlyForm : std::uint8_t { text, little, big };
@@ -64,7 +64,7 @@ class PlyReader {
 
   Result<ReadPoints> read() {
     if (Result<void> head = read_head(); !head) return head.error();
-    for (const Element& element : elements_) {
+    for (const PlyElement& element : elements_) {
       Result<bool> vertices = read_element(element);
       if (!vertices) return vertices.error();
       if (*vertices) return std::move(read_);
@@ -133,13 +133,13 @@ class PlyReader {
     if (words[0] != "property" || words.size() < 3 || elements_.empty()) {
       return complain("this is no line of a header: " + in_quotes(words[0]));
     }
-    const auto type_of = [](std::string_view word) -> std::optional<TypeName> {
-      for (const TypeName& type : kTypes) {
+    const auto type_of = [](std::string_view word) -> std::optional<PlyTypeName> {
+      for (const PlyTypeName& type : kPlyTypes) {
         if (type.name == word) return type;
       }
       return std::nullopt;
     };
-    Property property;
+    PlyProperty property;
     const bool list = words[1] == "list";
     if (words.size() != (list ? 5U : 3U)) return complain("a property has too many words, or few");
     const auto type = type_of(words[list ? 3 : 1]);
@@ -153,7 +153,7 @@ class PlyReader {
   }
 
   // The next value, at the end nothing.
-  std::optional<double> take(const TypeName& type) {
+  std::optional<double> take(const PlyTypeName& type) {
     if (form_ == PlyForm::text) {
       while (at_ < bytes_.size() && is_white(bytes_[at_])) line_ += bytes_[at_++] == '\n' ? 1U : 0U;
       const std::size_t from = at_;
@@ -183,14 +183,14 @@ class PlyReader {
   }
 
   // Whether it was that of the vertices.
-  Result<bool> read_element(const Element& element) {
+  Result<bool> read_element(const PlyElement& element) {
     std::array<std::size_t, 3> xyz{};
     const bool vertices = element.name == "vertex";
     for (std::size_t i = 0; vertices && i < 3; ++i) {
       const std::string_view name = std::string_view("xyz").substr(i, 1);
       const auto found =
           std::find_if(element.properties.begin(), element.properties.end(),
-                       [&](const Property& p) { return p.name == name && !p.count; });
+                       [&](const PlyProperty& p) { return p.name == name && !p.count; });
       if (found == element.properties.end()) {
         return complain("the vertices have no property " + in_quotes(name));
       }
@@ -220,7 +220,7 @@ class PlyReader {
     return vertices;
   }
 
-  std::optional<double> take_property(const Property& property) {
+  std::optional<double> take_property(const PlyProperty& property) {
     if (!property.count) return take(property.type);
     const auto count = take(*property.count);
     if (!count || *count < 0) return std::nullopt;
@@ -245,7 +245,7 @@ class PlyReader {
   std::size_t line_ = 0;
   PlyForm form_ = PlyForm::text;
   bool in_data_ = false;
-  std::vector<Element> elements_;
+  std::vector<PlyElement> elements_;
   ReadPoints read_;
 };
 

@@ -8,12 +8,6 @@ namespace tetloft::internal::io {
 
 namespace {
 
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && is_white(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_white(text.back())) text.remove_suffix(1);
-  return text;
-}
-
 char separator_of(std::string_view line) {
   for (const char c : {';', '\t', ','}) {
     if (line.find(c) != std::string_view::npos) return c;

@@ -18,17 +18,17 @@ namespace tetloft::internal::io {
 
 namespace {
 
-constexpr std::size_t kDeepest = 64;
+constexpr std::size_t kDeepestTags = 64;
 
 // Elements made of points: of each kind how many there are, and their arrays.
-enum Kind : std::size_t { kVerts, kLines, kStrips, kPolys, kKinds };
-constexpr std::array<std::string_view, kKinds> kGroups{"Verts", "Lines", "Strips", "Polys"};
+enum ElementKind : std::size_t { kVerts, kLines, kStrips, kPolys, kKinds };
+constexpr std::array<std::string_view, kKinds> kElementGroups{"Verts", "Lines", "Strips", "Polys"};
 constexpr std::array<const char*, kKinds> kCounts{"NumberOfVerts", "NumberOfLines",
                                                   "NumberOfStrips", "NumberOfPolys"};
 
-enum class Role : std::uint8_t { points, connectivity, offsets };
+enum class VtpRole : std::uint8_t { points, connectivity, offsets };
 
-struct Piece {
+struct VtpPiece {
   std::size_t position = 0;
   std::size_t points = 0;
   std::array<std::size_t, kKinds> count{};
@@ -36,9 +36,9 @@ struct Piece {
   bool tells_sections = false;
 };
 
-struct PieceArray {
-  Role role = Role::points;
-  Kind kind = kKinds;  // of elements
+struct VtpArray {
+  VtpRole role = VtpRole::points;
+  ElementKind kind = kKinds;  // of elements
   DataArray data;
 };
 
@@ -65,7 +65,8 @@ class VtpScanner {
   }
 
   // The array of a piece, or null.
-  [[nodiscard]] const DataArray* find(std::size_t piece, Role role, Kind kind = kKinds) const {
+  [[nodiscard]] const DataArray* find(std::size_t piece, VtpRole role,
+                                      ElementKind kind = kKinds) const {
     const std::size_t end =
         piece + 1 < pieces.size() ? pieces[piece + 1].first_array : arrays.size();
     for (std::size_t i = pieces[piece].first_array; i < end; ++i) {
@@ -75,8 +76,8 @@ class VtpScanner {
   }
 
   DataSource source;
-  std::vector<Piece> pieces;
-  std::vector<PieceArray> arrays;
+  std::vector<VtpPiece> pieces;
+  std::vector<VtpArray> arrays;
 
  private:
   Result<void> close(const XmlTag& tag) {
@@ -94,9 +95,9 @@ class VtpScanner {
       return scanner_.complain(tag.position, seen_root_ ? "something follows the end of the data"
                                                         : "this is no VTK XML file");
     }
-    if (open_.size() >= kDeepest) {
+    if (open_.size() >= kDeepestTags) {
       return scanner_.complain(
-          tag.position, "the tags are nested more than " + std::to_string(kDeepest) + " deep");
+          tag.position, "the tags are nested more than " + std::to_string(kDeepestTags) + " deep");
     }
     Result<void> taken = take(tag);
     if (taken && tag.kind == XmlTag::Kind::open) open_.push_back(tag.name);
@@ -118,7 +119,7 @@ class VtpScanner {
   }
 
   Result<void> take_piece(const XmlTag& tag) {
-    Piece piece;
+    VtpPiece piece;
     piece.position = tag.position;
     piece.first_array = arrays.size();
     const auto count = [&](const char* key, std::size_t& value) {
@@ -139,23 +140,23 @@ class VtpScanner {
   }
 
   Result<void> take_array(const XmlTag& tag) {
-    Piece& piece = pieces.back();
+    VtpPiece& piece = pieces.back();
     const std::string_view group = open_.back();
     const std::string* const name = tag.find("Name");
     if (group == "CellData") {
       piece.tells_sections = piece.tells_sections || (name != nullptr && *name == kSectionOfLine);
       return {};
     }
-    if (group == "Points") return declare(tag, "Points", Role::points, kKinds);
-    const auto known = std::find(kGroups.begin(), kGroups.end(), group);
-    if (known == kGroups.end() || name == nullptr) return {};
-    const auto kind = static_cast<Kind>(known - kGroups.begin());
-    if (*name == "connectivity") return declare(tag, "connectivity", Role::connectivity, kind);
-    if (*name == "offsets") return declare(tag, "offsets", Role::offsets, kind);
+    if (group == "Points") return declare(tag, "Points", VtpRole::points, kKinds);
+    const auto known = std::find(kElementGroups.begin(), kElementGroups.end(), group);
+    if (known == kElementGroups.end() || name == nullptr) return {};
+    const auto kind = static_cast<ElementKind>(known - kElementGroups.begin());
+    if (*name == "connectivity") return declare(tag, "connectivity", VtpRole::connectivity, kind);
+    if (*name == "offsets") return declare(tag, "offsets", VtpRole::offsets, kind);
     return {};
   }
 
-  Result<void> declare(const XmlTag& tag, std::string_view name, Role role, Kind kind) {
+  Result<void> declare(const XmlTag& tag, std::string_view name, VtpRole role, ElementKind kind) {
     if (find(pieces.size() - 1, role, kind) != nullptr) {
       return scanner_.complain(tag.position,
                                in_quotes(open_.back()) + " has two arrays " + in_quotes(name));
@@ -176,10 +177,10 @@ class VtpReader {
  public:
   explicit VtpReader(const Source& source) : scanner_(source.bytes, source.name), file_(scanner_) {}
 
-  Result<void> scan(const std::vector<Kind>& kinds) {
+  Result<void> scan(const std::vector<ElementKind>& kinds) {
     if (Result<void> scanned = file_.scan(); !scanned) return scanned;
     std::vector<const DataArray*> arrays;
-    for (const PieceArray& array : file_.arrays) {
+    for (const VtpArray& array : file_.arrays) {
       const bool read =
           array.kind == kKinds || std::find(kinds.begin(), kinds.end(), array.kind) != kinds.end();
       if (read) arrays.push_back(&array.data);
@@ -188,16 +189,16 @@ class VtpReader {
     return check_unpacking(arrays, file_.source, scanner_);
   }
 
-  [[nodiscard]] bool has(Kind kind) const {
+  [[nodiscard]] bool has(ElementKind kind) const {
     return std::any_of(file_.pieces.begin(), file_.pieces.end(),
-                       [&](const Piece& piece) { return piece.count[kind] > 0; });
+                       [&](const VtpPiece& piece) { return piece.count[kind] > 0; });
   }
-  [[nodiscard]] const std::vector<Piece>& pieces() const { return file_.pieces; }
+  [[nodiscard]] const std::vector<VtpPiece>& pieces() const { return file_.pieces; }
 
   Result<std::vector<Point3>> points_of(std::size_t p) const {
-    const Piece& piece = file_.pieces[p];
+    const VtpPiece& piece = file_.pieces[p];
     std::vector<Point3> points;
-    const DataArray* const array = file_.find(p, Role::points);
+    const DataArray* const array = file_.find(p, VtpRole::points);
     if (array == nullptr) {
       if (piece.points == 0) return points;
       return scanner_.complain(piece.position, "the piece has no Points");
@@ -223,13 +224,13 @@ class VtpReader {
 
   // Calls take(ids) for each element.
   template <class Take>
-  Result<void> for_each_element(std::size_t p, Kind kind, Take&& take) const {
-    const Piece& piece = file_.pieces[p];
+  Result<void> for_each_element(std::size_t p, ElementKind kind, Take&& take) const {
+    const VtpPiece& piece = file_.pieces[p];
     if (piece.count[kind] == 0) return {};
-    const DataArray* const connectivity = file_.find(p, Role::connectivity, kind);
-    const DataArray* const ends = file_.find(p, Role::offsets, kind);
+    const DataArray* const connectivity = file_.find(p, VtpRole::connectivity, kind);
+    const DataArray* const ends = file_.find(p, VtpRole::offsets, kind);
     if (connectivity == nullptr || ends == nullptr) {
-      return scanner_.complain(piece.position, in_quotes(kGroups[kind]) +
+      return scanner_.complain(piece.position, in_quotes(kElementGroups[kind]) +
                                                    " lacks the array 'connectivity' or 'offsets'");
     }
     const auto ids = read_integers(*connectivity, file_.source, scanner_);
@@ -300,7 +301,7 @@ DrawnLine line_of(const std::vector<std::int64_t>& ids, const std::vector<Point3
 Result<Drawing> read_vtp_lines(const Source& source, const ReadOptions& /*options*/) {
   VtpReader reader(source);
   if (Result<void> scanned = reader.scan({kLines, kPolys}); !scanned) return scanned.error();
-  const Kind kind = reader.has(kLines) ? kLines : kPolys;
+  const ElementKind kind = reader.has(kLines) ? kLines : kPolys;
   Drawing drawing;
   drawing.structures.emplace_back();
   std::vector<DrawnLine>& lines = drawing.structures.front().lines;
@@ -326,7 +327,7 @@ Result<Drawing> read_vtp_lines(const Source& source, const ReadOptions& /*option
   // Files of stacks tell sections apart, however near they are.
   drawing.exact_heights = level;
   std::size_t others = 0;
-  for (const Piece& piece : reader.pieces()) {
+  for (const VtpPiece& piece : reader.pieces()) {
     if (kind == kLines) others += piece.count[kPolys];
     others += piece.count[kStrips];
   }

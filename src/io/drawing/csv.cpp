@@ -1,5 +1,5 @@
 // Contours as rows of text, a point each: x, y, z, and the contour, section or structure that it
-// belongs to. Columns are known by their names; without names they are x, y, z and the contour.
+// belongs to. CsvColumns are known by their names; without names they are x, y, z and the contour.
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -17,38 +17,38 @@ namespace tetloft::internal::io {
 
 namespace {
 
-constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t kNowhere = std::numeric_limits<std::size_t>::max();
 
-// Where what stands; kNone: nowhere.
-struct Columns {
+// Where what stands; kNowhere: nowhere.
+struct CsvColumns {
   std::array<std::size_t, 3> xyz{0, 1, 2};
-  std::size_t contour = kNone;
-  std::size_t section = kNone;
-  std::size_t structure = kNone;
+  std::size_t contour = kNowhere;
+  std::size_t section = kNowhere;
+  std::size_t structure = kNowhere;
   std::size_t count = 0;
 };
 
-std::size_t find_column(const std::vector<std::string_view>& fields,
-                        const std::vector<std::string_view>& names) {
+std::size_t column_or_none(const std::vector<std::string_view>& fields,
+                           const std::vector<std::string_view>& names) {
   const std::size_t found = column_named(fields, names);
-  return found == fields.size() ? kNone : found;
+  return found == fields.size() ? kNowhere : found;
 }
 
-Columns columns_by_name(const std::vector<std::string_view>& names) {
-  Columns columns;
-  columns.xyz = {find_column(names, {"x", "px", "xcoord", "coordx", "xmm", "xum", "xm", "easting",
-                                     "lon", "longitude"}),
-                 find_column(names, {"y", "py", "ycoord", "coordy", "ymm", "yum", "ym", "northing",
-                                     "lat", "latitude"}),
-                 find_column(names, {"z", "pz", "zcoord", "coordz", "zmm", "zum", "zm", "height",
-                                     "elevation", "elev", "altitude"})};
-  columns.contour = find_column(
+CsvColumns columns_by_name(const std::vector<std::string_view>& names) {
+  CsvColumns columns;
+  columns.xyz = {column_or_none(names, {"x", "px", "xcoord", "coordx", "xmm", "xum", "xm",
+                                        "easting", "lon", "longitude"}),
+                 column_or_none(names, {"y", "py", "ycoord", "coordy", "ymm", "yum", "ym",
+                                        "northing", "lat", "latitude"}),
+                 column_or_none(names, {"z", "pz", "zcoord", "coordz", "zmm", "zum", "zm", "height",
+                                        "elevation", "elev", "altitude"})};
+  columns.contour = column_or_none(
       names, {"contour", "contourid", "contournumber", "contourindex", "loop", "loopid", "ring",
               "ringid", "polygon", "polygonid", "curve", "line", "lineid", "part", "id"});
-  columns.section = find_column(names, {"section", "sectionid", "slice", "sliceid", "slicenumber",
-                                        "layer", "plane", "level"});
-  columns.structure = find_column(names, {"structure", "structurename", "name", "object",
-                                          "objectid", "roi", "roiname", "organ", "label"});
+  columns.section = column_or_none(names, {"section", "sectionid", "slice", "sliceid",
+                                           "slicenumber", "layer", "plane", "level"});
+  columns.structure = column_or_none(names, {"structure", "structurename", "name", "object",
+                                             "objectid", "roi", "roiname", "organ", "label"});
   columns.count = names.size();
   return columns;
 }
@@ -57,10 +57,10 @@ Columns columns_by_name(const std::vector<std::string_view>& names) {
 bool is_contour_table(std::string_view bytes) {
   TableRows rows(bytes.substr(0, 4096));
   if (!rows.next() || !rows.is_header()) return false;
-  const Columns columns = columns_by_name(rows.fields());
+  const CsvColumns columns = columns_by_name(rows.fields());
   const bool groups =
-      columns.contour != kNone || columns.section != kNone || columns.structure != kNone;
-  return columns.xyz[0] != kNone && columns.xyz[1] != kNone && groups;
+      columns.contour != kNowhere || columns.section != kNowhere || columns.structure != kNowhere;
+  return columns.xyz[0] != kNowhere && columns.xyz[1] != kNowhere && groups;
 }
 
 class CsvReader {
@@ -89,13 +89,13 @@ class CsvReader {
  private:
   Result<void> take_header() {
     columns_ = columns_by_name(rows_.fields());
-    if (columns_.xyz[0] == kNone || columns_.xyz[1] == kNone) {
+    if (columns_.xyz[0] == kNowhere || columns_.xyz[1] == kNowhere) {
       return row_error(name_, rows_.line(),
                        "no columns named x and y: " + std::to_string(rows_.fields().size()) +
                            " names, the first of them " + in_quotes(rows_.fields().front()));
     }
-    if (columns_.xyz[2] == kNone) columns_.xyz[2] = columns_.section;
-    if (columns_.xyz[2] == kNone) {
+    if (columns_.xyz[2] == kNowhere) columns_.xyz[2] = columns_.section;
+    if (columns_.xyz[2] == kNowhere) {
       return row_error(name_, rows_.line(),
                        "no column named z, height or section tells the planes");
     }
@@ -141,7 +141,7 @@ class CsvReader {
       xyz[i] = number.value;
     }
     const auto text = [&](std::size_t column) {
-      return column == kNone ? std::string_view() : fields[column];
+      return column == kNowhere ? std::string_view() : fields[column];
     };
     const bool begins = line_.points.empty() || rows_.after_gap() ||
                         text(columns_.structure) != structure_ ||
@@ -195,7 +195,7 @@ class CsvReader {
 
   // Else contours are told apart by their heights.
   [[nodiscard]] bool by_number() const {
-    return columns_.contour != kNone || columns_.section != kNone;
+    return columns_.contour != kNowhere || columns_.section != kNowhere;
   }
 
   DrawnStructure& structure() {
@@ -214,7 +214,7 @@ class CsvReader {
 
   TableRows rows_;
   const std::string& name_;
-  Columns columns_;
+  CsvColumns columns_;
   Drawing drawing_;
   DrawnLine line_;  // that is read
   std::vector<std::size_t> lines_of_points_;

@@ -34,8 +34,6 @@ std::optional<double> a_million_times(const std::string& text) {
   return number.ok() ? std::optional<double>(number.value) : std::nullopt;
 }
 
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-
 // "z=1.25", "layer 3 z 0.6", "Z: -2 mm"; of a layer's label also the number alone.
 std::optional<double> height_in(std::string_view text, bool alone) {
   if (const auto number = parse_range(text); alone && number && !number->is_range) {

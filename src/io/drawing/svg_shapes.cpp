@@ -13,9 +13,6 @@ namespace tetloft::internal::io {
 
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-
 // Numbers may follow each other without blanks: "1-2.5.5" is 1, −2.5, 0.5.
 class NumberScanner {
  public:
