@@ -240,6 +240,54 @@ TETLOFT_C_API tetloft_status tetloft_stack_repair(const tetloft_stack* stack, do
                                                   const tetloft_execution* execution,
                                                   tetloft_stack** repaired,
                                                   tetloft_warnings** changes);
+
+/* Which points make up the region where contours overlap. */
+typedef enum tetloft_fill {
+  TETLOFT_FILL_ODD = 0,    /* those of odd crossing number */
+  TETLOFT_FILL_UNION = 1,  /* traces that overlap in part are united, others are holes by nesting */
+  TETLOFT_FILL_WINDING = 2 /* those that the contours wind around */
+} tetloft_fill;
+
+#define TETLOFT_REPAIR_OPTIONS_VERSION 1
+typedef struct tetloft_repair_options {
+  uint32_t version;
+  int32_t fill;                       /* tetloft_fill */
+  double distance;                    /* how far the boundary may move; below 0: the default */
+  double keyholes;                    /* closes channels of holes up to so wide; 0: none */
+  const tetloft_execution* execution; /* NULL: defaults */
+} tetloft_repair_options;
+TETLOFT_C_API tetloft_status tetloft_repair_options_defaults(tetloft_repair_options* options);
+
+#define TETLOFT_REPAIR_REPORT_VERSION 1
+typedef struct tetloft_repair_report {
+  uint32_t version;
+  double moved;       /* how far the boundary moved at most */
+  double area_before; /* by the fill rule, of all sections */
+  double area_after;
+  uint64_t copies;   /* contours left out, for they repeat another */
+  uint64_t channels; /* closed */
+  uint64_t lost;     /* contours of which nothing is left */
+  double area_lost;  /* that these bounded */
+} tetloft_repair_report;
+
+/* tetloft_stack_repair() with all options, and what it did. */
+TETLOFT_C_API tetloft_status tetloft_stack_repair_by(const tetloft_stack* stack,
+                                                     const tetloft_repair_options* options,
+                                                     tetloft_stack** repaired,
+                                                     tetloft_repair_report* report,
+                                                     tetloft_warnings** changes);
+
+typedef enum tetloft_plane_rule {
+  TETLOFT_PLANES_SORT = 0, /* by z, those of one z made one */
+  TETLOFT_PLANES_FLIP = 1, /* a stack that descends is turned over */
+  TETLOFT_PLANES_MERGE = 2 /* sort, and those at most `tolerance` apart made one */
+} tetloft_plane_rule;
+/* Sections in the order of their planes; the tolerance is of merge alone. The warnings tell which
+ * sections were made one. */
+TETLOFT_C_API tetloft_status tetloft_stack_arrange_planes(const tetloft_stack* stack, int32_t rule,
+                                                          double tolerance,
+                                                          tetloft_stack** arranged,
+                                                          tetloft_warnings** changes);
 TETLOFT_C_API tetloft_status tetloft_stack_snap(const tetloft_stack* stack, int bits,
                                                 const tetloft_execution* execution,
                                                 tetloft_stack** snapped);

@@ -9,6 +9,7 @@
 #include "cli/json.hpp"
 #include "cli/outputs.hpp"
 #include "cli/progress.hpp"
+#include "cli/repaired_output.hpp"
 #include "cli/stack_input.hpp"
 #include "cli/verdicts.hpp"
 #include "io/numbers.hpp"
@@ -120,6 +121,8 @@ Result<int> reconstruct_by_geiger(const Arguments& arguments, Console& console) 
   }
   auto files = stage_model(made->model, *outputs, console);
   if (!files) return files.error();
+  const Result<void> staged = stage_repaired(outputs->repaired, input->stack, *files, console);
+  if (!staged) return staged.error();
   std::string told;
   if (console.json()) {
     told = to_json(*made, *input, seconds, console);

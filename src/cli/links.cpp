@@ -14,6 +14,7 @@
 #include "cli/link_report.hpp"
 #include "cli/outputs.hpp"
 #include "cli/progress.hpp"
+#include "cli/repaired_output.hpp"
 #include "cli/signals.hpp"
 #include "cli/stack_input.hpp"
 #include "core/text.hpp"
@@ -42,6 +43,7 @@ Usage links_usage() {
       "reconstruct. --json: links by slab, least_sure (their order of doubt), made and "
       "not_made (counts), components, motions; voids: the same of voids, and cavities."};
   for (const Option& option : stack_options()) usage.options.push_back(option);
+  usage.options.push_back(repaired_option());
   for (const Option& option : {kThreadsOption, kJsonOption, kQuietOption, kHelpOption}) {
     usage.options.push_back(option);
   }
@@ -51,6 +53,7 @@ Usage links_usage() {
 struct LinksRequest {
   std::string input;
   std::optional<std::string> output;
+  std::optional<std::string> repaired;
   std::optional<std::size_t> first;
   LinkOptions options;
   Preparation preparation;
@@ -60,13 +63,17 @@ Result<LinksRequest> links_request_of(const Arguments& arguments, Console& conso
   LinksRequest request;
   request.input = arguments.operand(0);
   request.output = arguments.text("--output");
+  std::vector<std::string> taken{request.input};
+  if (const auto labels = arguments.text("--labels")) taken.push_back(*labels);
   if (request.output) {
-    std::vector<std::string> taken{request.input};
-    if (const auto labels = arguments.text("--labels")) taken.push_back(*labels);
     Result<void> checked =
         check_output("--output (-o)", *request.output, output_extensions(Contents::labels), taken);
     if (!checked) return checked.error();
+    taken.push_back(*request.output);
   }
+  auto repaired = repaired_output(arguments, taken);
+  if (!repaired) return repaired.error();
+  request.repaired = *std::move(repaired);
   const auto first = arguments.integer("--first", 1, std::numeric_limits<std::uint32_t>::max());
   if (!first) return first.error();
   if (first->has_value()) request.first = static_cast<std::size_t>(**first);
@@ -144,6 +151,8 @@ Result<int> run_links(const Arguments& arguments, Console& console) {
                             *std::move(found), request->first};
   auto files = stage_lines_of(*request, listing);
   if (!files) return files.error();
+  const Result<void> mended = stage_repaired(request->repaired, input->stack, *files, console);
+  if (!mended) return mended.error();
   std::string told;
   if (console.json()) {
     told = to_json(listing, *input, console);

@@ -11,6 +11,7 @@
 
 #include "cli/arguments.hpp"
 #include "cli/file_formats.hpp"
+#include "cli/repaired_output.hpp"
 #include "cli/signals.hpp"
 #include "core/spelling.hpp"
 #include "core/text.hpp"
@@ -90,8 +91,12 @@ Result<ModelOutputs> model_outputs(const Arguments& arguments) {
   if (checked && outputs.surface) {
     checked =
         check_output("--surface", *outputs.surface, output_extensions(Contents::surface), taken);
+    taken.push_back(*outputs.surface);
   }
   if (!checked) return checked.error();
+  auto repaired = repaired_output(arguments, taken);
+  if (!repaired) return repaired.error();
+  outputs.repaired = *std::move(repaired);
   return outputs;
 }
 
@@ -137,7 +142,7 @@ Result<StagedFiles> stage_model(const Model& model, const ModelOutputs& outputs,
 
 std::string describe(const ModelOutputs& outputs) {
   std::string files;
-  for (const auto& path : {outputs.solid, outputs.surface}) {
+  for (const auto& path : {outputs.solid, outputs.surface, outputs.repaired}) {
     if (path) files += (files.empty() ? "" : ", ") + printable(*path);
   }
   return "written: " + files + '\n';

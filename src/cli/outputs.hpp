@@ -22,10 +22,11 @@ namespace tetloft::cli {
                                         const std::vector<std::string_view>& extensions,
                                         const std::vector<std::string>& taken);
 
-/// Where a model goes: one of the two, or both.
+/// Where a model goes: one of the first two, or both.
 struct ModelOutputs {
   std::optional<std::string> solid;
   std::optional<std::string> surface;
+  std::optional<std::string> repaired;  ///< the stack (repaired_output.hpp)
   Encoding encoding = Encoding::binary;
 };
 

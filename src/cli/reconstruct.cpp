@@ -11,6 +11,7 @@
 #include "cli/link_report.hpp"
 #include "cli/outputs.hpp"
 #include "cli/progress.hpp"
+#include "cli/repaired_output.hpp"
 #include "cli/stack_input.hpp"
 #include "cli/verdicts.hpp"
 #include "core/option_rules.hpp"
@@ -30,7 +31,8 @@ Usage reconstruct_usage() {
                 "the solid: " + described_outputs(Contents::model), "-o"},
                {"--surface", "FILE",
                 "its boundary: " + described_outputs(Contents::surface) +
-                    "; this or --output must be given"}},
+                    "; this or --output must be given"},
+               repaired_option()},
               "A single section is made into a solid of --thickness, or of a tenth of the larger "
               "side of its bounding box, with a warning. Nothing is written when the command "
               "fails."};
@@ -259,6 +261,9 @@ Result<int> run_reconstruct(const Arguments& arguments, Console& console) {
   const Stopwatch writing;
   auto files = stage_model(result->model, request->outputs, console);
   if (!files) return files.error();
+  const Result<void> staged =
+      stage_repaired(request->outputs.repaired, input->stack, *files, console);
+  if (!staged) return staged.error();
   seconds.write = writing.seconds();
   seconds.total = all.seconds();
   std::string told;

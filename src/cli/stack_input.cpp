@@ -47,19 +47,13 @@ std::vector<Option> stack_options() {
 
 std::vector<Option> preparation_options() {
   std::vector<Option> options = read_option_list();
-  for (const Option& option : std::vector<Option>{
-           {"--repair", "",
-            "first mend contours that cross or touch, spikes and contours without area: the points "
-            "of "
-            "odd crossing number stay the region; every change is told"},
-           {"--repair-distance", "D",
-            "how far --repair may move the boundary (default 2^-20 of the largest coordinate)"},
-           {"--snap", "BITS",
-            "first round x and y to a lattice of 2^-BITS (1 to 50) of the largest coordinate"},
-           {"--refine", "LENGTH",
-            "then divide contour edges longer than this: coarse contours can close a tunnel"}}) {
-    options.push_back(option);
-  }
+  for (const Option& option : mending_options()) options.push_back(option);
+  options.push_back(
+      {"--snap", "BITS",
+       "first round x and y to a lattice of 2^-BITS (1 to 50) of the largest coordinate"});
+  options.push_back(
+      {"--refine", "LENGTH",
+       "then divide contour edges longer than this: coarse contours can close a tunnel"});
   return options;
 }
 
@@ -153,17 +147,9 @@ Result<Preparation> preparation(const Arguments& arguments) {
                        " is not above 0");
   }
   result.refine = *length;
-  const auto distance = arguments.number("--repair-distance");
-  if (!distance) return distance.error();
-  if (arguments.has("--repair")) result.repair = RepairOptions{};
-  if (distance->has_value()) {
-    if (!result.repair) return usage_error("option --repair-distance needs --repair");
-    if (!is_length(**distance)) {
-      return usage_error("option --repair-distance: " +
-                         io::in_quotes(*arguments.text("--repair-distance")) + " is not above 0");
-    }
-    result.repair->distance = **distance;
-  }
+  const auto mending = mending_of(arguments);
+  if (!mending) return mending.error();
+  result.mending = *mending;
   return result;
 }
 
@@ -184,50 +170,29 @@ SnapReport report_of(const Snapped& snapped, std::size_t vertices_before) {
   return report;
 }
 
-// Where in the file a contour begins, or its section's first one.
-void locate(Place& where, const std::string& path, const ReadStack& read) {
-  where.file = path;
-  if (!where.section || !where.contour || *where.section >= read.lines.size()) return;
-  const auto& lines = read.lines[SectionId(*where.section)];
-  if (*where.contour < lines.size()) where.line = lines[ContourId(*where.contour)];
-}
-
-Result<StackInput> read_and_repair(const std::string& path, const Preparation& preparation,
-                                   Console& console) {
-  const std::optional<RepairOptions>& options = preparation.repair;
+Result<StackInput> read_and_mend(const std::string& path, const Preparation& preparation,
+                                 Console& console) {
+  const Mending& mending = preparation.mending;
   ReadOptions reading = preparation.read;
-  if (options) reading.validity = Validity::unchecked;
+  if (mending.any()) reading.validity = Validity::unchecked;
   Progress progress(!console.quiet());
   reading.execution.progress = progress.callback();
   Result<ReadStack> read = read_stack(path, reading);
-  if (!read) {
-    Error error = read.error();
-    if (error.where.contour) error.message += " (--repair may mend it)";
-    return error;
-  }
-  for (const Warning& warning : read->warnings) console.warn(warning);
+  if (!read) return with_remedy(read.error());
   StackInput input;
   input.name = read->name;
   input.unit = read->unit;
-  if (!options) {
+  if (!mending.any()) {
+    warn_of_reader(*read, mending, console);
     input.stack = std::move(read->stack);
     input.labels = std::move(read->labels);
     return input;
   }
-  Result<Repaired> repaired = repair(read->stack, *options);
-  if (!repaired) {
-    Error error = repaired.error();
-    locate(error.where, path, *read);
-    return error;
-  }
-  for (Warning& change : repaired->changes) {
-    locate(change.where, path, *read);
-    console.warn({"repaired: " + change.message, change.where});
-  }
-  // What is repaired may be numbered anew.
-  if (repaired->changes.empty()) input.labels = std::move(read->labels);
-  input.stack = std::move(repaired->stack);
-  input.repaired = RepairReport{repaired->changes.size(), repaired->moved};
+  Result<MendedStack> mended = mend_read(*read, path, mending, console);
+  if (!mended) return mended.error();
+  input.stack = std::move(mended->stack);
+  input.planes = mended->planes;
+  input.repaired = std::move(mended->repair);
   return input;
 }
 
@@ -258,7 +223,7 @@ Result<void> refine_input(StackInput& input, double length) {
 Result<StackInput> read_stack_input(const std::string& operand, const Preparation& preparation,
                                     Console& console) {
   const std::string path = input_path(operand);
-  Result<StackInput> read = read_and_repair(path, preparation, console);
+  Result<StackInput> read = read_and_mend(path, preparation, console);
   if (!read) return read;
   StackInput input = std::move(read.value());
   Result<void> done;
@@ -326,13 +291,7 @@ std::string describe_snap(const SnapReport& report) {
 }  // namespace
 
 void write_preparation(JsonWriter& json, const StackInput& input) {
-  if (input.repaired) {
-    json.key("repair");
-    json.begin_object();
-    json.member("changes", input.repaired->changes);
-    json.member("moved", input.repaired->moved);
-    json.end_object();
-  }
+  write_mending(json, input.planes, input.repaired);
   if (input.snapped) write_snap(json, *input.snapped);
   if (input.inserted) {
     json.key("refine");
@@ -343,11 +302,7 @@ void write_preparation(JsonWriter& json, const StackInput& input) {
 }
 
 std::string describe_preparation(const StackInput& input) {
-  std::string text;
-  if (input.repaired) {
-    text += "repaired: " + counted(input.repaired->changes, "change") + ", the boundary moved by " +
-            readable(input.repaired->moved) + " at most\n";
-  }
+  std::string text = describe_mending(input.planes, input.repaired);
   if (input.snapped) text += describe_snap(*input.snapped);
   if (input.inserted) {
     text += "refined: " + std::to_string(*input.inserted) + " vertices inserted on contours\n";

@@ -10,11 +10,12 @@
 
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
+#include "cli/mending_options.hpp"
 #include "cli/read_options.hpp"
 
 namespace tetloft::cli {
 
-/// Those of read_options.hpp, --repair, --repair-distance, --snap, --refine.
+/// Those of read_options.hpp, and of mending_options.hpp, --snap, --refine.
 [[nodiscard]] std::vector<Option> preparation_options();
 /// The same, after --correspondence, --overlap, --voids, --labels.
 [[nodiscard]] std::vector<Option> stack_options();
@@ -28,15 +29,10 @@ struct SnapReport {
   std::vector<MovedVertex> first;  ///< a few, for people
 };
 
-struct RepairReport {
-  std::size_t changes = 0;  ///< each told as a warning
-  double moved = 0;         ///< how far the boundary moved at most
-};
-
-/// What is done to a stack before it is worked on: repaired, then snapped, then refined.
+/// What is done to a stack before it is worked on: mended, then snapped, then refined.
 struct Preparation {
   ReadOptions read;
-  std::optional<RepairOptions> repair;
+  Mending mending;
   std::optional<int> snap;       ///< bits
   std::optional<double> refine;  ///< the longest edge left
 };
@@ -46,6 +42,7 @@ struct StackInput {
   Labels labels;       ///< that the file gives its contours
   std::string name;    ///< of the structure that was read
   std::string unit;    ///< of length, where the file names one
+  std::optional<PlanesReport> planes;
   std::optional<RepairReport> repaired;
   std::optional<SnapReport> snapped;
   std::optional<std::size_t> inserted;  ///< vertices, by refining
@@ -67,7 +64,7 @@ struct StackInput {
 [[nodiscard]] Result<Model> read_model_input(const std::string& path, const std::string& format,
                                              Console& console);
 
-/// Members "repair", "snap" and "refine", where that was done.
+/// Members "planes", "repair", "snap" and "refine", where that was done.
 void write_preparation(JsonWriter& json, const StackInput& input);
 /// The same as lines of text.
 [[nodiscard]] std::string describe_preparation(const StackInput& input);

@@ -11,6 +11,7 @@
 
 #include <tetloft/ids.hpp>
 #include <tetloft/point.hpp>
+#include <tetloft/repair.hpp>
 
 namespace tetloft::internal::sections {
 
@@ -21,11 +22,12 @@ struct ArrangementPiece {
   NodeId a;
   NodeId b;
   ContourId contour;
+  int times = 1;  ///< that the contour goes from a to b, less those from b to a
 };
 
 /// What happened on the way to the arrangement.
 struct ArrangementEvent {
-  enum class Kind : unsigned char { crossing, cancelled };
+  enum class Kind : unsigned char { merged, crossing, cancelled, shared };
   Kind kind;
   ContourId contour;
   Point2 at;
@@ -62,21 +64,26 @@ void for_each_near_pair(std::size_t n, const Edge& edge, const Pair& pair) {
 class Arrangement {
  public:
   /// What lies nearer than `radius` is taken to meet, so that three edges through nearly one
-  /// point, say, do not leave a triangle a few ulps wide.
-  /// settle() may move points of edges by `most`.
-  Arrangement(double radius, double most) : radius_(radius), most_(most) {}
+  /// point, say, do not leave a triangle a few ulps wide. settle() may move points of edges by
+  /// `most`.
+  Arrangement(double radius, double most, FillRule rule)
+      : radius_(radius), most_(most), rule_(rule) {}
 
   void add_edge(const Point2& a, const Point2& b, ContourId contour);
 
-  /// Splits pieces where they meet, round by round, until they meet at ends only, and removes
-  /// pieces in equal pairs: the points of odd crossing number stay. Gives up where that does not
-  /// end, makes many more pieces than there were edges, or moves a point too far.
+  /// Makes one of vertices that are near each other, then splits pieces where they meet, round by
+  /// round, until they meet at ends only, and removes pieces that have the same on both sides by
+  /// the rule: which points it takes stays. Gives up where that does not end, makes many more
+  /// pieces than there were edges, or moves a point too far.
   enum class Outcome { settled, endless, moved_too_far };
   [[nodiscard]] Outcome settle();
 
   [[nodiscard]] std::size_t node_count() const { return nodes_.size(); }
   [[nodiscard]] const Point2& at(NodeId n) const { return nodes_[n]; }
+  /// From the lower end to the higher one, by ends, then by contour: each contour once at most.
   [[nodiscard]] const std::vector<ArrangementPiece>& pieces() const { return pieces_; }
+  /// Those from i on with the ends of i: where they stop.
+  [[nodiscard]] std::size_t end_of_equal(std::size_t i) const;
   /// An upper bound of how far settle() moved a point of an edge.
   [[nodiscard]] double moved() const { return moved_; }
   [[nodiscard]] const std::vector<ArrangementEvent>& events() const { return events_; }
@@ -85,12 +92,17 @@ class Arrangement {
   NodeId node(const Point2& p);
   NodeId node_near(const Point2& p);
   [[nodiscard]] bool lies_on(const Point2& p, const Point2& a, const Point2& b) const;
-  void cancel_pairs();
+  void merge_near_nodes();
+  [[nodiscard]] IdVector<NodeId, NodeId> nearest_kept_nodes() const;
+  [[nodiscard]] bool takes_nothing(std::size_t first, std::size_t last) const;
+  void cancel();
+  void tell_shared();
   bool split_once();
   void apply(std::vector<std::vector<NodeId>>& splits);
 
   double radius_;
   double most_;
+  FillRule rule_;
   double moved_ = 0;
   IdVector<NodeId, Point2> nodes_;
   std::map<std::pair<double, double>, NodeId> node_of_;

@@ -1,6 +1,7 @@
 // Stacks, labels and links of C are those of C++, bit for bit.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -182,6 +183,96 @@ TEST(StacksOfC, AreMadeFitAsByCpp) {
   EXPECT_EQ(tetloft_stack_repair(stack, std::nan(""), nullptr, none.out(), nullptr), TETLOFT_USAGE);
   EXPECT_EQ(tetloft_stack_snap(stack, 0, nullptr, none.out()), TETLOFT_USAGE);
   EXPECT_EQ(tetloft_stack_refine(stack, std::nan(""), nullptr, none.out()), TETLOFT_USAGE);
+}
+
+TEST(StacksOfC, AreRepairedByAllOptionsAsInCpp) {
+  // A channel of 0.2, a copy, and a square that overlaps it.
+  const Contour keyhole{{{0, 0},
+                         {10, 0},
+                         {10, 4.9},
+                         {7, 4.9},
+                         {7, 3},
+                         {3, 3},
+                         {3, 7},
+                         {7, 7},
+                         {7, 5.1},
+                         {10, 5.1},
+                         {10, 10},
+                         {0, 10}}};
+  const Contour square{{{-2, 1}, {2, 1}, {2, 2}, {-2, 2}}};
+  SectionStack given;
+  given.sections.push_back({0, {}});
+  for (const Contour& contour : {keyhole, keyhole, square}) {
+    given.sections[SectionId(0)].contours.push_back(contour);
+  }
+  const std::string text = format_cnt(given).value();
+  tetloft_read_options reading;
+  ASSERT_OK(tetloft_read_options_defaults(&reading));
+  reading.unchecked = 1;
+  Owned<tetloft_stack> stack;
+  ASSERT_OK(tetloft_stack_parse(text.data(), text.size(), "a.cnt", &reading, stack.out(), nullptr));
+  tetloft_repair_options options;
+  ASSERT_OK(tetloft_repair_options_defaults(&options));
+  for (const int fill : {TETLOFT_FILL_ODD, TETLOFT_FILL_UNION, TETLOFT_FILL_WINDING}) {
+    options.fill = fill;
+    options.keyholes = 0.25;
+    const Repaired expected =
+        repair(given, {.fill = static_cast<FillRule>(fill), .keyholes = 0.25}).value();
+    Owned<tetloft_stack> repaired;
+    Owned<tetloft_warnings> changes;
+    tetloft_repair_report report{};
+    report.version = TETLOFT_REPAIR_REPORT_VERSION;
+    ASSERT_OK(tetloft_stack_repair_by(stack, &options, repaired.out(), &report, changes.out()));
+    expect_same_stack(repaired, expected.stack);
+    EXPECT_EQ(texts_of(changes), texts(expected.changes));
+    EXPECT_EQ(report.moved, expected.moved);
+    EXPECT_EQ(report.area_before, expected.area_before);
+    EXPECT_EQ(report.area_after, expected.area_after);
+    EXPECT_EQ(report.copies, 1U);
+    EXPECT_EQ(report.channels, 1U);
+    EXPECT_EQ(report.lost, 0U);
+  }
+  const auto status = [&] {
+    Owned<tetloft_stack> none;
+    tetloft_repair_report report{};
+    report.version = TETLOFT_REPAIR_REPORT_VERSION;
+    return tetloft_stack_repair_by(stack, &options, none.out(), &report, nullptr);
+  };
+  options.keyholes = -1;
+  EXPECT_EQ(status(), TETLOFT_USAGE);
+  options.keyholes = 0;
+  EXPECT_OK(status());
+  options.fill = 3;
+  EXPECT_EQ(status(), TETLOFT_USAGE);
+}
+
+TEST(StacksOfC, HaveTheirPlanesArrangedAsInCpp) {
+  const SectionStack given = read_cnt(sample("fork")).value().stack;
+  SectionStack turned = given;
+  std::reverse(turned.sections.begin(), turned.sections.end());
+  const std::string text = format_cnt(turned).value();
+  tetloft_read_options reading;
+  ASSERT_OK(tetloft_read_options_defaults(&reading));
+  reading.unchecked = 1;
+  Owned<tetloft_stack> stack;
+  ASSERT_OK(tetloft_stack_parse(text.data(), text.size(), "a.cnt", &reading, stack.out(), nullptr));
+  for (const std::int32_t rule : {TETLOFT_PLANES_SORT, TETLOFT_PLANES_FLIP}) {
+    Owned<tetloft_stack> arranged;
+    ASSERT_OK(tetloft_stack_arrange_planes(stack, rule, 0, arranged.out(), nullptr));
+    expect_same_stack(arranged, given);
+  }
+  Owned<tetloft_stack> one;
+  Owned<tetloft_warnings> changes;
+  ASSERT_OK(
+      tetloft_stack_arrange_planes(stack, TETLOFT_PLANES_MERGE, 1e9, one.out(), changes.out()));
+  const ArrangedPlanes expected = arrange_planes(turned, {PlaneRule::merge, 1e9}).value();
+  expect_same_stack(one, expected.stack);
+  EXPECT_EQ(texts_of(changes), texts(expected.changes));
+  EXPECT_FALSE(expected.changes.empty());
+  Owned<tetloft_stack> none;
+  EXPECT_EQ(tetloft_stack_arrange_planes(stack, TETLOFT_PLANES_MERGE, 0, none.out(), nullptr),
+            TETLOFT_USAGE);
+  EXPECT_EQ(tetloft_stack_arrange_planes(stack, 3, 1, none.out(), nullptr), TETLOFT_USAGE);
 }
 
 // Labels on the contours of data/cases/fork: the first of each section.

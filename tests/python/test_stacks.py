@@ -103,6 +103,54 @@ class Stacks(unittest.TestCase):
             with self.assertRaises(ValueError):
                 stack.repair(bad)
 
+    def test_are_repaired_by_a_fill_rule(self):
+        square = [(0, 0), (2, 0), (2, 2), (0, 2)]
+        other = [(x + 1, y + 1) for x, y in square]
+        overlapping = tetloft.Stack([(0, [square, other, square[::-1]])])
+        for fill, area in (("union", 7), ("odd", 6)):
+            repaired = overlapping.repair(fill=fill)
+            repaired.validate()
+            self.assertAlmostEqual(repaired.repaired.area_after, area, 4)
+            self.assertEqual(repaired.repaired.copies, 1)
+            self.assertEqual(repaired.repaired.lost, 0)
+        self.assertIsNone(overlapping.repaired)
+        with self.assertRaisesRegex(ValueError, "odd, union, winding"):
+            overlapping.repair(fill="even")
+        twice = tetloft.Stack([(0, [square + square])]).repair()
+        self.assertEqual((twice.contour_count, twice.repaired.lost), (0, 1))
+        self.assertTrue(any("NOTHING IS LEFT" in text for text in twice.warnings))
+
+    def test_have_keyholes_closed(self):
+        keyhole = [(0, 0), (10, 0), (10, 4.9), (7, 4.9), (7, 3), (3, 3), (3, 7), (7, 7), (7, 5.1),
+                   (10, 5.1), (10, 10), (0, 10)]
+        stack = tetloft.Stack([(0, [keyhole])])
+        closed = stack.repair(keyholes=0.25)
+        self.assertEqual((closed.contour_count, closed.repaired.channels), (2, 1))
+        self.assertEqual(stack.repair(keyholes=0.1).contour_count, 1)
+        for bad in (0, -1, math.nan):
+            with self.assertRaises(ValueError):
+                stack.repair(keyholes=bad)
+
+    def test_have_their_planes_arranged(self):
+        square = [(0, 0), (2, 0), (2, 2), (0, 2)]
+        other = [(x + 4, y) for x, y in square]
+        stack = tetloft.Stack([(1, [square]), (0, [square]), (1, [other])])
+        with self.assertRaises(tetloft.InvalidInput):
+            stack.validate()
+        sorted_ = stack.arrange()
+        sorted_.validate()
+        self.assertEqual([len(section.contours) for section in sorted_], [1, 2])
+        self.assertEqual(len(sorted_.warnings), 1)
+        self.assertEqual(tetloft.Stack([(1, [square]), (0, [square])]).arrange("flip").z, [0, 1])
+        self.assertEqual(len(stack.arrange("merge", tolerance=1)), 1)
+        with self.assertRaises(tetloft.InvalidInput):
+            stack.arrange("flip")
+        with self.assertRaises(tetloft.UsageError):
+            stack.arrange("merge", tolerance=-1)
+        for bad in (dict(rule="merge"), dict(rule="sort", tolerance=1), dict(rule="up")):
+            with self.assertRaises(ValueError):
+                stack.arrange(**bad)
+
     def test_are_snapped_and_refined(self):
         third = tetloft.Stack([(0, [[(0, 0), (4 / 3, 0), (0, 4)]])])
         self.assertEqual(rows(third.snap(4)[0].contours[0]), [[0, 0], [1.25, 0], [0, 4]])

@@ -33,13 +33,13 @@ from .models import (
     POINT_ORIGINS, TET_KINDS, Model, Report, Surface, Topology, parse_model, read_model
 )
 from .reconstructing import LongStack, between, reconstruct
-from .stacks import Nesting, Section, Stack, parse_stack, read_stack
+from .stacks import Nesting, Repair, Section, Stack, parse_stack, read_stack
 
 __all__ = [
     "BadHandle", "Cancelled", "Correspondence", "Delaunay", "Error", "Failure", "Figures",
     "FileError", "Format", "Guarantee", "InternalError", "InvalidInput", "Labels", "Link", "Links",
     "LongStack", "Mesh", "Model", "NO_ID", "Nesting", "OutOfMemory", "POINT_ORIGINS", "Place",
-    "Report", "Section", "Stack", "Stop", "Surface", "TET_KINDS", "TetloftWarning", "TooSmall",
+    "Repair", "Report", "Section", "Stack", "Stop", "Surface", "TET_KINDS", "TetloftWarning", "TooSmall",
     "Topology", "Triangulation", "UnfitArithmetic", "Unrepresentable", "UsageError", "Verdict",
     "WorkLimit", "__version__", "between", "check", "delaunay", "format_points", "formats",
     "library_path", "library_version", "links", "parse_labels", "parse_model", "parse_points",

@@ -7,6 +7,7 @@ from ctypes import (
     c_char_p as TEXT,
     c_double as DOUBLE,
     c_int as INT,
+    c_int32 as INT32,
     c_int64 as INT64,
     c_size_t as SIZE,
     c_uint8 as UINT8,
@@ -60,6 +61,11 @@ FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
     "tetloft_stack_repair": (STATUS, [
         HANDLE, DOUBLE, to(structs.Execution), to(HANDLE), to(HANDLE),
     ]),
+    "tetloft_repair_options_defaults": (STATUS, [to(structs.RepairOptions)]),
+    "tetloft_stack_repair_by": (STATUS, [
+        HANDLE, to(structs.RepairOptions), to(HANDLE), to(structs.RepairReport), to(HANDLE),
+    ]),
+    "tetloft_stack_arrange_planes": (STATUS, [HANDLE, INT32, DOUBLE, to(HANDLE), to(HANDLE)]),
     "tetloft_stack_snap": (STATUS, [HANDLE, INT, to(structs.Execution), to(HANDLE)]),
     "tetloft_stack_refine": (STATUS, [HANDLE, DOUBLE, to(structs.Execution), to(HANDLE)]),
     "tetloft_labels_create": (STATUS, [

@@ -58,6 +58,30 @@ class WriteOptions(ctypes.Structure):
     _fields_ = [("version", c_uint32), ("ascii", c_int32), ("format", c_char_p)]
 
 
+class RepairOptions(ctypes.Structure):
+    _fields_ = [
+        ("version", c_uint32),
+        ("fill", c_int32),
+        ("distance", c_double),
+        ("keyholes", c_double),
+        ("execution", ctypes.POINTER(Execution)),
+    ]
+
+
+class RepairReport(ctypes.Structure):
+    VERSION = 1
+    _fields_ = [
+        ("version", c_uint32),
+        ("moved", c_double),
+        ("area_before", c_double),
+        ("area_after", c_double),
+        ("copies", c_uint64),
+        ("channels", c_uint64),
+        ("lost", c_uint64),
+        ("area_lost", c_double),
+    ]
+
+
 class Label(ctypes.Structure):
     _fields_ = [("section", c_uint32), ("contour", c_uint32), ("label", c_uint32)]
 
@@ -198,6 +222,8 @@ class Delaunay3Options(ctypes.Structure):
 
 # The values of the enumerations, by the names that callers use.
 CONTENTS = {"stack": 1, "model": 2, "surface": 4, "points": 8, "labels": 16, "lines": 32}
+FILL = {"odd": 0, "union": 1, "winding": 2}
+PLANES = {"sort": 0, "flip": 1, "merge": 2}
 CRITERION = {"overlap": 0, "reverse": 1, "moved": 2}
 VOIDS = {"overlap": 0, "near": 1, "free": 2}
 ENDS = {"flat": 0, "half": 1}

@@ -54,6 +54,21 @@ tetloft_status nesting(A& a) {
                                a.optional_output<std::size_t>());
 }
 
+tetloft_status repair_by(A& a) {
+  auto* const stack = a.handle<tetloft_stack>();
+  tetloft_repair_options options;
+  tetloft_repair_options_defaults(&options);
+  options.fill = static_cast<std::int32_t>(a.integer(TETLOFT_FILL_UNION));
+  options.distance = a.real(-1);
+  options.keyholes = a.real(0.01);
+  options.execution = execution(a);
+  const auto* const given = a.options(options);
+  auto* const made = a.handle_output<tetloft_stack>();
+  auto* const report = a.result<tetloft_repair_report>(TETLOFT_REPAIR_REPORT_VERSION);
+  return tetloft_stack_repair_by(stack, given, made, report,
+                                 a.optional_handle_output<tetloft_warnings>());
+}
+
 template <class Found>
 tetloft_status find_array(A& a, Found found) {
   auto* const links = a.handle<tetloft_links>();
@@ -140,6 +155,18 @@ constexpr auto kCalls = std::to_array<Call>({
        auto* const made = a.handle_output<tetloft_stack>();
        return tetloft_stack_repair(stack, distance, how, made,
                                    a.optional_handle_output<tetloft_warnings>());
+     }},
+    {"tetloft_repair_options_defaults",
+     [](A& a) { return tetloft_repair_options_defaults(a.output<tetloft_repair_options>()); }},
+    {"tetloft_stack_repair_by", repair_by},
+    {"tetloft_stack_arrange_planes",
+     [](A& a) {
+       auto* const stack = a.handle<tetloft_stack>();
+       const auto rule = static_cast<std::int32_t>(a.integer(TETLOFT_PLANES_MERGE));
+       const double tolerance = a.real(0.001);
+       auto* const made = a.handle_output<tetloft_stack>();
+       return tetloft_stack_arrange_planes(stack, rule, tolerance, made,
+                                           a.optional_handle_output<tetloft_warnings>());
      }},
     {"tetloft_stack_snap",
      [](A& a) {

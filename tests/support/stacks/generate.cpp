@@ -80,6 +80,10 @@ constexpr std::array kKinds{
     Kind{StackKind::coarse_lofts, "coarse_lofts", draft_coarse_lofts},
     Kind{StackKind::thin_parts, "thin_parts", draft_thin_parts},
     Kind{StackKind::height_fields, "height_fields", draft_height_fields},
+    Kind{StackKind::mended_overlaps, "mended_overlaps", draft_mended_overlaps},
+    Kind{StackKind::mended_copies, "mended_copies", draft_mended_copies},
+    Kind{StackKind::mended_keyholes, "mended_keyholes", draft_mended_keyholes},
+    Kind{StackKind::arranged_planes, "arranged_planes", draft_arranged_planes},
 };
 
 constexpr auto kAllKinds = [] {

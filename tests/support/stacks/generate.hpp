@@ -55,15 +55,19 @@ enum class StackKind : std::uint8_t {
   ulp_lattices,            ///< a lattice that the next section computes in another way
   needles,                 ///< thin triangles, far longer than apart
   pores,                   ///< blocks with holes in one section or two, and notches
-  hole_islands,    ///< holes with islands, beside each other or over each other but for a little
-  channels,        ///< tunnels that drift by up to more than their width
-  open_pits,       ///< holes over exterior, in part or as a whole
-  touching_holes,  ///< holes that share an edge, a piece of one or a vertex in projection
-  rings,           ///< thin rings that hardly overlap, or not; and discs over them
-  lattice_pores,   ///< bitmaps of blocks with pores and notches of a few pixels
-  coarse_lofts,    ///< contours of few vertices turned, moved, crossed, and beside fine ones
-  thin_parts,      ///< tubes, sheets and shells that lean by more than they are thick
-  height_fields,   ///< level lines of height fields, closed along a rectangle
+  hole_islands,     ///< holes with islands, beside each other or over each other but for a little
+  channels,         ///< tunnels that drift by up to more than their width
+  open_pits,        ///< holes over exterior, in part or as a whole
+  touching_holes,   ///< holes that share an edge, a piece of one or a vertex in projection
+  rings,            ///< thin rings that hardly overlap, or not; and discs over them
+  lattice_pores,    ///< bitmaps of blocks with pores and notches of a few pixels
+  coarse_lofts,     ///< contours of few vertices turned, moved, crossed, and beside fine ones
+  thin_parts,       ///< tubes, sheets and shells that lean by more than they are thick
+  height_fields,    ///< level lines of height fields, closed along a rectangle
+  mended_overlaps,  ///< those of broken.hpp, mended
+  mended_copies,
+  mended_keyholes,
+  arranged_planes,
 };
 
 [[nodiscard]] std::span<const StackKind> all_kinds();

@@ -74,6 +74,11 @@ SectionStack draft_lattice_pores(Prng& prng);
 
 // height_fields.cpp
 SectionStack draft_height_fields(Prng& prng);
+// kinds_mended.cpp
+SectionStack draft_mended_overlaps(Prng& prng);
+SectionStack draft_mended_copies(Prng& prng);
+SectionStack draft_mended_keyholes(Prng& prng);
+SectionStack draft_arranged_planes(Prng& prng);
 
 // labels.cpp
 /// Labels for regions of a valid stack such that each label can be made one component by

@@ -16,7 +16,7 @@ using Contours = std::vector<Contour>;
 Repaired repaired(const Contours& contours) {
   Result<Repaired> result = repair(one(contours));
   EXPECT_TRUE(result.ok()) << to_string(result.error());
-  return result.ok() ? *result : Repaired{one({}), {}, 0};
+  return result.ok() ? *result : Repaired{};
 }
 
 const std::vector<Contour>& contours_of(const Repaired& result) {
@@ -98,8 +98,28 @@ TEST(Repair, ContoursWithoutAreaGo) {
   EXPECT_EQ(result.changes.size(), 5U);  // the collinear one cancels in two pieces of its own
 }
 
-TEST(Repair, EqualContoursCancel) {
-  EXPECT_TRUE(contours_of(repaired({rectangle(0, 0, 1, 1), rectangle(0, 0, 1, 1)})).empty());
+TEST(Repair, WhatCancelsIsLostLoudly) {
+  // Twice around, in one contour.
+  const Contour twice = contour({{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}, {1, 0}, {1, 1}, {0, 1}});
+  const Repaired result = repaired({twice, rectangle(3, 0, 4, 1)});
+  ASSERT_EQ(contours_of(result).size(), 1U);
+  ASSERT_EQ(result.lost.size(), 1U);
+  EXPECT_EQ(result.lost[0].contour, ContourId(0));
+  EXPECT_EQ(result.lost[0].area, 2);
+  EXPECT_EQ(result.area_after, 1);
+  EXPECT_TRUE(std::any_of(result.changes.begin(), result.changes.end(), [](const Warning& w) {
+    return w.message.find("NOTHING IS LEFT") != std::string::npos && w.where.contour == 0U &&
+           w.where.section == 0U && w.message.find("area of 2") != std::string::npos;
+  }));
+  const auto kept = repair(one({twice}), {.fill = FillRule::winding});
+  ASSERT_TRUE(kept.ok());
+  EXPECT_EQ(kept->area_after, 1);
+  EXPECT_TRUE(kept->lost.empty());
+  // Two halves, and both again.
+  const Repaired none =
+      repaired({rectangle(0, 0, 1, 1), rectangle(1, 0, 2, 1), rectangle(0, 0, 2, 1)});
+  EXPECT_TRUE(contours_of(none).empty());
+  EXPECT_EQ(none.lost.size(), 3U);
 }
 
 TEST(Repair, NeighboursThatShareASideBecomeOne) {
@@ -158,6 +178,47 @@ Contours tangle(Prng& prng, std::uint64_t count, std::uint64_t side) {
   return contours;
 }
 
+// By edges across a ray to the left, for p on no edge.
+bool is_wound_around(const Contours& contours, const Point2& p) {
+  int sum = 0;
+  for (const Contour& c : contours) {
+    for (std::size_t k = 0; k < c.vertices.size(); ++k) {
+      const Point2& a = c.vertices[k];
+      const Point2& b = c.vertices[(k + 1) % c.vertices.size()];
+      if ((a.y <= p.y) == (b.y <= p.y)) continue;
+      const bool left_of_p = orient2d(a, b, p) == (b.y > a.y ? Sign::negative : Sign::positive);
+      if (left_of_p) sum += b.y > a.y ? 1 : -1;
+    }
+  }
+  return sum != 0;
+}
+
+TEST(Repair, KeepsTheRegionOfWindingNumber) {
+  Prng prng(33);
+  std::size_t compared = 0;
+  std::size_t refused = 0;
+  for (int round = 0; round < 400; ++round) {
+    const std::uint64_t side = side_of(round);
+    const Contours contours = tangle(prng, 1 + prng.below(3), side);
+    const auto result = repair(one(contours), {.fill = FillRule::winding});
+    if (!result.ok()) {
+      ++refused;
+      continue;
+    }
+    ASSERT_TRUE(result->stack.contour_count() == 0 || validate(result->stack).ok());
+    const double extent = static_cast<double>(side);
+    const Contours after = contours_of(*result);
+    for (int k = 0; k < 30; ++k) {
+      const Point2 p{prng.between(0, extent), prng.between(0, extent)};
+      if (distance_to(contours, p) <= 2 * 0x1p-20 * extent) continue;
+      ASSERT_EQ(is_wound_around(contours, p), is_odd(after, p)) << "round " << round;
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 10000U);
+  EXPECT_LE(refused, 3U);
+}
+
 TEST(Repair, KeepsTheRegionOfOddCrossingNumber) {
   Prng prng(31);
   std::size_t changed = 0;
@@ -209,8 +270,10 @@ TEST(Repair, DependsOnNeitherOrderNorStartNorDirectionOfContours) {
   Prng prng(32);
   std::size_t compared = 0;
   for (int round = 0; round < 300; ++round) {
-    const Contours contours = tangle(prng, 2 + prng.below(3), side_of(round));
-    const auto result = repair(one(contours));
+    Contours contours = tangle(prng, 2 + prng.below(3), side_of(round));
+    if (round % 5 == 0) contours.push_back(contours.front());
+    const RepairOptions options{.fill = static_cast<FillRule>(round % 2)};
+    const auto result = repair(one(contours), options);
     Contours other = contours;
     prng.shuffle(other);
     for (Contour& c : other) {
@@ -219,7 +282,7 @@ TEST(Repair, DependsOnNeitherOrderNorStartNorDirectionOfContours) {
                   c.vertices.end());
       if (prng.chance(0.5)) std::reverse(c.vertices.begin(), c.vertices.end());
     }
-    const auto again = repair(one(other));
+    const auto again = repair(one(other), options);
     ASSERT_EQ(result.ok(), again.ok()) << "round " << round;
     if (!result.ok()) continue;
     ASSERT_EQ(normalised(contours_of(*result)), normalised(contours_of(*again)))
