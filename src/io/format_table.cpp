@@ -23,7 +23,9 @@
   FORMAT(geojson)                    \
   FORMAT(svg)                        \
   FORMAT(dxf)                        \
+  FORMAT(csv)                        \
   FORMAT(xyz)                        \
+  FORMAT(node)                       \
   FORMAT(bin)                        \
   FORMAT(labels)
 
