@@ -10,11 +10,9 @@
 #include <tetloft/result.hpp>
 
 #include "io/bytes/byte_source.hpp"
+#include "io/cursor.hpp"
 
 namespace tetloft::internal::io {
-
-/// Without white space at both ends.
-[[nodiscard]] std::string_view trimmed(std::string_view text);
 
 /// In lower case, as far as ASCII goes.
 [[nodiscard]] std::string lower_case(std::string_view text);
