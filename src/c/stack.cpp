@@ -5,6 +5,7 @@
 #include "c/arrays.hpp"
 #include "c/handles.hpp"
 #include "c/options.hpp"
+#include "c/structs.hpp"
 
 namespace tetloft::internal::c {
 
