@@ -223,18 +223,17 @@ typedef struct tetloft_stack_options {
   const tetloft_execution* execution; /* NULL: defaults */
 } tetloft_stack_options;
 TETLOFT_C_API tetloft_status tetloft_stack_options_defaults(tetloft_stack_options* options);
+/* Decisions on contours: see tetloft_labels_create(). */
+typedef struct tetloft_labels tetloft_labels;
 /* tetloft_stack_read() and _parse() with all options; the labels that the file gives its contours,
  * none in most formats, go to `labels` unless it is NULL. */
 TETLOFT_C_API tetloft_status tetloft_stack_read_by(const char* path,
                                                    const tetloft_stack_options* options,
-                                                   tetloft_stack** stack,
-                                                   struct tetloft_labels** labels,
+                                                   tetloft_stack** stack, tetloft_labels** labels,
                                                    tetloft_warnings** warnings);
-TETLOFT_C_API tetloft_status tetloft_stack_parse_by(const void* data, size_t size,
-                                                    const char* name,
+TETLOFT_C_API tetloft_status tetloft_stack_parse_by(const void* data, size_t size, const char* name,
                                                     const tetloft_stack_options* options,
-                                                    tetloft_stack** stack,
-                                                    struct tetloft_labels** labels,
+                                                    tetloft_stack** stack, tetloft_labels** labels,
                                                     tetloft_warnings** warnings);
 TETLOFT_C_API tetloft_status tetloft_stack_write(const tetloft_stack* stack, const char* path,
                                                  const tetloft_write_options* options,
@@ -341,7 +340,6 @@ typedef struct tetloft_decision {
   int32_t join; /* 0: part, or of voids close */
 } tetloft_decision;
 
-typedef struct tetloft_labels tetloft_labels;
 TETLOFT_C_API tetloft_status tetloft_labels_create(
     const tetloft_label* labels, size_t label_count, const tetloft_decision* decisions,
     size_t decision_count, const tetloft_label* hole_labels, size_t hole_label_count,

@@ -104,6 +104,7 @@ Result<ArrangedPlanes> arrange(const SectionStack& stack, const PlaneOptions& op
   if (Result<void> good = check_heights(stack, options.rule); !good) return good.error();
   ArrangedPlanes result;
   const double tolerance = options.rule == PlaneRule::merge ? options.tolerance : 0;
+  result.stack.frame = stack.frame;
   for (const Sections& group : groups_of(stack, tolerance)) {
     Section section;
     section.z = height_of(stack, group);

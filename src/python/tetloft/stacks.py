@@ -335,7 +335,7 @@ class _Read:
         self.run.call(function, *source, ctypes.byref(self.options), self.stack.out,
                       self.labels.out, self.warnings.out)
         labels = Labels._of(self.labels)
-        stack = Stack._of(self.stack, self.warnings.tell())
+        stack = Stack._of(self.stack, self.warnings.tell(4))
         if labels.to_bytes():
             stack.labels = labels
         return stack
