@@ -92,7 +92,7 @@ enum class Encoding { binary, ascii };
                                                          const std::vector<TetVertices>& tets,
                                                          Encoding encoding = Encoding::binary);
 /// Reads points, tets and, where present, the arrays that write_vtu makes. Accepts
-/// ascii, inline base64 and appended (raw or base64) data, uncompressed.
+/// ascii, inline base64 and appended (raw or base64) data, plain or packed by zlib.
 /// Arrays that a file lacks, or has with values of another meaning, are left empty, and so are
 /// links, or motions, of which one array is such.
 [[nodiscard]] TETLOFT_API Result<Model> read_vtu(const std::string& path);

@@ -12,6 +12,8 @@
   FORMAT(slc)                        \
   FORMAT(imod)                       \
   FORMAT(nifti)                      \
+  FORMAT(nrrd)                       \
+  FORMAT(metaimage)                  \
   FORMAT(cnt)                        \
   FORMAT(vtu)                        \
   FORMAT(obj)                        \
@@ -21,7 +23,9 @@
   FORMAT(geojson)                    \
   FORMAT(svg)                        \
   FORMAT(dxf)                        \
+  FORMAT(csv)                        \
   FORMAT(xyz)                        \
+  FORMAT(node)                       \
   FORMAT(bin)                        \
   FORMAT(labels)
 

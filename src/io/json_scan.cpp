@@ -1,13 +1,12 @@
 // Scanning JSON: the grammar of RFC 8259 as a machine with a stack of brackets.
 #include "io/json_scan.hpp"
 
+#include "io/cursor.hpp"
 #include "io/numbers.hpp"
 
 namespace tetloft::internal::io {
 
 namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 void append_utf8(std::string& text, std::uint32_t code) {
   const auto byte = [&](std::uint32_t value) { text += static_cast<char>(value); };

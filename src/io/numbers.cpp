@@ -8,12 +8,11 @@
 #include <system_error>
 
 #include "core/text.hpp"
+#include "io/cursor.hpp"
 
 namespace tetloft::internal::io {
 
 namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 // Value of a hexadecimal digit, or −1.
 int hex_value(char c) {

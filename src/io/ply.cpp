@@ -1,10 +1,11 @@
-// Boundary surfaces as .ply (Turk 1994): doubles, binary or text.
+// Boundary surfaces as .ply (Turk 1994): doubles, binary or text. Points of any such file.
 #include <cstdint>
 #include <string>
 
 #include "core/little_endian.hpp"
 #include "io/format.hpp"
 #include "io/numbers.hpp"
+#include "io/ply_points.hpp"
 
 namespace tetloft::internal::io {
 
@@ -58,6 +59,7 @@ extern constinit const Format ply_format{.name = "ply",
                                          .summary = "Stanford polygons",
                                          .extensions = {".ply"},
                                          .recognise = is_ply,
+                                         .read_points = read_ply_points,
                                          .write_surface = write_ply};
 
 }  // namespace tetloft::internal::io

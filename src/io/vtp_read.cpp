@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,26 +18,28 @@ namespace tetloft::internal::io {
 
 namespace {
 
-constexpr std::size_t kDeepest = 64;
+constexpr std::size_t kDeepestTags = 64;
 
 // Elements made of points: of each kind how many there are, and their arrays.
-enum Kind : std::size_t { kVerts, kLines, kStrips, kPolys, kKinds };
-constexpr std::array<std::string_view, kKinds> kGroups{"Verts", "Lines", "Strips", "Polys"};
+enum ElementKind : std::size_t { kVerts, kLines, kStrips, kPolys, kKinds };
+constexpr std::array<std::string_view, kKinds> kElementGroups{"Verts", "Lines", "Strips", "Polys"};
 constexpr std::array<const char*, kKinds> kCounts{"NumberOfVerts", "NumberOfLines",
                                                   "NumberOfStrips", "NumberOfPolys"};
 
-struct Elements {
-  std::size_t count = 0;
-  std::optional<DataArray> connectivity;
-  std::optional<DataArray> offsets;
+enum class VtpRole : std::uint8_t { points, connectivity, offsets };
+
+struct VtpPiece {
+  std::size_t position = 0;
+  std::size_t points = 0;
+  std::array<std::size_t, kKinds> count{};
+  std::size_t first_array = 0;  // its arrays end where those of the next piece begin
+  bool tells_sections = false;
 };
 
-struct Piece {
-  std::size_t position = 0;
-  std::size_t point_count = 0;
-  std::optional<DataArray> points;
-  std::array<Elements, kKinds> elements;
-  bool tells_sections = false;
+struct VtpArray {
+  VtpRole role = VtpRole::points;
+  ElementKind kind = kKinds;  // of elements
+  DataArray data;
 };
 
 class VtpScanner {
@@ -63,8 +64,20 @@ class VtpScanner {
     return {};
   }
 
+  // The array of a piece, or null.
+  [[nodiscard]] const DataArray* find(std::size_t piece, VtpRole role,
+                                      ElementKind kind = kKinds) const {
+    const std::size_t end =
+        piece + 1 < pieces.size() ? pieces[piece + 1].first_array : arrays.size();
+    for (std::size_t i = pieces[piece].first_array; i < end; ++i) {
+      if (arrays[i].role == role && arrays[i].kind == kind) return &arrays[i].data;
+    }
+    return nullptr;
+  }
+
   DataSource source;
-  std::vector<Piece> pieces;
+  std::vector<VtpPiece> pieces;
+  std::vector<VtpArray> arrays;
 
  private:
   Result<void> close(const XmlTag& tag) {
@@ -82,9 +95,9 @@ class VtpScanner {
       return scanner_.complain(tag.position, seen_root_ ? "something follows the end of the data"
                                                         : "this is no VTK XML file");
     }
-    if (open_.size() >= kDeepest) {
+    if (open_.size() >= kDeepestTags) {
       return scanner_.complain(
-          tag.position, "the tags are nested more than " + std::to_string(kDeepest) + " deep");
+          tag.position, "the tags are nested more than " + std::to_string(kDeepestTags) + " deep");
     }
     Result<void> taken = take(tag);
     if (taken && tag.kind == XmlTag::Kind::open) open_.push_back(tag.name);
@@ -106,8 +119,9 @@ class VtpScanner {
   }
 
   Result<void> take_piece(const XmlTag& tag) {
-    Piece piece;
+    VtpPiece piece;
     piece.position = tag.position;
+    piece.first_array = arrays.size();
     const auto count = [&](const char* key, std::size_t& value) {
       const std::string* const text = tag.find(key);
       if (text == nullptr) return true;
@@ -116,41 +130,41 @@ class VtpScanner {
       value = static_cast<std::size_t>(*number);
       return true;
     };
-    bool valid = count("NumberOfPoints", piece.point_count);
+    bool valid = count("NumberOfPoints", piece.points);
     for (std::size_t k = 0; k < kKinds; ++k) {
-      valid = valid && count(kCounts[k], piece.elements[k].count);
+      valid = valid && count(kCounts[k], piece.count[k]);
     }
     if (!valid) return scanner_.complain(tag.position, "the piece has a count that is none");
-    pieces.push_back(std::move(piece));
+    pieces.push_back(piece);
     return {};
   }
 
   Result<void> take_array(const XmlTag& tag) {
-    Piece& piece = pieces.back();
+    VtpPiece& piece = pieces.back();
     const std::string_view group = open_.back();
     const std::string* const name = tag.find("Name");
     if (group == "CellData") {
       piece.tells_sections = piece.tells_sections || (name != nullptr && *name == kSectionOfLine);
       return {};
     }
-    if (group == "Points") return declare(tag, "Points", piece.points);
-    const auto known = std::find(kGroups.begin(), kGroups.end(), group);
-    if (known == kGroups.end() || name == nullptr) return {};
-    Elements& elements = piece.elements[static_cast<std::size_t>(known - kGroups.begin())];
-    if (*name == "connectivity") return declare(tag, "connectivity", elements.connectivity);
-    if (*name == "offsets") return declare(tag, "offsets", elements.offsets);
+    if (group == "Points") return declare(tag, "Points", VtpRole::points, kKinds);
+    const auto known = std::find(kElementGroups.begin(), kElementGroups.end(), group);
+    if (known == kElementGroups.end() || name == nullptr) return {};
+    const auto kind = static_cast<ElementKind>(known - kElementGroups.begin());
+    if (*name == "connectivity") return declare(tag, "connectivity", VtpRole::connectivity, kind);
+    if (*name == "offsets") return declare(tag, "offsets", VtpRole::offsets, kind);
     return {};
   }
 
-  Result<void> declare(const XmlTag& tag, std::string_view name, std::optional<DataArray>& array) {
-    if (array) {
+  Result<void> declare(const XmlTag& tag, std::string_view name, VtpRole role, ElementKind kind) {
+    if (find(pieces.size() - 1, role, kind) != nullptr) {
       return scanner_.complain(tag.position,
                                in_quotes(open_.back()) + " has two arrays " + in_quotes(name));
     }
     Result<DataArray> declared = declare_array(tag, name, scanner_);
     if (!declared) return declared.error();
-    array = *declared;
-    if (tag.kind == XmlTag::Kind::open) array->text = scanner_.take_text();
+    if (tag.kind == XmlTag::Kind::open) declared->text = scanner_.take_text();
+    arrays.push_back({role, kind, *declared});
     return {};
   }
 
@@ -163,85 +177,84 @@ class VtpReader {
  public:
   explicit VtpReader(const Source& source) : scanner_(source.bytes, source.name), file_(scanner_) {}
 
-  Result<void> scan(const std::vector<Kind>& kinds) {
+  Result<void> scan(const std::vector<ElementKind>& kinds) {
     if (Result<void> scanned = file_.scan(); !scanned) return scanned;
     std::vector<const DataArray*> arrays;
-    for (const Piece& piece : file_.pieces) {
-      if (piece.points) arrays.push_back(&*piece.points);
-      for (const Kind kind : kinds) {
-        const Elements& elements = piece.elements[kind];
-        if (elements.connectivity) arrays.push_back(&*elements.connectivity);
-        if (elements.offsets) arrays.push_back(&*elements.offsets);
-      }
+    for (const VtpArray& array : file_.arrays) {
+      const bool read =
+          array.kind == kKinds || std::find(kinds.begin(), kinds.end(), array.kind) != kinds.end();
+      if (read) arrays.push_back(&array.data);
     }
     if (Result<void> apart = check_apart(arrays); !apart) return apart;
     return check_unpacking(arrays, file_.source, scanner_);
   }
 
-  [[nodiscard]] bool has(Kind kind) const {
+  [[nodiscard]] bool has(ElementKind kind) const {
     return std::any_of(file_.pieces.begin(), file_.pieces.end(),
-                       [&](const Piece& piece) { return piece.elements[kind].count > 0; });
+                       [&](const VtpPiece& piece) { return piece.count[kind] > 0; });
   }
-  [[nodiscard]] const std::vector<Piece>& pieces() const { return file_.pieces; }
+  [[nodiscard]] const std::vector<VtpPiece>& pieces() const { return file_.pieces; }
 
-  Result<std::vector<Point3>> points_of(const Piece& piece) const {
+  Result<std::vector<Point3>> points_of(std::size_t p) const {
+    const VtpPiece& piece = file_.pieces[p];
     std::vector<Point3> points;
-    if (!piece.points) {
-      if (piece.point_count == 0) return points;
+    const DataArray* const array = file_.find(p, VtpRole::points);
+    if (array == nullptr) {
+      if (piece.points == 0) return points;
       return scanner_.complain(piece.position, "the piece has no Points");
     }
-    const auto values = read_doubles(*piece.points, file_.source, scanner_);
+    const auto values = read_doubles(*array, file_.source, scanner_);
     if (!values) return values.error();
-    if (piece.points->components != 3 || values->size() % 3 != 0 ||
-        values->size() / 3 != piece.point_count) {
-      return scanner_.complain(piece.points->position,
-                               "Points has " + std::to_string(values->size()) +
-                                   " values where three each are due of " +
-                                   std::to_string(piece.point_count) + " points");
+    if (array->components != 3 || values->size() % 3 != 0 || values->size() / 3 != piece.points) {
+      return scanner_.complain(array->position, "Points has " + std::to_string(values->size()) +
+                                                    " values where three each are due of " +
+                                                    std::to_string(piece.points) + " points");
     }
-    points.reserve(piece.point_count);
+    points.reserve(piece.points);
     for (std::size_t i = 0; i < values->size(); i += 3) {
-      points.push_back({(*values)[i], (*values)[i + 1], (*values)[i + 2]});
-      const Point3& p = points.back();
-      if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) continue;
-      return scanner_.complain(piece.points->position,
-                               "point " + std::to_string(i / 3) + " is not finite");
+      const Point3 q{(*values)[i], (*values)[i + 1], (*values)[i + 2]};
+      if (!std::isfinite(q.x) || !std::isfinite(q.y) || !std::isfinite(q.z)) {
+        return scanner_.complain(array->position,
+                                 "point " + std::to_string(i / 3) + " is not finite");
+      }
+      points.push_back(q);
     }
     return points;
   }
 
   // Calls take(ids) for each element.
   template <class Take>
-  Result<void> for_each_element(const Piece& piece, Kind kind, Take&& take) const {
-    const Elements& elements = piece.elements[kind];
-    if (elements.count == 0) return {};
-    if (!elements.connectivity || !elements.offsets) {
-      return scanner_.complain(piece.position, in_quotes(kGroups[kind]) +
+  Result<void> for_each_element(std::size_t p, ElementKind kind, Take&& take) const {
+    const VtpPiece& piece = file_.pieces[p];
+    if (piece.count[kind] == 0) return {};
+    const DataArray* const connectivity = file_.find(p, VtpRole::connectivity, kind);
+    const DataArray* const ends = file_.find(p, VtpRole::offsets, kind);
+    if (connectivity == nullptr || ends == nullptr) {
+      return scanner_.complain(piece.position, in_quotes(kElementGroups[kind]) +
                                                    " lacks the array 'connectivity' or 'offsets'");
     }
-    const auto ids = read_integers(*elements.connectivity, file_.source, scanner_);
+    const auto ids = read_integers(*connectivity, file_.source, scanner_);
     if (!ids) return ids.error();
-    const auto offsets = read_integers(*elements.offsets, file_.source, scanner_);
+    const auto offsets = read_integers(*ends, file_.source, scanner_);
     if (!offsets) return offsets.error();
-    if (offsets->size() != elements.count) {
-      return scanner_.complain(elements.offsets->position,
-                               "offsets has " + std::to_string(offsets->size()) + " values where " +
-                                   std::to_string(elements.count) + " are due");
+    if (offsets->size() != piece.count[kind]) {
+      return scanner_.complain(ends->position, "offsets has " + std::to_string(offsets->size()) +
+                                                   " values where " +
+                                                   std::to_string(piece.count[kind]) + " are due");
+    }
+    for (const std::int64_t id : *ids) {
+      if (id >= 0 && static_cast<std::uint64_t>(id) < piece.points) continue;
+      return scanner_.complain(connectivity->position, "connectivity refers to point " +
+                                                           std::to_string(id) + " of " +
+                                                           std::to_string(piece.points));
     }
     std::size_t from = 0;
     for (const std::int64_t offset : *offsets) {
       if (offset < 0 || static_cast<std::uint64_t>(offset) < from ||
           static_cast<std::uint64_t>(offset) > ids->size()) {
-        return scanner_.complain(elements.offsets->position,
-                                 "offsets do not increase within connectivity");
+        return scanner_.complain(ends->position, "offsets do not increase within connectivity");
       }
       const auto to = static_cast<std::size_t>(offset);
-      for (std::size_t i = from; i < to; ++i) {
-        if ((*ids)[i] >= 0 && static_cast<std::uint64_t>((*ids)[i]) < piece.point_count) continue;
-        return scanner_.complain(elements.connectivity->position,
-                                 "connectivity refers to point " + std::to_string((*ids)[i]) +
-                                     " of " + std::to_string(piece.point_count));
-      }
       take(std::vector<std::int64_t>(ids->begin() + static_cast<std::ptrdiff_t>(from),
                                      ids->begin() + static_cast<std::ptrdiff_t>(to)));
       from = to;
@@ -288,20 +301,20 @@ DrawnLine line_of(const std::vector<std::int64_t>& ids, const std::vector<Point3
 Result<Drawing> read_vtp_lines(const Source& source, const ReadOptions& /*options*/) {
   VtpReader reader(source);
   if (Result<void> scanned = reader.scan({kLines, kPolys}); !scanned) return scanned.error();
-  const Kind kind = reader.has(kLines) ? kLines : kPolys;
+  const ElementKind kind = reader.has(kLines) ? kLines : kPolys;
   Drawing drawing;
   drawing.structures.emplace_back();
   std::vector<DrawnLine>& lines = drawing.structures.front().lines;
   bool level = true;
-  for (const Piece& piece : reader.pieces()) {
-    const Result<std::vector<Point3>> points = reader.points_of(piece);
+  for (std::size_t p = 0; p < reader.pieces().size(); ++p) {
+    const Result<std::vector<Point3>> points = reader.points_of(p);
     if (!points) return points.error();
-    level = level && piece.tells_sections;
-    Result<void> taken = reader.for_each_element(piece, kind, [&](const auto& ids) {
+    level = level && reader.pieces()[p].tells_sections;
+    Result<void> taken = reader.for_each_element(p, kind, [&](const auto& ids) {
       if (ids.empty()) return;
       lines.push_back(line_of(ids, *points, kind == kPolys));
-      for (const Point3& p : lines.back().points) {
-        level = level && p.z == lines.back().points.front().z;
+      for (const Point3& q : lines.back().points) {
+        level = level && q.z == lines.back().points.front().z;
       }
     });
     if (!taken) return taken.error();
@@ -314,9 +327,9 @@ Result<Drawing> read_vtp_lines(const Source& source, const ReadOptions& /*option
   // Files of stacks tell sections apart, however near they are.
   drawing.exact_heights = level;
   std::size_t others = 0;
-  for (const Piece& piece : reader.pieces()) {
-    if (kind == kLines) others += piece.elements[kPolys].count;
-    others += piece.elements[kStrips].count;
+  for (const VtpPiece& piece : reader.pieces()) {
+    if (kind == kLines) others += piece.count[kPolys];
+    others += piece.count[kStrips];
   }
   if (others > 0) {
     drawing.warnings.push_back(
@@ -329,8 +342,8 @@ Result<ReadPoints> read_vtp_points(const Source& source, const ReadOptions& /*op
   VtpReader reader(source);
   if (Result<void> scanned = reader.scan({}); !scanned) return scanned.error();
   ReadPoints read;
-  for (const Piece& piece : reader.pieces()) {
-    const Result<std::vector<Point3>> points = reader.points_of(piece);
+  for (std::size_t p = 0; p < reader.pieces().size(); ++p) {
+    const Result<std::vector<Point3>> points = reader.points_of(p);
     if (!points) return points.error();
     read.points.insert(read.points.end(), points->begin(), points->end());
   }

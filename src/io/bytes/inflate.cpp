@@ -44,8 +44,9 @@ class Inflater::Work {
   // What was unpacked before an error is handed out before it, as far as whole requests go.
   Result<std::size_t> read(std::span<char> to) {
     std::size_t done = take_ready(to);
-    while (done < to.size() && state_ != State::end) {
+    while (done < to.size()) {
       if (error_) return *error_;
+      if (state_ == State::end) break;
       go_on();
       done += take_ready(to.subspan(done));
     }

@@ -16,6 +16,7 @@
 #include <string>
 #include <utility>
 
+#include "io/drawing/csl_write.hpp"
 #include "io/drawing/text_lines.hpp"
 #include "io/format.hpp"
 #include "io/numbers.hpp"
@@ -69,6 +70,7 @@ class CslReader {
     if (Result<void> done = check_distances(); !done) return done.error();
     find_oblique();
     drawing_.planes = planes_.size();
+    drawing_.exact_heights = level_;
     warn();
     drawing_.warnings = warnings_.take();
     return std::move(drawing_);
@@ -279,6 +281,7 @@ class CslReader {
       }
       used_in_[v] = c + 1;
       line.points.push_back(vertices_[v]);
+      level_ = level_ && line.points.back().z == line.points.front().z;
     }
     return {};
   }
@@ -357,6 +360,7 @@ class CslReader {
   std::vector<std::size_t> used_in_;     // of each, the last component that has it, from 1
   std::array<CslDistance, 2> distance_;  // with D added, and subtracted
   bool subtracts_ = false;
+  bool level_ = true;  // no component has vertices of different z
   std::array<double, 3> low_{kInfinity, kInfinity, kInfinity};
   std::array<double, 3> high_{-kInfinity, -kInfinity, -kInfinity};
   std::size_t odd_labels_ = 0;
@@ -376,6 +380,7 @@ extern constinit const Format csl_format{
     .summary = "labelled contours in parallel planes of any direction (CSLC)",
     .extensions = {".csl"},
     .recognise = begins_as_csl,
-    .read_drawing = read_csl};
+    .read_drawing = read_csl,
+    .write_stack = write_csl};
 
 }  // namespace tetloft::internal::io

@@ -21,33 +21,27 @@ namespace {
 
 constexpr std::string_view kBinary = "AutoCAD Binary DXF";
 
-struct Group {
+struct DxfGroup {
   std::int64_t code = 0;
   std::string_view value;
   std::size_t line = 0;  // of the value
 };
 
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && is_white(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_white(text.back())) text.remove_suffix(1);
-  return text;
-}
-
-class GroupReader {
+class DxfGroups {
  public:
-  GroupReader(std::string_view text, const std::string& name) : text_(text), name_(name) {
+  DxfGroups(std::string_view text, const std::string& name) : text_(text), name_(name) {
     if (text_.substr(0, 3) == "\xEF\xBB\xBF") at_ = 3;
   }
 
   /// Nothing at the end.
-  Result<std::optional<Group>> next() {
-    using Read = std::optional<Group>;
+  Result<std::optional<DxfGroup>> next() {
+    using Read = std::optional<DxfGroup>;
     std::string_view code_text;
     do {
       if (at_ >= text_.size()) return Read();
       code_text = trimmed(take_line());
     } while (code_text.empty() && at_ >= text_.size());
-    Group group;
+    DxfGroup group;
     const auto code = parse_integer(code_text);
     if (!code) return complain(in_quotes(code_text) + " is no group code", line_);
     if (at_ >= text_.size()) return complain("a group code without a value ends the file", line_);
@@ -84,7 +78,7 @@ class GroupReader {
 
 // What is read of an entity. Coordinates by the last digit of their groups: 10, 20, 30 are x, y, z
 // of place 0; 11, 21, 31 of place 1.
-struct Entity {
+struct DxfEntity {
   std::string_view type;
   std::size_t line = 0;
   std::int64_t flags = 0;
@@ -101,8 +95,8 @@ constexpr std::int64_t kMesh = 16 | 64;
 constexpr std::int64_t kSplineControl = 16;  // of a vertex
 
 // A polyline that is read: its vertices with bulges.
-struct Polyline {
-  Entity head;
+struct DxfPolyline {
+  DxfEntity head;
   std::vector<Point3> points;
   std::vector<double> bulges;
   bool old_form = false;  // POLYLINE, with VERTEX entities that follow
@@ -128,7 +122,7 @@ class DxfReader {
 
   Result<Drawing> read() {
     for (;;) {
-      const Result<std::optional<Group>> group = groups_.next();
+      const Result<std::optional<DxfGroup>> group = groups_.next();
       if (!group) return group.error();
       if (!group->has_value()) break;
       last_line_ = (*group)->line;
@@ -149,7 +143,7 @@ class DxfReader {
  private:
   enum class Section : std::uint8_t { none, begun, header, entities, other };
 
-  Result<void> take(const Group& group) {
+  Result<void> take(const DxfGroup& group) {
     if (group.code == 999) return {};
     if (group.code == 0) return take_start(group);
     if (section_ == Section::begun && group.code == 2) {
@@ -170,7 +164,7 @@ class DxfReader {
   }
 
   // An entity, or the begin or end of a section.
-  Result<void> take_start(const Group& group) {
+  Result<void> take_start(const DxfGroup& group) {
     if (group.value == "EOF" && section_ == Section::none) {
       ended_ = true;
       return {};
@@ -187,7 +181,7 @@ class DxfReader {
       entity_ = {};
       entity_.type = group.value;
       entity_.line = group.line;
-      if (group.value == "LWPOLYLINE" || group.value == "POLYLINE") polyline_ = Polyline();
+      if (group.value == "LWPOLYLINE" || group.value == "POLYLINE") polyline_ = DxfPolyline();
     }
     if (group.value == "ENDSEC") {
       if (polyline_) return groups_.complain("a POLYLINE has no SEQEND", group.line);
@@ -196,7 +190,7 @@ class DxfReader {
     return {};
   }
 
-  Result<void> take_value(const Group& group) {
+  Result<void> take_value(const DxfGroup& group) {
     const auto code = group.code;
     if (code == 70) {
       entity_.flags = parse_integer(group.value).value_or(0);
@@ -273,7 +267,7 @@ class DxfReader {
   }
 
   Result<void> finish_polyline() {
-    const Polyline polyline = *std::exchange(polyline_, std::nullopt);
+    const DxfPolyline polyline = *std::exchange(polyline_, std::nullopt);
     if (polyline.old_form && (polyline.head.flags & kMesh) != 0) {
       ++left_out_["POLYLINE of a mesh"];
       return {};
@@ -313,7 +307,7 @@ class DxfReader {
   }
 
   // Coordinates are those of the entity's own plane, but for lines and polylines in space.
-  Result<void> add_line(std::vector<Point3> points, bool closed, const Entity& head) {
+  Result<void> add_line(std::vector<Point3> points, bool closed, const DxfEntity& head) {
     const bool in_space =
         head.type == "LINE" || (head.type == "POLYLINE" && (head.flags & kInSpace) != 0);
     if (!in_space) {
@@ -360,14 +354,14 @@ class DxfReader {
                                  {}});
   }
 
-  GroupReader groups_;
+  DxfGroups groups_;
   Section section_ = Section::none;
   bool seen_entities_ = false;
   bool ended_ = false;
   std::size_t last_line_ = 0;
   std::string_view variable_;  // of the header
-  Entity entity_;              // that is read
-  std::optional<Polyline> polyline_;
+  DxfEntity entity_;           // that is read
+  std::optional<DxfPolyline> polyline_;
   std::vector<DrawnLine> lines_;
   Drawing drawing_;
   std::map<std::string, std::size_t> left_out_;
@@ -380,9 +374,9 @@ class DxfReader {
 bool is_dxf(std::string_view bytes) {
   if (bytes.substr(0, kBinary.size()) == kBinary) return true;
   const std::string name;
-  GroupReader groups(bytes.substr(0, 4096), name);
+  DxfGroups groups(bytes.substr(0, 4096), name);
   for (;;) {
-    const Result<std::optional<Group>> group = groups.next();
+    const Result<std::optional<DxfGroup>> group = groups.next();
     if (!group || !group->has_value()) return false;
     if ((*group)->code == 999) continue;
     return (*group)->code == 0 && (*group)->value == "SECTION";

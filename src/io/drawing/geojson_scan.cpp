@@ -29,24 +29,24 @@ enum class GeoType : std::uint8_t {
   feature_collection,
 };
 
-struct TypeRow {
+struct GeoTypeRow {
   std::string_view name;
   GeoType type;
   int nesting = 0;  // of its coordinates: 1 a position
 };
-constexpr std::array<TypeRow, 9> kTypes{{{"Point", GeoType::point, 1},
-                                         {"MultiPoint", GeoType::multi_point, 2},
-                                         {"LineString", GeoType::line_string, 2},
-                                         {"MultiLineString", GeoType::multi_line_string, 3},
-                                         {"Polygon", GeoType::polygon, 3},
-                                         {"MultiPolygon", GeoType::multi_polygon, 4},
-                                         {"GeometryCollection", GeoType::geometry_collection},
-                                         {"Feature", GeoType::feature},
-                                         {"FeatureCollection", GeoType::feature_collection}}};
+constexpr std::array<GeoTypeRow, 9> kGeoTypes{{{"Point", GeoType::point, 1},
+                                               {"MultiPoint", GeoType::multi_point, 2},
+                                               {"LineString", GeoType::line_string, 2},
+                                               {"MultiLineString", GeoType::multi_line_string, 3},
+                                               {"Polygon", GeoType::polygon, 3},
+                                               {"MultiPolygon", GeoType::multi_polygon, 4},
+                                               {"GeometryCollection", GeoType::geometry_collection},
+                                               {"Feature", GeoType::feature},
+                                               {"FeatureCollection", GeoType::feature_collection}}};
 constexpr int kDeepestCoordinates = 4;
 
-const TypeRow* row_of(GeoType type) {
-  for (const TypeRow& row : kTypes) {
+const GeoTypeRow* row_of(GeoType type) {
+  for (const GeoTypeRow& row : kGeoTypes) {
     if (row.type == type) return &row;
   }
   return nullptr;
@@ -139,7 +139,7 @@ class GeoScanner {
     if (value.kind != JsonKind::string) {
       return json_.complain("the type of a GeoJSON object is no text", value.line);
     }
-    for (const TypeRow& row : kTypes) {
+    for (const GeoTypeRow& row : kGeoTypes) {
       if (value.text == row.name) object.type = row.type;
     }
     if (object.type != GeoType::unknown) return {};
@@ -288,7 +288,7 @@ class GeoScanner {
   // The type tells what the coordinates are: the lines that were found are rings, or lines, or
   // no lines.
   Result<void> settle_geometry(const OpenObject& object) {
-    const TypeRow& row = *row_of(object.type);
+    const GeoTypeRow& row = *row_of(object.type);
     if (*object.nesting != 0 && *object.nesting != row.nesting) {
       return json_.complain("the coordinates are not those of a " + std::string(row.name),
                             object.line);

@@ -9,19 +9,20 @@ namespace tetloft::internal::io {
 
 namespace {
 
-constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t kNoEnd = std::numeric_limits<std::size_t>::max();
 
 // End 2 i is the first point of line i, end 2 i + 1 its last.
 class Joiner {
  public:
-  explicit Joiner(std::vector<DrawnLine>& lines) : lines_(lines), other_(2 * lines.size(), kNone) {}
+  explicit Joiner(std::vector<DrawnLine>& lines)
+      : lines_(lines), other_(2 * lines.size(), kNoEnd) {}
 
   std::size_t join() {
     pair_ends();
     std::size_t taken = 0;
     std::vector<bool> done(lines_.size(), false);
     for (std::size_t i = 0; i < lines_.size(); ++i) {
-      if (done[i] || (other_[2 * i] == kNone && other_[2 * i + 1] == kNone)) continue;
+      if (done[i] || (other_[2 * i] == kNoEnd && other_[2 * i + 1] == kNoEnd)) continue;
       taken += join_from(i, done);
     }
     return taken;
@@ -62,13 +63,13 @@ class Joiner {
   std::size_t join_from(std::size_t first, std::vector<bool>& done) {
     // Back to where the line begins, or around.
     std::size_t begin = 2 * first;
-    while (other_[begin] != kNone && other_[begin] / 2 != first) begin = other_[begin] ^ 1U;
-    const bool closes = other_[begin] != kNone;
+    while (other_[begin] != kNoEnd && other_[begin] / 2 != first) begin = other_[begin] ^ 1U;
+    const bool closes = other_[begin] != kNoEnd;
     if (closes) begin = 2 * first;
     DrawnLine joined = lines_[first];
     joined.points.clear();
     std::size_t taken = 0;
-    for (std::size_t end = begin; end != kNone;) {
+    for (std::size_t end = begin; end != kNoEnd;) {
       DrawnLine& piece = lines_[end / 2];
       done[end / 2] = true;
       if (end / 2 != first) ++taken;

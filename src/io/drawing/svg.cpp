@@ -34,8 +34,6 @@ std::optional<double> a_million_times(const std::string& text) {
   return number.ok() ? std::optional<double>(number.value) : std::nullopt;
 }
 
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-
 // "z=1.25", "layer 3 z 0.6", "Z: -2 mm"; of a layer's label also the number alone.
 std::optional<double> height_in(std::string_view text, bool alone) {
   if (const auto number = parse_range(text); alone && number && !number->is_range) {
@@ -221,7 +219,7 @@ class SvgReader {
       shape = points_of(tag, name == "polygon");
     } else if (name == "path") {
       const std::string* const data = tag.find("d");
-      if (data != nullptr) shape = svg_path(*data);
+      if (data != nullptr) shape = svg_path(*data, budget_);
     } else if (name == "rect" || name == "circle" || name == "ellipse" || name == "line") {
       shape = simple_shape(tag, name);
     } else {
@@ -232,6 +230,7 @@ class SvgReader {
       return scanner_.complain(tag.position, shape.problem + " (in " + place_of(element) + ')');
     }
     curves_ += shape.curves;
+    budget_ -= std::min(budget_, shape.curve_points);
     if (shape.lines.empty()) return {};
     if (element.layer == 0) return without_height(tag);
     const std::string* const type = tag.find("slic3r:type");
@@ -239,12 +238,6 @@ class SvgReader {
       return scanner_.complain(tag.position, "the file has more lines than a few bytes each allow");
     }
     for (SvgLine& line : shape.lines) {
-      if (line.points.size() > budget_) {
-        return scanner_.complain(tag.position,
-                                 "the file has more curves than can be turned into lines: convert "
-                                 "them to line segments");
-      }
-      budget_ -= std::min(budget_, shape.curves > 0 ? line.points.size() : 0);
       add_line(std::move(line), tag, element, type != nullptr ? *type : std::string());
     }
     return {};
@@ -311,6 +304,8 @@ class SvgReader {
     if (rx > 0 && ry > 0) {
       shape.lines.push_back(svg_ellipse({value("cx"), value("cy")}, rx, ry));
       shape.curves = 1;
+      shape.curve_points = shape.lines.back().points.size();
+      if (shape.curve_points > budget_) shape.problem = "more curves than can be turned into lines";
     }
     return shape;
   }

@@ -13,9 +13,6 @@ namespace tetloft::internal::io {
 
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-
 // Numbers may follow each other without blanks: "1-2.5.5" is 1, −2.5, 0.5.
 class NumberScanner {
  public:
@@ -84,7 +81,7 @@ void flatten(const std::array<Point2, 4>& p, std::vector<Point2>& points) {
 
 class PathReader {
  public:
-  explicit PathReader(std::string_view data) : in_(data) {}
+  PathReader(std::string_view data, std::size_t most) : in_(data), most_(most) {}
 
   SvgLines read() {
     for (in_.skip(); !in_.at_end(); in_.skip()) {
@@ -166,8 +163,14 @@ class PathReader {
       control[1] = {(at_.x + 2 * first.x) / 3, (at_.y + 2 * first.y) / 3};
       control[2] = {(last.x + 2 * first.x) / 3, (last.y + 2 * first.y) / 3};
     }
+    const std::size_t before = line_.points.size();
     flatten(control, line_.points);
     ++out_.curves;
+    out_.curve_points += line_.points.size() - before;
+    if (out_.curve_points > most_) {
+      out_.problem = "more curves than can be turned into lines: convert them to line segments";
+      return false;
+    }
     at_ = last;
     handle_kind_ = cubic ? 'C' : 'Q';
     return true;
@@ -196,6 +199,7 @@ class PathReader {
   }
 
   NumberScanner in_;
+  std::size_t most_;  // points of curves
   SvgLines out_;
   SvgLine line_;
   Point2 at_;
@@ -271,7 +275,7 @@ std::optional<SvgTransform> svg_transform(std::string_view text) {
   }
 }
 
-SvgLines svg_path(std::string_view data) { return PathReader(data).read(); }
+SvgLines svg_path(std::string_view data, std::size_t most) { return PathReader(data, most).read(); }
 
 SvgLine svg_ellipse(const Point2& centre, double rx, double ry) {
   // Quarter by quarter by the rational parametrization, so that no sine is needed.

@@ -30,8 +30,9 @@ struct SvgLine {
 /// What a shape is made of, or why it is not read.
 struct SvgLines {
   std::vector<SvgLine> lines;
-  std::size_t curves = 0;  ///< that became line segments
-  std::string problem;     ///< empty: none
+  std::size_t curves = 0;        ///< that became line segments
+  std::size_t curve_points = 0;  ///< of these
+  std::string problem;           ///< empty: none
 };
 
 /// Numbers separated by blanks and commas, or by their signs and points alone; nothing where there
@@ -42,8 +43,9 @@ struct SvgLines {
 [[nodiscard]] std::optional<SvgTransform> svg_transform(std::string_view text);
 
 /// "d" of a path. Béziers become at most 16 segments each, which deviate by at most 1/512 of the
-/// extent of their control points where 16 suffice for that. Elliptic arcs are a problem.
-[[nodiscard]] SvgLines svg_path(std::string_view data);
+/// extent of their control points where 16 suffice for that. Problems: elliptic arcs, and more than
+/// `most` points of Béziers.
+[[nodiscard]] SvgLines svg_path(std::string_view data, std::size_t most);
 
 /// An ellipse of 64 points, its four extreme ones among them.
 [[nodiscard]] SvgLine svg_ellipse(const Point2& centre, double rx, double ry);

@@ -256,8 +256,8 @@ std::vector<std::string> structure_names(const VolumeHeader& header,
     if (!counts[layer].are_labels()) return {};
     for (const auto& [value, voxels] : counts[layer].values) {
       if (value == 0) continue;
-      const auto is_this = [&](const std::optional<ChosenRegion>& region) {
-        return region && region->layer == layer && region->rule.label == value;
+      const auto is_this = [&, wanted = value](const std::optional<ChosenRegion>& region) {
+        return region && region->layer == layer && region->rule.label == wanted;
       };
       const std::string segment = segment_name(header, layer, value);
       const std::string number = text_of(value);

@@ -366,6 +366,8 @@ TEST(VolumeStack, IsWatchedAndStopped) {
   EXPECT_EQ(done.back(), 14U);
   std::stop_source stop;
   stop.request_stop();
+  options.execution.progress = {};
+  options.execution.stop = stop.get_token();
   EXPECT_THROW(static_cast<void>(read_of(volume, options)), Cancelled);
 }
 

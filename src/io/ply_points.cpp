@@ -1,0 +1,258 @@
+// Reading points of .ply (Turk 1994): a header that declares elements and their properties, then
+// the elements one after the other.
+#include "io/ply_points.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/little_endian.hpp"
+#include "io/cursor.hpp"
+#include "io/numbers.hpp"
+#include "io/rows.hpp"
+
+namespace tetloft::internal::io {
+
+namespace {
+
+enum class PlyType : std::uint8_t { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+
+struct PlyTypeName {
+  std::string_view name;
+  PlyType type;
+  std::size_t bytes;
+};
+constexpr std::array<PlyTypeName, 16> kPlyTypes{{{"char", PlyType::int8, 1},
+                                                 {"int8", PlyType::int8, 1},
+                                                 {"uchar", PlyType::uint8, 1},
+                                                 {"uint8", PlyType::uint8, 1},
+                                                 {"short", PlyType::int16, 2},
+                                                 {"int16", PlyType::int16, 2},
+                                                 {"ushort", PlyType::uint16, 2},
+                                                 {"uint16", PlyType::uint16, 2},
+                                                 {"int", PlyType::int32, 4},
+                                                 {"int32", PlyType::int32, 4},
+                                                 {"uint", PlyType::uint32, 4},
+                                                 {"uint32", PlyType::uint32, 4},
+                                                 {"float", PlyType::float32, 4},
+                                                 {"float32", PlyType::float32, 4},
+                                                 {"double", PlyType::float64, 8},
+                                                 {"float64", PlyType::float64, 8}}};
+
+struct PlyProperty {
+  std::string_view name;
+  PlyTypeName type;
+  std::optional<PlyTypeName> count;  // of lists
+};
+
+struct PlyElement {
+  std::string_view name;
+  std::size_t count = 0;
+  std::vector<PlyProperty> properties;
+};
+
+enum class PlyForm : std::uint8_t { text, little, big };
+
+class PlyReader {
+ public:
+  explicit PlyReader(const Source& source) : bytes_(source.bytes), name_(source.name) {}
+
+  Result<ReadPoints> read() {
+    if (Result<void> head = read_head(); !head) return head.error();
+    for (const PlyElement& element : elements_) {
+      Result<bool> vertices = read_element(element);
+      if (!vertices) return vertices.error();
+      if (*vertices) return std::move(read_);
+    }
+    return complain("the file has no element 'vertex'");
+  }
+
+ private:
+  Error complain(const std::string& message) const {
+    Error error = row_error(name_, line_, message);
+    // Binary data have no lines.
+    if (in_data_ && form_ != PlyForm::text) error.where.line.reset();
+    return error;
+  }
+
+  std::optional<std::string_view> take_line() {
+    if (at_ >= bytes_.size()) return std::nullopt;
+    const std::size_t end = std::min(bytes_.find('\n', at_), bytes_.size());
+    std::string_view line = bytes_.substr(at_, end - at_);
+    at_ = std::min(end + 1, bytes_.size());
+    ++line_;
+    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    return line;
+  }
+
+  Result<void> read_head() {
+    bool formed = false;
+    for (bool first = true;; first = false) {
+      const auto line = take_line();
+      if (!line) return complain("the header does not end");
+      std::vector<std::string_view> words;
+      TextCursor cursor(*line);
+      for (cursor.skip_white(); !cursor.at_end(); cursor.skip_white()) {
+        if (words.size() == 8) break;
+        words.push_back(cursor.token());
+      }
+      if (first) {
+        if (words.size() != 1 || words[0] != "ply") return complain("this is no PLY");
+        continue;
+      }
+      if (words.empty() || words[0] == "comment" || words[0] == "obj_info") continue;
+      if (words[0] == "end_header") break;
+      Result<void> taken = take_words(words, formed);
+      if (!taken) return taken;
+    }
+    if (!formed) return complain("the header names no format");
+    in_data_ = true;
+    return {};
+  }
+
+  Result<void> take_words(const std::vector<std::string_view>& words, bool& formed) {
+    if (words[0] == "format" && words.size() > 1) {
+      formed = true;
+      form_ = words[1] == "ascii"                  ? PlyForm::text
+              : words[1] == "binary_little_endian" ? PlyForm::little
+                                                   : PlyForm::big;
+      if (form_ != PlyForm::big || words[1] == "binary_big_endian") return {};
+      return complain("unknown format " + in_quotes(words[1]));
+    }
+    if (words[0] == "element" && words.size() == 3) {
+      const auto count = parse_integer(words[2]);
+      if (!count || *count < 0) return complain(in_quotes(words[2]) + " is no count");
+      elements_.push_back({words[1], static_cast<std::size_t>(*count), {}});
+      return {};
+    }
+    if (words[0] != "property" || words.size() < 3 || elements_.empty()) {
+      return complain("this is no line of a header: " + in_quotes(words[0]));
+    }
+    const auto type_of = [](std::string_view word) -> std::optional<PlyTypeName> {
+      for (const PlyTypeName& type : kPlyTypes) {
+        if (type.name == word) return type;
+      }
+      return std::nullopt;
+    };
+    PlyProperty property;
+    const bool list = words[1] == "list";
+    if (words.size() != (list ? 5U : 3U)) return complain("a property has too many words, or few");
+    const auto type = type_of(words[list ? 3 : 1]);
+    if (list) property.count = type_of(words[2]);
+    const bool countable = !list || (property.count && property.count->type < PlyType::float32);
+    if (!type || !countable) return complain("a property has no known type");
+    property.type = *type;
+    property.name = words.back();
+    elements_.back().properties.push_back(property);
+    return {};
+  }
+
+  // The next value, at the end nothing.
+  std::optional<double> take(const PlyTypeName& type) {
+    if (form_ == PlyForm::text) {
+      while (at_ < bytes_.size() && is_white(bytes_[at_])) line_ += bytes_[at_++] == '\n' ? 1U : 0U;
+      const std::size_t from = at_;
+      while (at_ < bytes_.size() && !is_white(bytes_[at_])) ++at_;
+      const ParsedNumber number = parse_number(bytes_.substr(from, at_ - from));
+      if (!number.ok()) return std::nullopt;
+      return type.type == PlyType::float32 ? static_cast<float>(number.value) : number.value;
+    }
+    if (bytes_.size() - at_ < type.bytes) return std::nullopt;
+    std::array<char, 8> value{};
+    std::memcpy(value.data(), bytes_.data() + at_, type.bytes);
+    at_ += type.bytes;
+    if (form_ == PlyForm::big) {
+      std::reverse(value.begin(), value.begin() + static_cast<std::ptrdiff_t>(type.bytes));
+    }
+    switch (type.type) {
+      case PlyType::int8: return load_little<std::int8_t>(value.data());
+      case PlyType::uint8: return load_little<std::uint8_t>(value.data());
+      case PlyType::int16: return load_little<std::int16_t>(value.data());
+      case PlyType::uint16: return load_little<std::uint16_t>(value.data());
+      case PlyType::int32: return load_little<std::int32_t>(value.data());
+      case PlyType::uint32: return load_little<std::uint32_t>(value.data());
+      case PlyType::float32: return load_little<float>(value.data());
+      case PlyType::float64: break;
+    }
+    return load_little<double>(value.data());
+  }
+
+  // Whether it was that of the vertices.
+  Result<bool> read_element(const PlyElement& element) {
+    std::array<std::size_t, 3> xyz{};
+    const bool vertices = element.name == "vertex";
+    for (std::size_t i = 0; vertices && i < 3; ++i) {
+      const std::string_view name = std::string_view("xyz").substr(i, 1);
+      const auto found =
+          std::find_if(element.properties.begin(), element.properties.end(),
+                       [&](const PlyProperty& p) { return p.name == name && !p.count; });
+      if (found == element.properties.end()) {
+        return complain("the vertices have no property " + in_quotes(name));
+      }
+      xyz[i] = static_cast<std::size_t>(found - element.properties.begin());
+    }
+    // An element without properties takes no bytes, however many there are.
+    if (element.properties.empty()) return vertices;
+    for (std::size_t k = 0; k < element.count; ++k) {
+      std::array<double, 3> point{};
+      for (std::size_t p = 0; p < element.properties.size(); ++p) {
+        const auto value = take_property(element.properties[p]);
+        if (!value) {
+          return complain(std::string(element.name) + ' ' + std::to_string(k) + " of " +
+                          std::to_string(element.count) + " is cut off, or no number");
+        }
+        for (std::size_t i = 0; i < 3; ++i) {
+          if (vertices && xyz[i] == p) point[i] = *value;
+        }
+      }
+      if (!vertices) continue;
+      if (!std::isfinite(point[0]) || !std::isfinite(point[1]) || !std::isfinite(point[2])) {
+        return complain("vertex " + std::to_string(k) + " is not finite");
+      }
+      read_.points.push_back({point[0], point[1], point[2]});
+    }
+    if (vertices) tell(element.properties.size() - 3);
+    return vertices;
+  }
+
+  std::optional<double> take_property(const PlyProperty& property) {
+    if (!property.count) return take(property.type);
+    const auto count = take(*property.count);
+    if (!count || *count < 0) return std::nullopt;
+    for (double i = 0; i < *count; ++i) {
+      if (!take(property.type)) return std::nullopt;
+    }
+    return 0;
+  }
+
+  void tell(std::size_t others) {
+    if (others == 0) return;
+    Warning warning{"left out: " + std::to_string(others) +
+                        (others == 1 ? " property" : " properties") + " beside x, y and z",
+                    {}};
+    warning.where.file = name_;
+    read_.warnings.push_back(std::move(warning));
+  }
+
+  std::string_view bytes_;
+  const std::string& name_;
+  std::size_t at_ = 0;
+  std::size_t line_ = 0;
+  PlyForm form_ = PlyForm::text;
+  bool in_data_ = false;
+  std::vector<PlyElement> elements_;
+  ReadPoints read_;
+};
+
+}  // namespace
+
+Result<ReadPoints> read_ply_points(const Source& source, const ReadOptions& /*options*/) {
+  return PlyReader(source).read();
+}
+
+}  // namespace tetloft::internal::io

@@ -1,0 +1,12 @@
+// The vertices of .ply files.
+#pragma once
+
+#include "io/format.hpp"
+
+namespace tetloft::internal::io {
+
+/// x, y and z of the element "vertex", of whichever types, as text or binary of either byte order;
+/// other elements, and properties, which a warning tells of, are passed over.
+[[nodiscard]] Result<ReadPoints> read_ply_points(const Source& source, const ReadOptions& options);
+
+}  // namespace tetloft::internal::io
