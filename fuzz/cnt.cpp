@@ -1,6 +1,7 @@
 // The .cnt reader: any bytes give a valid stack or a clean error, and what was read is the same
 // after mending, snapping and validating again; repaired stacks are valid.
 #include <cmath>
+#include <optional>
 
 #include <tetloft/io.hpp>
 #include <tetloft/sections.hpp>
@@ -12,10 +13,17 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace tetloft::fuzz;
   if (const auto raw = parse_cnt(text_of(data, size), "fuzz.cnt", Validity::unchecked);
       raw && raw->stack.vertex_count() < 300) {
-    const auto repaired = repair(raw->stack);
-    if (!repaired) require_clean(repaired.error());
-    require(!repaired || repaired->stack.contour_count() == 0 || validate(repaired->stack).ok(),
-            "a repaired stack is not valid");
+    for (const FillRule fill : {FillRule::odd, FillRule::unite, FillRule::winding}) {
+      const double width = 0.25 * static_cast<double>(size % 16);
+      const auto repaired = repair(
+          raw->stack, {.fill = fill, .keyholes = width > 0 ? std::optional(width) : std::nullopt});
+      if (!repaired) require_clean(repaired.error());
+      require(!repaired || repaired->stack.contour_count() == 0 || validate(repaired->stack).ok(),
+              "a repaired stack is not valid");
+    }
+    const auto arranged = arrange_planes(raw->stack, {PlaneRule::merge, 0.5});
+    require(!arranged || arranged->stack.contour_count() == raw->stack.contour_count(),
+            "planes lose contours");
     for (const Section& section : raw->stack.sections.raw()) {
       for (const Contour& contour : section.contours.raw()) {
         for (const Point2& p : contour.vertices) {

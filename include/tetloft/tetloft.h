@@ -205,6 +205,37 @@ TETLOFT_C_API tetloft_status tetloft_stack_parse(const void* data, size_t size, 
                                                  const tetloft_read_options* options,
                                                  tetloft_stack** stack,
                                                  tetloft_warnings** warnings);
+
+/* What of a file becomes the stack, and how (ReadOptions of tetloft/formats.hpp). */
+#define TETLOFT_STACK_OPTIONS_VERSION 1
+typedef struct tetloft_stack_options {
+  uint32_t version;
+  int32_t unchecked;      /* not 0: not validated */
+  const char* format;     /* by name; NULL: it is recognised */
+  const char* structure;  /* the ROI, object or label by name or number; NULL: the only one */
+  const char* property;   /* of GeoJSON the height; NULL: it is found */
+  int32_t has_iso;        /* not 0: of a volume the region of values of at least */
+  double iso;             /* this */
+  int32_t lattice;        /* not 0: contours of volumes along the faces of voxels */
+  int32_t axis;           /* of volumes, across which: 1, 2 or 3; 0: the last */
+  double plane_tolerance; /* contours so near in height are one section; 0: the default */
+  int32_t close_on_frame; /* not 0: open lines are closed along the rectangle around all */
+  const tetloft_execution* execution; /* NULL: defaults */
+} tetloft_stack_options;
+TETLOFT_C_API tetloft_status tetloft_stack_options_defaults(tetloft_stack_options* options);
+/* tetloft_stack_read() and _parse() with all options; the labels that the file gives its contours,
+ * none in most formats, go to `labels` unless it is NULL. */
+TETLOFT_C_API tetloft_status tetloft_stack_read_by(const char* path,
+                                                   const tetloft_stack_options* options,
+                                                   tetloft_stack** stack,
+                                                   struct tetloft_labels** labels,
+                                                   tetloft_warnings** warnings);
+TETLOFT_C_API tetloft_status tetloft_stack_parse_by(const void* data, size_t size,
+                                                    const char* name,
+                                                    const tetloft_stack_options* options,
+                                                    tetloft_stack** stack,
+                                                    struct tetloft_labels** labels,
+                                                    tetloft_warnings** warnings);
 TETLOFT_C_API tetloft_status tetloft_stack_write(const tetloft_stack* stack, const char* path,
                                                  const tetloft_write_options* options,
                                                  tetloft_warnings** warnings);

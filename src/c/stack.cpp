@@ -5,6 +5,7 @@
 #include "c/arrays.hpp"
 #include "c/handles.hpp"
 #include "c/options.hpp"
+#include "c/structs.hpp"
 
 namespace tetloft::internal::c {
 
@@ -24,6 +25,41 @@ void require_sum(const std::size_t* counts, std::size_t n, std::size_t told, con
   if (left != 0) {
     fail_usage(std::string(name) + " are fewer than the " + std::to_string(told) + ' ' + of);
   }
+}
+
+tetloft_stack_options default_stack_options() {
+  tetloft_stack_options options{};
+  options.version = TETLOFT_STACK_OPTIONS_VERSION;
+  return options;
+}
+
+ReadOptions stack_options_of(const tetloft_stack_options* options) {
+  if (options == nullptr) return {};
+  require_version(*options, TETLOFT_STACK_OPTIONS_VERSION, "stack options");
+  ReadOptions result;
+  result.validity = options->unchecked != 0 ? Validity::unchecked : Validity::required;
+  if (options->format != nullptr) result.format = options->format;
+  if (options->structure != nullptr) result.structure = options->structure;
+  if (options->property != nullptr) result.property = options->property;
+  if (options->has_iso != 0) result.iso = options->iso;
+  if (options->lattice != 0) result.contours = VolumeContours::lattice;
+  if (options->axis != 0) result.axis = options->axis - 1;
+  if (options->plane_tolerance != 0) result.plane_tolerance = options->plane_tolerance;
+  result.close_on_frame = options->close_on_frame != 0;
+  result.execution = execution_of(options->execution);
+  return result;
+}
+
+// All of what is wanted, or nothing.
+void hand_out_read(ReadStack read, tetloft_stack** stack, tetloft_labels** labels,
+                   tetloft_warnings** warnings) {
+  NewHandle<tetloft_stack> made(std::move(read.stack));
+  if (labels == nullptr) {
+    hand_out_warnings(warnings, read.warnings);
+  } else {
+    hand_out(labels, std::move(read.labels), warnings, read.warnings);
+  }
+  made.give(stack);
 }
 
 }  // namespace
@@ -85,6 +121,40 @@ tetloft_status tetloft_stack_parse(const void* data, size_t size, const char* na
     tetloft::ReadStack read = value_of(tetloft::parse_stack(
         bytes_of(data, size), text_of(name, "name"), read_options_of(options)));
     hand_out(stack, std::move(read.stack), warnings, read.warnings);
+  });
+}
+
+tetloft_status tetloft_stack_options_defaults(tetloft_stack_options* options) {
+  return answer([&] {
+    require_output(options, "options");
+    *options = default_stack_options();
+  });
+}
+
+tetloft_status tetloft_stack_read_by(const char* path, const tetloft_stack_options* options,
+                                     tetloft_stack** stack, tetloft_labels** labels,
+                                     tetloft_warnings** warnings) {
+  clear(stack);
+  clear(labels);
+  clear(warnings);
+  return answer([&] {
+    require_output(stack, "stack");
+    hand_out_read(value_of(tetloft::read_stack(text_of(path, "path"), stack_options_of(options))),
+                  stack, labels, warnings);
+  });
+}
+
+tetloft_status tetloft_stack_parse_by(const void* data, size_t size, const char* name,
+                                      const tetloft_stack_options* options, tetloft_stack** stack,
+                                      tetloft_labels** labels, tetloft_warnings** warnings) {
+  clear(stack);
+  clear(labels);
+  clear(warnings);
+  return answer([&] {
+    require_output(stack, "stack");
+    hand_out_read(value_of(tetloft::parse_stack(bytes_of(data, size), text_of(name, "name"),
+                                                stack_options_of(options))),
+                  stack, labels, warnings);
   });
 }
 

@@ -246,6 +246,53 @@ TEST(StacksOfC, AreRepairedByAllOptionsAsInCpp) {
   EXPECT_EQ(status(), TETLOFT_USAGE);
 }
 
+TEST(StacksOfC, AreReadByAllOptionsAsInCpp) {
+  // Two labels in three planes x = const: turned, and told with the stack.
+  std::string text = "CSLC\n3 3\n";
+  for (int plane = 1; plane <= 3; ++plane) {
+    const std::string x = std::to_string(plane);
+    text += '\n' + x + " 6 2 1 0 0 -" + x + "\n\n";
+    for (const char* yz : {" 0 0", " 4 0", " 0 4", " 10 0", " 14 0", " 10 4"})
+      text += x + yz + '\n';
+    text += "\n3 1 0 1 2\n3 2 3 4 5\n";
+  }
+  tetloft_stack_options options;
+  ASSERT_OK(tetloft_stack_options_defaults(&options));
+  Owned<tetloft_stack> stack;
+  Owned<tetloft_labels> labels;
+  Owned<tetloft_warnings> warnings;
+  ASSERT_OK(tetloft_stack_parse_by(text.data(), text.size(), "a.csl", &options, stack.out(),
+                                   labels.out(), warnings.out()));
+  const ReadStack expected = parse_stack(text, "a.csl").value();
+  expect_same_stack(stack, expected.stack);
+  EXPECT_EQ(expected.labels.labels.size(), 6U);
+  Owned<tetloft_bytes> lines;
+  ASSERT_OK(tetloft_labels_format(labels, lines.out()));
+  EXPECT_EQ(bytes_of(lines), format_labels(expected.labels).value());
+  EXPECT_EQ(texts_of(warnings), texts(expected.warnings));
+
+  options.structure = "2";
+  Owned<tetloft_stack> one;
+  ASSERT_OK(tetloft_stack_parse_by(text.data(), text.size(), "a.csl", &options, one.out(), nullptr,
+                                   nullptr));
+  ReadOptions reading;
+  reading.structure = "2";
+  expect_same_stack(one, parse_stack(text, "a.csl", reading).value().stack);
+  const auto status = [&] {
+    Owned<tetloft_stack> none;
+    return tetloft_stack_parse_by(text.data(), text.size(), "a.csl", &options, none.out(), nullptr,
+                                  nullptr);
+  };
+  options.structure = "3";
+  EXPECT_EQ(status(), TETLOFT_USAGE);
+  options.structure = nullptr;
+  options.plane_tolerance = -1;
+  EXPECT_EQ(status(), TETLOFT_USAGE);
+  options.plane_tolerance = 0;
+  options.axis = 4;
+  EXPECT_EQ(status(), TETLOFT_USAGE);
+}
+
 TEST(StacksOfC, HaveTheirPlanesArrangedAsInCpp) {
   const SectionStack given = read_cnt(sample("fork")).value().stack;
   SectionStack turned = given;

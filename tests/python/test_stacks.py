@@ -2,6 +2,7 @@
 
 import copy
 import io
+import json
 import math
 import os
 import pathlib
@@ -28,6 +29,30 @@ class Stacks(unittest.TestCase):
     def test_are_made_of_other_stacks(self):
         again = tetloft.Stack(tube())
         self.assertEqual(again.to_bytes(), tube().to_bytes())
+
+    def test_are_read_by_all_options(self):
+        square = {"type": "Polygon", "coordinates": [[[0, 0], [4, 0], [4, 4], [0, 4], [0, 0]]]}
+        features = [{"type": "Feature", "geometry": square,
+                     "properties": {"id": 7, "roof": z, "height": z + 1}} for z in (0, 5)]
+        text = json.dumps({"type": "FeatureCollection", "features": features}).encode()
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", tetloft.TetloftWarning)
+            self.assertEqual(tetloft.parse_stack(text, "a.geojson").z, [1, 6])
+            stack = tetloft.parse_stack(text, "a.geojson", property="roof")
+        self.assertEqual(stack.z, [0, 5])
+        self.assertIsNone(stack.labels)
+        with self.assertRaises(TypeError):
+            tetloft.parse_stack(text, "a.geojson", rof="roof")
+        with self.assertRaises(ValueError):
+            tetloft.parse_stack(text, "a.geojson", axis=3)
+        with self.assertRaises(tetloft.UsageError):
+            tetloft.parse_stack(text, "a.geojson", structure="lung")
+
+    def test_bring_labels_along(self):
+        plane = "\n{0} 3 1 0 0 1 -{0}\n\n0 0 {0}\n4 0 {0}\n0 4 {0}\n\n3 1 0 1 2\n"
+        text = ("CSLC\n2 2\n" + plane.format(1) + plane.format(2)).encode()
+        stack = tetloft.parse_stack(text, "a.csl")
+        self.assertEqual(stack.labels.to_bytes(), b"0 0 1\n1 0 1\n")
 
     def test_may_be_empty(self):
         stack = tetloft.Stack([])

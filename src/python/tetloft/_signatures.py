@@ -47,6 +47,13 @@ FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
     "tetloft_stack_parse": (STATUS, [
         ADDRESS, SIZE, TEXT, to(structs.ReadOptions), to(HANDLE), to(HANDLE),
     ]),
+    "tetloft_stack_options_defaults": (STATUS, [to(structs.StackOptions)]),
+    "tetloft_stack_read_by": (STATUS, [
+        TEXT, to(structs.StackOptions), to(HANDLE), to(HANDLE), to(HANDLE),
+    ]),
+    "tetloft_stack_parse_by": (STATUS, [
+        ADDRESS, SIZE, TEXT, to(structs.StackOptions), to(HANDLE), to(HANDLE), to(HANDLE),
+    ]),
     "tetloft_stack_write": (STATUS, [HANDLE, TEXT, to(structs.WriteOptions), to(HANDLE)]),
     "tetloft_stack_format": (STATUS, [HANDLE, to(structs.WriteOptions), to(HANDLE), to(HANDLE)]),
     "tetloft_stack_free": (STATUS, [HANDLE]),

@@ -54,6 +54,23 @@ class ReadOptions(ctypes.Structure):
     _fields_ = [("version", c_uint32), ("unchecked", c_int32), ("format", c_char_p)]
 
 
+class StackOptions(ctypes.Structure):
+    _fields_ = [
+        ("version", c_uint32),
+        ("unchecked", c_int32),
+        ("format", c_char_p),
+        ("structure", c_char_p),
+        ("property", c_char_p),
+        ("has_iso", c_int32),
+        ("iso", c_double),
+        ("lattice", c_int32),
+        ("axis", c_int32),
+        ("plane_tolerance", c_double),
+        ("close_on_frame", c_int32),
+        ("execution", ctypes.POINTER(Execution)),
+    ]
+
+
 class WriteOptions(ctypes.Structure):
     _fields_ = [("version", c_uint32), ("ascii", c_int32), ("format", c_char_p)]
 

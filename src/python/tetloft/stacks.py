@@ -4,18 +4,21 @@ from __future__ import annotations
 
 import ctypes
 from ctypes import c_double, c_size_t
-from typing import Any, Iterable, Iterator, NamedTuple, Optional
+from typing import TYPE_CHECKING, Any, Iterable, Iterator, NamedTuple, Optional
 
 from . import _structs as structs
 from ._arrays import ArrayLike, Doubles, Ids, Input, doubles, filled, joined, view
 from ._handles import Handle, Owner, Warnings
 from ._library import lib
 from ._options import (
-    Path, choice, defaults, index, path_bytes, read_options, text, whole, write_options
+    Path, choice, defaults, index, path_bytes, text, whole, write_options
 )
 from ._running import Progress, Run, Stop
 from .formats import Data, Source, as_bytes, format_bytes, opened_file
 from .meshes import Triangulation
+
+if TYPE_CHECKING:
+    from .correspondence import Labels
 
 
 class Section(NamedTuple):
@@ -75,6 +78,8 @@ class Stack(Owner):
     5.0
     """
 
+    labels: Optional[Labels] = None
+    """That the file gives its contours."""
     repaired: Optional[Repair] = None
     """Of a stack that :meth:`repair` made: what it did."""
 
@@ -288,25 +293,76 @@ def _unpickled(z: list[float], contour_counts: list[int], vertex_counts: list[in
     return stack
 
 
-def read_stack(source: Source, *, format: Optional[str] = None, validate: bool = True) -> Stack:
+_READING = frozenset({
+    "format", "validate", "structure", "iso", "lattice", "axis", "property", "plane_tolerance",
+    "close_on_frame", "threads", "progress", "stop",
+})
+
+
+class _Read:
+    """A stack on its way from the library."""
+
+    def __init__(self, given: dict[str, Any]) -> None:
+        unknown = sorted(set(given) - _READING)
+        if unknown:
+            raise TypeError(f"there is no option {unknown[0]!r} of reading")
+        self.run = Run(given.get("threads", 0), given.get("progress"), given.get("stop"))
+        self.stack, self.labels, self.warnings = Handle("stack"), Handle("labels"), Warnings()
+        self.options = options = defaults(structs.StackOptions, "stack_options")
+        options.unchecked = not given.get("validate", True)
+        for name, value in (("format", given.get("format")), ("property", given.get("property")),
+                            ("structure", given.get("structure"))):
+            if value is not None:
+                setattr(options, name, text(str(value), name))
+        iso = given.get("iso")
+        if iso is not None:
+            options.has_iso, options.iso = 1, iso
+        options.lattice = bool(given.get("lattice", False))
+        axis = given.get("axis")
+        if axis is not None:
+            options.axis = whole(axis, "axis", 0, 2) + 1
+        tolerance = given.get("plane_tolerance")
+        if tolerance is not None:
+            if not tolerance > 0:
+                raise ValueError(f"plane_tolerance: {tolerance} is not above 0")
+            options.plane_tolerance = tolerance
+        options.close_on_frame = bool(given.get("close_on_frame", False))
+        options.execution = self.run.pointer
+
+    def call(self, function: Any, *source: Any) -> Stack:
+        from .correspondence import Labels
+
+        self.run.call(function, *source, ctypes.byref(self.options), self.stack.out,
+                      self.labels.out, self.warnings.out)
+        labels = Labels._of(self.labels)
+        stack = Stack._of(self.stack, self.warnings.tell())
+        if labels.to_bytes():
+            stack.labels = labels
+        return stack
+
+
+def read_stack(source: Source, **options: Any) -> Stack:
     """The stack of a file: a path, or a file opened for bytes.
 
-    The format is recognised, or named. ``validate=False`` takes one that is not valid, to be
-    repaired. What was mended comes as :class:`TetloftWarning`, and as ``warnings`` of the stack.
+    Options, all by keyword: ``format``, by name, or it is recognised; ``validate=False`` takes a
+    stack that is not valid, to be repaired; ``structure``, of a file with several ROIs, objects or
+    labels the one of this name or number; of a volume ``iso``, for the region where values are at
+    least this, ``lattice=True`` for contours along the faces of voxels, ``axis``, the index axis (0
+    to 2) across which sections are taken; ``property``, of GeoJSON the height; ``plane_tolerance``:
+    contours whose heights differ by at most this are one section; ``close_on_frame=True``: open
+    lines that end at the rectangle around all lines are closed along it; ``threads``, ``progress``,
+    ``stop``.
+
+    What was mended comes as :class:`TetloftWarning`, and as ``warnings`` of the stack; labels that
+    the file gives its contours as ``labels``.
     """
     opened = opened_file(source)
     if opened:
-        return parse_stack(*opened, format=format, validate=validate)
-    made, warnings = Handle("stack"), Warnings()
-    lib.tetloft_stack_read(path_bytes(source), read_options(format, validate), made.out,
-                           warnings.out)
-    return Stack._of(made, warnings.tell())
+        return parse_stack(*opened, **options)
+    return _Read(options).call(lib.tetloft_stack_read_by, path_bytes(source))
 
 
-def parse_stack(data: Data, name: str = "", *, format: Optional[str] = None,
-                validate: bool = True) -> Stack:
+def parse_stack(data: Data, name: str = "", **options: Any) -> Stack:
     """The same from bytes; ``name`` stands for the file in messages, and tells the extension."""
-    made, warnings, given = Handle("stack"), Warnings(), as_bytes(data)
-    lib.tetloft_stack_parse(given, len(given), text(name, "name"), read_options(format, validate),
-                            made.out, warnings.out)
-    return Stack._of(made, warnings.tell())
+    read, given = _Read(options), as_bytes(data)
+    return read.call(lib.tetloft_stack_parse_by, given, len(given), text(name, "name"))

@@ -76,6 +76,15 @@ tetloft_status find_array(A& a, Found found) {
   return found(links, array, a.output<std::size_t>());
 }
 
+const tetloft_stack_options* stack_options(A& a) {
+  tetloft_stack_options options;
+  tetloft_stack_options_defaults(&options);
+  options.unchecked = static_cast<std::int32_t>(a.integer(0));
+  options.close_on_frame = static_cast<std::int32_t>(a.integer(0));
+  options.execution = execution(a);
+  return a.options(options);
+}
+
 constexpr auto kCalls = std::to_array<Call>({
     {"tetloft_stack_create", create_stack},
     {"tetloft_stack_read",
@@ -94,6 +103,27 @@ constexpr auto kCalls = std::to_array<Call>({
        auto* const stack = a.handle_output<tetloft_stack>();
        return tetloft_stack_parse(data.data, data.size, name, options, stack,
                                   a.optional_handle_output<tetloft_warnings>());
+     }},
+    {"tetloft_stack_options_defaults",
+     [](A& a) { return tetloft_stack_options_defaults(a.output<tetloft_stack_options>()); }},
+    {"tetloft_stack_read_by",
+     [](A& a) {
+       const char* const path = a.file("sample.cnt");
+       const auto* const options = stack_options(a);
+       auto* const stack = a.handle_output<tetloft_stack>();
+       auto* const labels = a.optional_handle_output<tetloft_labels>();
+       return tetloft_stack_read_by(path, options, stack, labels,
+                                    a.optional_handle_output<tetloft_warnings>());
+     }},
+    {"tetloft_stack_parse_by",
+     [](A& a) {
+       const auto data = a.array(bytes(kMendedText));
+       const char* const name = a.text("mended.cnt");
+       const auto* const options = stack_options(a);
+       auto* const stack = a.handle_output<tetloft_stack>();
+       auto* const labels = a.optional_handle_output<tetloft_labels>();
+       return tetloft_stack_parse_by(data.data, data.size, name, options, stack, labels,
+                                     a.optional_handle_output<tetloft_warnings>());
      }},
     {"tetloft_stack_write",
      [](A& a) {
