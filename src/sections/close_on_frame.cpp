@@ -17,9 +17,18 @@
 namespace tetloft {
 
 using namespace internal;
-using namespace internal::sections;
 
 namespace {
+
+// One by one: in the one file a directive would hand the names of all sources to those behind.
+using sections::closing;
+using sections::ContourEdges;
+using sections::FramedContour;
+using sections::FramedSection;
+using sections::FramePosition;
+using sections::LineEnd;
+using sections::OpenLineOnFrame;
+using sections::Rectangle;
 
 // [whether the closing is the one with inside before the corner]
 using ByClosing = std::array<std::size_t, 2>;

@@ -27,7 +27,7 @@ constexpr std::string_view kDeflated = "1.2.840.10008.1.2.1.99";
 constexpr std::string_view kEncapsulated[] = {"1.2.840.10008.1.2.4.", "1.2.840.10008.1.2.5"};
 
 // Structure sets deflate to a quarter or a tenth; what becomes far larger is made to fill memory.
-constexpr std::size_t kMostUnpacked = 32;
+constexpr std::size_t kMostDeflatedRatio = 32;
 constexpr std::size_t kUnpackedAnyway = std::size_t{1} << 20;
 constexpr std::size_t kUnpackedPiece = std::size_t{1} << 14;
 
@@ -156,7 +156,7 @@ Result<void> DicomFile::take_syntax(std::size_t at, WarningList& warnings) {
 
 // Piece by piece, so that errors tell the place in the file.
 Result<void> DicomFile::unpack() {
-  const std::size_t most = kMostUnpacked * bytes_.size() + kUnpackedAnyway;
+  const std::size_t most = kMostDeflatedRatio * bytes_.size() + kUnpackedAnyway;
   const MemoryBytes source(bytes_);
   Inflater inflater(source, begin_, Wrapping::raw, name_);
   for (std::size_t piece = kUnpackedPiece; true; piece = std::max(piece, unpacked_.size())) {

@@ -20,7 +20,7 @@ Error choice_error(const std::string& name, const std::string& message,
   return error;
 }
 
-std::string text_of(double value) {
+std::string value_text(double value) {
   std::string text;
   append_number(text, value);
   return text;
@@ -50,7 +50,7 @@ std::string listed_labels(const VolumeHeader& header, std::size_t layer,
   std::vector<std::string> texts;
   for (const auto& [value, voxels] : counts.values) {
     if (value == 0) continue;
-    std::string text = text_of(value);
+    std::string text = value_text(value);
     const std::string segment = segment_name(header, layer, value);
     if (!segment.empty()) text += ' ' + in_quotes(segment);
     texts.push_back(text + " (" + std::to_string(voxels) + (voxels == 1 ? " voxel)" : " voxels)"));
@@ -61,7 +61,7 @@ std::string listed_labels(const VolumeHeader& header, std::size_t layer,
 std::string listed_segments(const VolumeHeader& header) {
   std::vector<std::string> texts;
   for (const VolumeSegment& segment : header.segments) {
-    std::string text = text_of(segment.value) + ' ' + in_quotes(segment.name);
+    std::string text = value_text(segment.value) + ' ' + in_quotes(segment.name);
     if (header.layers > 1) text += " in volume " + std::to_string(segment.layer + 1);
     texts.push_back(std::move(text));
   }
@@ -69,7 +69,7 @@ std::string listed_segments(const VolumeHeader& header) {
 }
 
 std::string range_of(const ValueCounts& counts) {
-  return "from " + text_of(counts.least) + " to " + text_of(counts.largest);
+  return "from " + value_text(counts.least) + " to " + value_text(counts.largest);
 }
 
 ChosenRegion region_of(const VolumeSegment& segment) {
@@ -235,7 +235,7 @@ Error empty_region(Volume& volume, const std::string& name, const ReadOptions& o
   if (!counts) return counts.error();
   if (region.rule.iso) {
     return choice_error(name,
-                        "no voxel has a value of at least " + text_of(*region.rule.iso) +
+                        "no voxel has a value of at least " + value_text(*region.rule.iso) +
                             "; they are " + range_of(*counts),
                         ErrorCode::invalid_input);
   }
@@ -245,7 +245,7 @@ Error empty_region(Volume& volume, const std::string& name, const ReadOptions& o
   }
   const std::string labels = listed_labels(volume.header(), region.layer, *counts);
   return choice_error(
-      name, "no voxel has the value " + text_of(region.rule.label) + "; " +
+      name, "no voxel has the value " + value_text(region.rule.label) + "; " +
                 (labels.empty() ? "values are " + range_of(*counts) : "there is " + labels));
 }
 
@@ -260,7 +260,7 @@ std::vector<std::string> structure_names(const VolumeHeader& header,
         return region && region->layer == layer && region->rule.label == wanted;
       };
       const std::string segment = segment_name(header, layer, value);
-      const std::string number = text_of(value);
+      const std::string number = value_text(value);
       const auto by_number = named_segment(header, number);
       if (!segment.empty() && is_this(named_segment(header, segment))) {
         names.push_back(segment);
