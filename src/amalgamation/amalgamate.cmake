@@ -168,10 +168,10 @@ ${text}
 ")
 
 foreach(module IN LISTS MODULES)
-  place_all("src/${module}/*.hpp")
+  place_all("src/${module}/*.hpp" "src/${module}/*/*.hpp")
 endforeach()
 foreach(module IN LISTS MODULES)
-  place_all("src/${module}/*.cpp" "src/${module}/*.cpp.in")
+  place_all("src/${module}/*.cpp" "src/${module}/*/*.cpp" "src/${module}/*.cpp.in")
 endforeach()
 take(text)
 file(WRITE "${OUT}/tetloft.cpp" "\

@@ -43,6 +43,7 @@ Result<void> Console::deliver(const std::string& text) {
 }
 
 void Console::say(const std::string& text) const {
+  if (!shows_) return;
   const std::string line = "tetloft: " + printable(text) + '\n';
   std::fwrite(line.data(), 1, line.size(), stderr);
 }

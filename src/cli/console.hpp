@@ -17,6 +17,12 @@ namespace tetloft::cli {
 class Console {
  public:
   Console(bool json, bool quiet) : json_(json), quiet_(quiet) {}
+  /// Shows nothing and keeps warnings: of work beside others.
+  [[nodiscard]] static Console keeping() {
+    Console console(false, true);
+    console.shows_ = false;
+    return console;
+  }
 
   [[nodiscard]] bool json() const { return json_; }
   [[nodiscard]] bool quiet() const { return quiet_; }
@@ -48,6 +54,7 @@ class Console {
 
   bool json_;
   bool quiet_;
+  bool shows_ = true;
   bool delivered_ = false;  // or tried to
   std::vector<Warning> warnings_;
   std::map<std::string, Kind> kinds_;

@@ -11,11 +11,9 @@
 #include "cli/link_report.hpp"
 #include "cli/outputs.hpp"
 #include "cli/progress.hpp"
+#include "cli/reconstruct_all.hpp"
+#include "cli/reconstruct_request.hpp"
 #include "cli/repaired_output.hpp"
-#include "cli/stack_input.hpp"
-#include "cli/verdicts.hpp"
-#include "core/option_rules.hpp"
-#include "io/numbers.hpp"
 
 namespace tetloft::cli {
 
@@ -65,70 +63,6 @@ Usage reconstruct_usage() {
     usage.options.push_back(option);
   }
   return usage;
-}
-
-struct Request {
-  std::string input;
-  ModelOutputs outputs;
-  ReconstructOptions options;
-  Preparation preparation;
-  bool verify = false;
-};
-
-// Everything that can be said about the command line before a file is read.
-Result<Request> request_of(const Arguments& arguments, Console& console) {
-  Request request;
-  request.input = arguments.operand(0);
-  auto outputs = model_outputs(arguments);
-  if (!outputs) return outputs.error();
-  request.outputs = *std::move(outputs);
-  const auto correspondence = correspondence_options(arguments, console);
-  if (!correspondence) return correspondence.error();
-  request.options.correspondence = *correspondence;
-  const auto prepared = preparation(arguments);
-  if (!prepared) return prepared.error();
-  request.preparation = *prepared;
-  const auto between = sections_between_option(arguments, "--between", std::nullopt);
-  if (!between) return between.error();
-  request.options.between = *between;
-  const auto ends = arguments.choice("--ends");
-  if (!ends) return ends.error();
-  request.options.ends = ends->value_or(0) == 0 ? Ends::flat : Ends::half;
-  request.options.divide_coarse = !arguments.has("--no-divide");
-  const auto thickness = arguments.number("--thickness");
-  if (!thickness) return thickness.error();
-  if (thickness->has_value() && !is_length(**thickness)) {
-    return usage_error("option --thickness: " + io::in_quotes(*arguments.text("--thickness")) +
-                       " is not above 0");
-  }
-  request.options.thickness = *thickness;
-  const auto engine = engine_option(arguments, "--delaunay");
-  if (!engine) return engine.error();
-  request.options.delaunay = *engine;
-  const auto work = work_limit_option(arguments, kDefaultWorkLimit);
-  if (!work) return work.error();
-  request.options.work_limit = *work;
-  const auto threads = threads_option(arguments);
-  if (!threads) return threads.error();
-  request.options.execution.threads = *threads;
-  request.verify = arguments.has("--verify");
-  return request;
-}
-
-// An internal error where a guarantee fails: reconstruct promises them.
-Result<void> verify(const Model& model, const StackInput& input, const Request& request) {
-  CheckOptions options;
-  options.correspondence = request.options.correspondence;
-  options.execution.threads = request.options.execution.threads;
-  const Result<CheckReport> report = check(model, input.stack, options);
-  if (!report) return report.error();
-  for (const GuaranteeVerdict& verdict : report->guarantees) {
-    if (verdict.pass) continue;
-    return Error{ErrorCode::internal,
-                 "verification failed: " + describe(verdict, verdict.failures.front()),
-                 {}};
-  }
-  return {};
 }
 
 // Wall-clock seconds of what the command line does around the reconstruction.
@@ -182,7 +116,7 @@ std::string to_json(const Reconstruction& result, const StackInput& input, const
 }
 
 std::string to_text(const Reconstruction& result, const StackInput& input, const Seconds& seconds,
-                    const Request& request) {
+                    const ReconstructRequest& request) {
   const ReconstructReport& report = result.report;
   std::string text;
   text += describe_preparation(input);
@@ -231,8 +165,11 @@ Result<int> run_reconstruct(const Arguments& arguments, Console& console) {
   if (!method) return method.error();
   if (method->value_or(0) == 1) return reconstruct_by_geiger(arguments, console);
   const Stopwatch all;
-  Result<Request> request = request_of(arguments, console);
+  Result<ReconstructRequest> request = reconstruct_request_of(arguments, console);
   if (!request) return request.error();
+  if (request->preparation.read.structure == kAllStructures) {
+    return reconstruct_all(arguments, *request, console);
+  }
   Seconds seconds;
   Stopwatch reading;
   const auto input = read_stack_input(request->input, request->preparation, console);
@@ -254,7 +191,7 @@ Result<int> run_reconstruct(const Arguments& arguments, Console& console) {
   console.warn_of(request->input, result->warnings);
   if (request->verify) {
     const Stopwatch verifying;
-    Result<void> verified = verify(result->model, *input, *request);
+    Result<void> verified = verify(result->model, input->stack, request->options);
     if (!verified) return verified.error();
     seconds.verify = verifying.seconds();
   }

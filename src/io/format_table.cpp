@@ -12,6 +12,8 @@
   FORMAT(slc)                        \
   FORMAT(imod)                       \
   FORMAT(nifti)                      \
+  FORMAT(nrrd)                       \
+  FORMAT(metaimage)                  \
   FORMAT(cnt)                        \
   FORMAT(vtu)                        \
   FORMAT(obj)                        \

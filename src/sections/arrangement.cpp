@@ -41,7 +41,7 @@ void Arrangement::add_edge(const Point2& a, const Point2& b, ContourId contour) 
 
 Arrangement::Outcome Arrangement::settle() {
   constexpr int kRounds = 20;
-  constexpr std::size_t kGrowth = 8;
+  constexpr std::size_t kGrowth = 64;
   const std::size_t many = 100 + kGrowth * pieces_.size();
   merge_near_nodes();
   cancel();

@@ -78,7 +78,8 @@ Result<SampleType> sample_type(int datatype, const std::string& name) {
   return volume_error(name, "datatype " + std::to_string(datatype) + " is unknown");
 }
 
-Result<void> set_sizes(const NiftiHeader& nifti, const std::string& name, VolumeHeader& header) {
+Result<void> set_nifti_sizes(const NiftiHeader& nifti, const std::string& name,
+                             VolumeHeader& header) {
   const std::int64_t dimensions = nifti.dim[0];
   if (dimensions < 1 || dimensions > 7) {
     return volume_error(
@@ -176,7 +177,7 @@ Result<std::unique_ptr<Volume>> open_nifti(const Source& source, const ReadOptio
                         "it to NIfTI");
   }
   VolumeHeader header;
-  if (Result<void> set = set_sizes(*nifti, source.name, header); !set) return set.error();
+  if (Result<void> set = set_nifti_sizes(*nifti, source.name, header); !set) return set.error();
   const Result<SampleType> type = sample_type(nifti->datatype, source.name);
   if (!type) return type.error();
   header.type = name_of(*type);

@@ -55,6 +55,11 @@ Matrix qform_matrix(const NiftiHeader& nifti, const std::array<double, 3>& sizes
   m[2] = {2 * (b * d - a * c) * sizes[0], 2 * (c * d + a * b) * sizes[1],
           (a * a + d * d - c * c - b * b) * k, o[2]};
   m[3] = {0, 0, 0, 1};
+  for (auto& row : m) {
+    for (double& entry : row) {
+      if (entry == 0) entry = 0;  // not −0
+    }
+  }
   return m;
 }
 

@@ -175,5 +175,104 @@ TEST(ReferenceVolumes, Nifti) {
   }
 }
 
+void expect_segments(const VolumeSummary& volume, const JsonValue& segments) {
+  for (const auto& [key, value] : segments.object) {
+    const std::size_t end = key.find("_LabelValue");
+    if (end == std::string::npos) continue;
+    const std::string name = segments.at(key.substr(0, end) + "_Name").string;
+    std::size_t found = 0;
+    for (const LabelSummary& label : volume.labels) {
+      if (label.value == std::stod(value.string) && label.name == name) ++found;
+    }
+    EXPECT_EQ(found, 1U) << name;
+  }
+}
+
+// Directions stand in the truth axis by axis; without them ITK tells what spacings and axis mins
+// come to.
+void expect_nrrd_place(const VolumeSummary& volume, const JsonValue& truth) {
+  const JsonValue& directions = truth.at("space_directions");
+  std::size_t axis = 0;
+  for (const JsonValue& direction : directions.array) {
+    if (direction.kind != JsonValue::Kind::array) continue;
+    for (std::size_t row = 0; row < direction.array.size(); ++row) {
+      EXPECT_EQ(volume.matrix[row][axis], direction.array[row].number);
+    }
+    ++axis;
+  }
+  const std::vector<double> origin = numbers_of(truth.at("space_origin"));
+  for (std::size_t row = 0; row < origin.size(); ++row) {
+    EXPECT_EQ(volume.matrix[row][3], origin[row]);
+  }
+  if (volume.size.size() == 3) {
+    expect_itk(volume, truth.at("itk_5.2_via_plastimatch"), volume.space == "RAS");
+  }
+}
+
+TEST(ReferenceVolumes, Nrrd) {
+  const std::string folder = reference_folder() + "nrrd/";
+  const std::vector<std::string> names = files_in(folder);
+  if (names.empty()) GTEST_SKIP() << "no reference files in " << folder;
+  for (const std::string& name : names) {
+    SCOPED_TRACE(name);
+    const JsonValue truth = *test::parse_json(test::get(folder + name + ".truth.json"));
+    if (name.find("bz2") != std::string::npos || name.find("bzip2") != std::string::npos) {
+      expect_refused(folder + name, "save them in gzip");
+      continue;
+    }
+    if (name.find("minus_five") != std::string::npos) {
+      expect_refused(folder + name, "'-5' is neither");
+      continue;
+    }
+    const Result<FileSummary> summary = inspect(folder + name);
+    ASSERT_TRUE(summary.ok()) << to_string(summary.error());
+    EXPECT_EQ(summary->format, "nrrd");
+    const VolumeSummary& volume = *summary->volume;
+    if (truth.has("sizes")) {
+      EXPECT_EQ(as_numbers(volume.size), numbers_of(truth.at("sizes")));
+    }
+    if (truth.at("dtype").kind == JsonValue::Kind::string) {
+      EXPECT_EQ(volume.type, plain_type(truth.at("dtype").string));
+    }
+    // Where pynrrd fails, and the truth was taken from the file that this one was made of, there is
+    // but the labels to compare.
+    expect_nrrd_place(volume, truth);
+    expect_labels(volume, truth.at("labels"));
+    expect_segments(volume, truth.at("segments"));
+    expect_stacks(folder + name, volume);
+  }
+}
+
+TEST(ReferenceVolumes, MetaImage) {
+  const std::string folder = reference_folder() + "metaimage/";
+  const std::vector<std::string> names = files_in(folder);
+  if (names.empty()) GTEST_SKIP() << "no reference files in " << folder;
+  for (const std::string& name : names) {
+    SCOPED_TRACE(name);
+    const JsonValue truth = *test::parse_json(test::get(folder + name + ".truth.json"));
+    const Result<FileSummary> summary = inspect(folder + name);
+    ASSERT_TRUE(summary.ok()) << to_string(summary.error());
+    EXPECT_EQ(summary->format, "metaimage");
+    const VolumeSummary& volume = *summary->volume;
+    EXPECT_EQ(as_numbers(volume.size), numbers_of(truth.at("dims")));
+    EXPECT_EQ(volume.type, plain_type(truth.at("dtype").string));
+    EXPECT_EQ(volume.space, "LPS");
+    const std::vector<double> spacing = numbers_of(truth.at("spacing"));
+    const std::vector<double> offset = numbers_of(truth.at("offset"));
+    for (std::size_t axis = 0; axis < spacing.size(); ++axis) {
+      EXPECT_EQ(volume.spacing[axis], spacing[axis]);
+      EXPECT_EQ(volume.matrix[axis][3], offset[axis]);
+      for (std::size_t row = 0; row < spacing.size(); ++row) {
+        const double direction =
+            truth.at("axis_direction_rows").array.at(axis).array.at(row).number;
+        EXPECT_EQ(volume.matrix[row][axis], direction * spacing[axis]);
+      }
+    }
+    if (spacing.size() == 3) expect_itk(volume, truth.at("itk_5.2_via_plastimatch"), false);
+    expect_labels(volume, truth.at("labels"));
+    expect_stacks(folder + name, volume);
+  }
+}
+
 }  // namespace
 }  // namespace tetloft

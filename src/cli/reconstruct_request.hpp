@@ -1,0 +1,31 @@
+// What reconstruct is asked for.
+#pragma once
+
+#include <string>
+
+#include <tetloft/tetloft.hpp>
+
+#include "cli/arguments.hpp"
+#include "cli/console.hpp"
+#include "cli/outputs.hpp"
+#include "cli/stack_input.hpp"
+
+namespace tetloft::cli {
+
+struct ReconstructRequest {
+  std::string input;
+  ModelOutputs outputs;
+  ReconstructOptions options;
+  Preparation preparation;
+  bool verify = false;
+};
+
+/// Everything that can be said about the command line before a file is read.
+[[nodiscard]] Result<ReconstructRequest> reconstruct_request_of(const Arguments& arguments,
+                                                                Console& console);
+
+/// An internal error where a guarantee fails: reconstruct promises them.
+[[nodiscard]] Result<void> verify(const Model& model, const SectionStack& stack,
+                                  const ReconstructOptions& made_with);
+
+}  // namespace tetloft::cli
