@@ -102,7 +102,8 @@ IdVector<NodeId, NodeId> Arrangement::nearest_kept_nodes() const {
   for (const Point2& p : nodes_) boxes.push_back(box_of(p, p));
   const BoxTree2 tree(boxes);
   IdVector<NodeId, NodeId> kept(nodes_.size());
-  for (const auto& [place, n] : node_of_) {
+  for (const auto& place : node_of_) {
+    const NodeId n = place.second;
     const Point2& p = at(n);
     NodeId nearest = n;
     double least = radius_;
