@@ -17,9 +17,19 @@
 namespace tetloft {
 
 using namespace internal;
-using namespace internal::sections;
 
 namespace {
+
+using sections::closing;
+using sections::ContourEdges;
+using sections::FramedContour;
+using sections::FramedSection;
+using sections::FramePosition;
+using sections::LineEnd;
+using sections::OpenLineOnFrame;
+using sections::position_on;
+using sections::Rectangle;
+using sections::trim_along;
 
 // [whether the closing is the one with inside before the corner]
 using ByClosing = std::array<std::size_t, 2>;
