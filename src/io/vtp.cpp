@@ -106,8 +106,9 @@ Written write_stack_vtp(Sink& sink, const SectionStack& stack, const Target& tar
   std::vector<std::int64_t> ids;
   std::vector<std::int64_t> ends;
   std::vector<std::int32_t> section_of;
-  for (const SectionId s : stack.sections.ids()) {
-    const Section& section = stack.sections[s];
+  std::int32_t written = 0;  // sections: those without contours are not
+  for (const Section& section : stack.sections) {
+    if (section.contours.empty()) continue;
     for (const Contour& contour : section.contours) {
       const auto first = static_cast<std::int64_t>(points.size());
       for (const Point2& p : contour.vertices) {
@@ -116,8 +117,9 @@ Written write_stack_vtp(Sink& sink, const SectionStack& stack, const Target& tar
       }
       ids.push_back(first);
       ends.push_back(static_cast<std::int64_t>(ids.size()));
-      section_of.push_back(static_cast<std::int32_t>(s.value()));
+      section_of.push_back(written);
     }
+    ++written;
   }
   VtkGroup cell_data{"CellData", {}};
   cell_data.arrays.push_back(vtk_array<std::int32_t>(kSectionOfLine, 1, section_of.size(),

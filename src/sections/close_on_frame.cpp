@@ -28,7 +28,9 @@ using sections::FramedSection;
 using sections::FramePosition;
 using sections::LineEnd;
 using sections::OpenLineOnFrame;
+using sections::position_on;
 using sections::Rectangle;
+using sections::trim_along;
 
 // [whether the closing is the one with inside before the corner]
 using ByClosing = std::array<std::size_t, 2>;

@@ -1,6 +1,7 @@
 #include "io/drawing/geojson_write.hpp"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <tetloft/nesting.hpp>
@@ -38,6 +39,15 @@ void append_ring(std::string& text, const Contour& contour, bool counter_clockwi
 Written write_geojson(Sink& sink, const SectionStack& stack, const Target& target) {
   const Result<std::vector<Warning>> fit = check_written(stack, target);
   if (!fit) return fit.error();
+  std::vector<Warning> warnings = *fit;
+  if (stack.frame != Frame()) {
+    Warning warning{
+        "the planes lie in other directions in the file that they came from; written are their own "
+        "coordinates, as GeoJSON has no others",
+        {}};
+    warning.where.file = target.name;
+    warnings.push_back(std::move(warning));
+  }
   Pieces pieces(sink);
   std::string& text = pieces.text();
   text = "{\"type\":\"FeatureCollection\",\"features\":[";
@@ -63,7 +73,7 @@ Written write_geojson(Sink& sink, const SectionStack& stack, const Target& targe
   }
   text += "\n]}\n";
   pieces.finish();
-  return *fit;
+  return warnings;
 }
 
 }  // namespace tetloft::internal::io

@@ -319,6 +319,10 @@ TEST(GeoJson, WarnsOfSectionsThatItCannotWrite) {
   const Result<Formatted> written = format_stack(stack, {.format = "geojson"});
   ASSERT_TRUE(written.ok());
   EXPECT_TRUE(says(written->warnings, "1 section without contours"));
+  stack.frame.axes = {Point3{0, 1, 0}, Point3{0, 0, 1}, Point3{1, 0, 0}};
+  const Result<Formatted> turned = format_stack(stack, {.format = "geojson"});
+  ASSERT_TRUE(turned.ok());
+  EXPECT_TRUE(says(turned->warnings, "other directions"));
   stack.sections[SectionId(1)].contours[ContourId(0)].vertices.pop_back();
   EXPECT_FALSE(format_stack(stack, {.format = "geojson"}).ok());
 }
