@@ -27,6 +27,9 @@ inline constexpr std::uint64_t kLargestStream = std::uint64_t{1} << 28;
 /// Whatever a file holds, reading it takes at most this many bytes of memory for each of its
 /// own, and kReaderBytes.
 inline constexpr std::size_t kReaderMultiple = 64;
+/// A stack of a volume takes more where each voxel has a contour of its own: at most so many bytes
+/// for each voxel of one byte, or its part of a packed file.
+inline constexpr std::size_t kVolumeMultiple = 512;
 inline constexpr std::size_t kReaderBytes = std::size_t{1} << 21;
 
 struct ReadStack {

@@ -254,7 +254,8 @@ std::vector<std::string> structure_names(const VolumeHeader& header,
   std::vector<std::string> names;
   for (std::size_t layer = 0; layer < counts.size(); ++layer) {
     if (!counts[layer].are_labels()) return {};
-    for (const auto& [value, voxels] : counts[layer].values) {
+    for (const auto& counted : counts[layer].values) {
+      const double value = counted.first;
       if (value == 0) continue;
       const auto is_this = [&, wanted = value](const std::optional<ChosenRegion>& region) {
         return region && region->layer == layer && region->rule.label == wanted;

@@ -49,7 +49,7 @@ class ValueCounter {
   static constexpr auto kIndices = static_cast<std::size_t>(kLastIndexed - kLeastIndexed) + 1;
 
   std::size_t& counter_of(double value) {
-    const bool integer = value == std::trunc(value);
+    const bool integer = std::isfinite(value) && value == std::trunc(value);
     if (integer && !indexed_.empty() && value >= kLeastIndexed && value <= kLastIndexed) {
       return indexed_[static_cast<std::size_t>(value - kLeastIndexed)];
     }

@@ -7,8 +7,10 @@
 #include <vector>
 
 #include <tetloft/formats.hpp>
+#include <tetloft/inspect.hpp>
 
 #include "io/files.hpp"
+#include "render/deflate.hpp"
 #include "support/counted_memory.hpp"
 #include "unit/io/io_support.hpp"
 
@@ -188,11 +190,12 @@ std::string shared_blocks(std::size_t count, std::size_t shift) {
 }
 
 template <class Parse>
-void expect_bounded(const std::vector<Family>& families, Parse&& parse) {
+void expect_bounded(const std::vector<Family>& families, Parse&& parse,
+                    std::size_t multiple = kReaderMultiple) {
   for (const Family& family : families) {
     const std::size_t bytes = peak_of([&] { parse(family.bytes); });
     const std::size_t size = family.bytes.size();
-    EXPECT_LE(bytes + size, kReaderMultiple * size + kReaderBytes)
+    EXPECT_LE(bytes + size, multiple * size + kReaderBytes)
         << family.name << ": " << bytes / size << " times its " << size << " bytes";
   }
 }
@@ -223,6 +226,97 @@ TEST(Memory, OfLabelsAndPointsIsBounded) {
     static_cast<void>(parse_points(bytes, "a.txt"));
     static_cast<void>(parse_points(bytes, "a.bin"));
   });
+}
+
+std::vector<Family> volumes() {
+  std::vector<Family> families;
+  const std::string side = std::to_string(kSize / 400);
+  const std::string nrrd = "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 20 20 " + side + "\n";
+  const std::string raw = nrrd + "encoding: raw\n\n";
+  families.push_back({"boards", repeated(std::string("\0\1", 2), kSize, raw)});
+  families.push_back({"ones", repeated("\1", kSize, raw)});
+  std::string noise = raw;
+  for (std::size_t i = 0; i < kSize; ++i) noise += static_cast<char>(i * i * 2654435761U >> 13);
+  families.push_back({"noise", noise});
+  families.push_back({"lone pixels", repeated(std::string("\0\1", 2), kSize,
+                                              "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 633 631 "
+                                              "1\nencoding: raw\n\n")});
+  families.push_back({"doubles", repeated("00000000", kSize,
+                                          "NRRD0004\ntype: double\ndimension: 3\nsizes: 20 20 100\n"
+                                          "endian: big\nencoding: raw\n\n")});
+  families.push_back({"text", repeated("0 1 ", kSize,
+                                       "NRRD0004\ntype: int\ndimension: 3\nsizes: 20 20 500\n"
+                                       "encoding: ascii\n\n")});
+  std::string keys = nrrd;
+  for (int i = 0; keys.size() < kSize; ++i) keys += std::to_string(i) + ":=\n";
+  families.push_back({"keys", keys});
+  std::string segments = nrrd;
+  for (int i = 0; segments.size() < kSize; ++i) {
+    segments += "Segment" + std::to_string(i) + "_Name:=\n";
+  }
+  families.push_back({"segments", segments + "encoding: raw\n\n"});
+  families.push_back({"names", repeated("a\n", kSize, nrrd + "encoding: raw\ndata file: LIST\n")});
+  families.push_back({"long line", nrrd + std::string(kSize, 'a')});
+  std::string fields = "NDims = 3\n";
+  for (int i = 0; fields.size() < kSize; ++i) fields += std::to_string(i) + "=\n";
+  families.push_back({"fields", fields});
+  return families;
+}
+
+TEST(Memory, OfVolumesIsBounded) {
+  for (const int axis : {0, 2}) {
+    for (const auto way : {VolumeContours::sub_pixel, VolumeContours::lattice}) {
+      expect_bounded(
+          volumes(),
+          [&](const std::string& bytes) {
+            ReadOptions options;
+            options.axis = axis;
+            options.contours = way;
+            options.structure = "1";
+            static_cast<void>(parse_stack(bytes, "a.nrrd", options));
+            options.structure = {};
+            options.iso = 48;
+            static_cast<void>(parse_stack(bytes, "a.nrrd", options));
+          },
+          kVolumeMultiple);
+    }
+  }
+  expect_bounded(volumes(), [](const std::string& bytes) {
+    static_cast<void>(inspect_bytes(bytes, "a.nrrd"));
+  });
+}
+
+// Whatever a small file unpacks to, a slice is in memory, and what contours there are.
+TEST(Memory, OfPackedVolumesIsThatOfASlice) {
+  const std::string zeros = render::zlib_compressed(std::string(std::size_t{64} << 20, '\0'));
+  const auto header = [](const char* sizes) {
+    return "NDims = 3\nDimSize = " + std::string(sizes) +
+           "\nElementType = MET_UCHAR\nCompressedData = True\nElementDataFile = LOCAL\n";
+  };
+  for (const char* sizes : {"256 256 1024", "16 16 262144"}) {
+    const std::string bytes = header(sizes) + zeros;
+    const std::size_t peak = peak_of([&] {
+      const auto summary = inspect_bytes(bytes, "a.mha");
+      ASSERT_TRUE(summary.ok());
+      EXPECT_EQ(summary->volume->labels.at(0).voxels, std::size_t{64} << 20);
+      EXPECT_FALSE(parse_stack(bytes, "a.mha").ok());
+    });
+    EXPECT_LE(peak, kReaderBytes) << sizes;
+  }
+  // A large slice is announced, and not there.
+  const std::string cut = header("8192 8192 1") + zeros.substr(0, zeros.size() - 1000);
+  const std::size_t peak = peak_of([&] { EXPECT_FALSE(parse_stack(cut, "a.mha").ok()); });
+  EXPECT_LE(peak, std::size_t{4} * 8192 * 8192);
+}
+
+TEST(Memory, OfAVolumeInAFileIsThatOfASlice) {
+  test::TempFolder folder;
+  std::string bytes = "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 200 200 500\nencoding: raw\n\n";
+  bytes.resize(bytes.size() + 200 * 200 * 500);
+  bytes[bytes.size() - 100'000] = 1;
+  test::put(folder.file("a.nrrd"), bytes);
+  const std::size_t peak = peak_of([&] { EXPECT_TRUE(read_stack(folder.file("a.nrrd")).ok()); });
+  EXPECT_LE(peak, kReaderBytes);
 }
 
 TEST(Memory, OfAWholeFileIsItsSize) {

@@ -206,19 +206,20 @@ TEST(Nrrd, SegmentsAndLayers) {
       "Segment1_ID:=Segment_2\nSegment1_LabelValue:=1\n";
   EXPECT_EQ(labels_of(few(names)), "0:6 1:5 Segment_2 7:1 spleen");
   EXPECT_EQ(labels_of(few("Segment0_Name:=only\n")), "0:6 1:5 only 7:1");
-  // Layers first, and last; the voxels of the first are 0 1 1 0 1 0, or 0 1 1 1 0 0.
+  // Layers last, first, and between.
   const std::string two = "Segment0_Name:=a\nSegment1_Name:=b\n";
   const std::string ones = samples_of<std::uint8_t>({0, 1, 1, 0, 1, 0, 1, 1, 0, 0, 0, 1});
   const auto last = look_at(
       header_of("kinds: domain domain domain list\n" + two, "uchar", "3 1 2 2") + "\n" + ones);
   EXPECT_EQ(labels_of(last), "0:6 1:3 a 1:3 b");
+  const std::string mixed = samples_of<std::uint8_t>({1, 0, 1, 0, 1, 0, 0, 1, 1, 0, 0, 0});
   const auto first =
       look_at(header_of("space: RAS\nspace directions: none (1,0,0) (0,1,0) (0,0,1)\n"
                         "kinds: list domain domain domain\n" +
                             two,
                         "uchar", "2 3 1 2") +
-              "\n" + ones);
-  EXPECT_EQ(labels_of(first), "0:6 1:2 a 1:4 b");
+              "\n" + mixed);
+  EXPECT_EQ(labels_of(first), "0:7 1:4 a 1:1 b");
   EXPECT_EQ(first->volume->structures, (std::vector<std::string>{"a", "b"}));
   const auto middle = look_at(
       header_of("kinds: domain vector domain domain\n" + two, "uchar", "3 2 1 2") + "\n" + ones);

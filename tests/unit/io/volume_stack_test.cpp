@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -351,6 +352,15 @@ TEST(VolumeSummary, OfAnImageHasARange) {
   EXPECT_TRUE(summary->volume->intensities);
   EXPECT_TRUE(summary->volume->labels.empty());
   EXPECT_EQ(summary->volume->largest, 49 * 49 * 49 / 8.0);
+}
+
+TEST(VolumeSummary, InfinityIsNoLabel) {
+  MemoryVolume volume = lopsided();
+  volume.at(0, 0, 0) = std::numeric_limits<double>::infinity();
+  const Result<FileSummary> summary = io::summary_of_volume(volume, {});
+  ASSERT_TRUE(summary.ok());
+  EXPECT_TRUE(summary->volume->structures.empty());
+  EXPECT_NE(refusal(volume, {}).find("is an image"), std::string::npos);
 }
 
 TEST(VolumeStack, IsWatchedAndStopped) {
