@@ -24,7 +24,9 @@ struct StructureSummary {
   std::vector<std::pair<std::string, std::size_t>> types;
   std::size_t contours = 0;
   std::size_t points = 0;
-  std::size_t planes = 0;  ///< of closed contours of three points or more
+  std::size_t planes =
+      0;  ///< of closed contours of three points or more; 0 if they are not parallel
+  std::size_t closed = 0;  ///< contours, of three points or more
 };
 
 /// A value of the voxels of a volume, and what the file calls it.

@@ -218,7 +218,8 @@ Result<std::optional<SectionStack>> stack_of(const File& file, const FileSummary
   for (const Warning& warning : read->warnings) {
     // What the file itself is odd in has been told.
     const auto same = [&](const Warning& told) {
-      return told.message == warning.message && to_string(told.where) == to_string(warning.where);
+      return told.message == warning.message && told.where.line == warning.where.line &&
+             told.where.section == warning.where.section;
     };
     const bool told = std::any_of(summary.warnings.begin(), summary.warnings.end(), same);
     if (!told) console.warn_of(file.path, {warning});
@@ -229,6 +230,7 @@ Result<std::optional<SectionStack>> stack_of(const File& file, const FileSummary
 Result<int> run_info(const Arguments& arguments, Console& console) {
   auto options = read_options(arguments);
   if (!options) return options.error();
+  if (options->structure == kAllStructures) options->structure.clear();  // all are listed anyway
   const Result<File> file = open_file(arguments);
   if (!file) return file.error();
   Progress progress(!console.quiet());

@@ -143,7 +143,8 @@ void locate_in(Place& where, const std::string& path, const Lines& lines) {
   if (!where.section || *where.section >= lines.size()) return;
   const auto& contours = lines[SectionId(*where.section)];
   const std::size_t contour = where.contour.value_or(0);
-  if (contour < contours.size()) where.line = contours[ContourId(contour)];
+  if (contour < contours.size() && contours[ContourId(contour)] != 0)
+    where.line = contours[ContourId(contour)];
 }
 
 Error located(Error error, const std::string& path, const Lines& lines) {

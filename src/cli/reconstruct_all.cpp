@@ -133,7 +133,7 @@ std::string title(const Structure& structure) {
 
 void write_outcome(JsonWriter& json, const Structure& structure, const Outcome& outcome) {
   json.begin_object();
-  json.member("number", structure.number);
+  json.member("number", structure.value);
   json.member("name", structure.name);
   if (outcome.error) {
     json.key("error");
@@ -199,6 +199,13 @@ Result<std::vector<Structure>> listed(const ReconstructRequest& request, Console
   if (!file) return file.error();
   console.warn_of(request.input, file->warnings);
   std::vector<Structure> structures = structures_of(*file);
+  for (const StructureSummary& structure : file->structures) {
+    if (structure.closed > 0) continue;
+    console.warn_of(request.input,
+                    {{"structure " + std::to_string(structure.number) + ' ' +
+                          io::in_quotes(structure.name) + " has no closed contour: left out",
+                      {}}});
+  }
   if (structures.empty()) {
     return in_file({ErrorCode::invalid_input,
                     "there are no structures or labels with closed contours in this file",

@@ -222,6 +222,11 @@ Result<void> refine_input(StackInput& input, double length) {
 
 Result<StackInput> read_stack_input(const std::string& operand, const Preparation& preparation,
                                     Console& console) {
+  if (preparation.read.structure == kAllStructures) {
+    return usage_error(
+        "reconstruct alone takes all structures: choose one with --roi or --label (tetloft info "
+        "lists them)");
+  }
   const std::string path = input_path(operand);
   Result<StackInput> read = read_and_mend(path, preparation, console);
   if (!read) return read;

@@ -44,24 +44,36 @@ std::string lower(std::string text) {
 std::vector<Structure> structures_of(const FileSummary& file) {
   std::vector<Structure> all;
   if (file.volume) {
-    for (const LabelSummary& label : file.volume->labels) {
-      if (label.value != 0) all.push_back({{}, label.name, text_of(label.value)});
+    // As the file's format says, by value or by name.
+    for (const std::string& asked : file.volume->structures) {
+      Structure structure{asked, {}, {}, 0};
+      for (const LabelSummary& label : file.volume->labels) {
+        if (label.name != asked && text_of(label.value) != asked) continue;
+        structure = {asked, label.name, text_of(label.value), label.value};
+      }
+      if (structure.number.empty()) structure.name = asked;
+      all.push_back(structure);
     }
-  } else if (!file.structures.empty()) {
+    return all;
+  }
+  if (!file.structures.empty()) {
     for (const StructureSummary& structure : file.structures) {
-      if (structure.planes == 0) continue;
-      all.push_back({{}, structure.name, std::to_string(structure.number)});
+      if (structure.closed == 0) continue;
+      all.push_back({{},
+                     structure.name,
+                     std::to_string(structure.number),
+                     static_cast<double>(structure.number)});
     }
   } else if (file.lines) {
     for (const std::int64_t label : file.lines->labels) {
-      if (label != 0) all.push_back({{}, {}, std::to_string(label)});
+      if (label != 0) all.push_back({{}, {}, std::to_string(label), static_cast<double>(label)});
     }
   }
-  // A name is looked for before a number is.
+  // A name that several bear names none.
   for (Structure& structure : all) {
     const auto bears = [&](const Structure& other) { return other.name == structure.name; };
     const bool named = !structure.name.empty() && std::count_if(all.begin(), all.end(), bears) == 1;
-    structure.asked = named ? structure.name : structure.number;
+    structure.asked = named ? structure.name : '#' + structure.number;
   }
   return all;
 }

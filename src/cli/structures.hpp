@@ -13,6 +13,7 @@ struct Structure {
   std::string asked;  ///< what ReadOptions::structure chooses it by
   std::string name;   ///< as the file has it; may be empty
   std::string number;
+  double value = 0;  ///< the same
 };
 
 /// The ROIs, objects or labels that a solid could be made of, in the order of the file; those

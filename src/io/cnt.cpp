@@ -41,10 +41,19 @@ std::string section_text(const Section& section) {
   return text;
 }
 
-Written write_sections(Sink& sink, const SectionStack& stack, const Target& /*target*/) {
+Written write_sections(Sink& sink, const SectionStack& stack, const Target& target) {
   sink.append("S " + std::to_string(stack.sections.size()) + '\n');
   for (const Section& section : stack.sections) sink.append(section_text(section));
-  return std::vector<Warning>();
+  std::vector<Warning> warnings;
+  if (stack.frame != Frame()) {
+    Warning warning{
+        "the planes lie in other directions in the file that they came from; written are their own "
+        "coordinates, as .cnt has no others (.csl and .vtp have)",
+        {}};
+    warning.where.file = target.name;
+    warnings.push_back(std::move(warning));
+  }
+  return warnings;
 }
 
 }  // namespace

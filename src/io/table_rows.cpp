@@ -90,8 +90,8 @@ bool TableRows::is_header() const {
 
 std::string plain_name(std::string_view name) {
   std::string text;
-  for (const char c : name) {
-    if (c == ' ' || c == '_' || c == '-') continue;
+  for (const char c : name.substr(0, name.find_first_of("([{"))) {
+    if (c == ' ' || c == '_' || c == '-' || c == ':') continue;
     text += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   }
   return text;

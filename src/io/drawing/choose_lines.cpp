@@ -45,6 +45,19 @@ Error unknown_structure(const std::string& asked, const std::string& option, con
   for (const auto& [number, name] : known) {
     if (!name.empty()) names.push_back(name);
   }
+  std::string numbers;
+  std::size_t bearers = 0;
+  for (const auto& [number, name] : known) {
+    if (name != asked) continue;
+    numbers += bearers++ == 0 ? "#" : ", #";
+    append_number(numbers, number);
+  }
+  if (bearers > 1) {
+    return {ErrorCode::usage,
+            std::to_string(bearers) + " structures of this file are named " + in_quotes(asked) +
+                "; choose with " + option + " by their numbers: " + numbers,
+            {}};
+  }
   return choice_error(
       "there is no " + in_quotes(asked) + " in this file" + did_you_mean(asked, names) + "; it has",
       option, known);
@@ -122,7 +135,8 @@ std::optional<std::size_t> find_structure(const std::string& asked, const Known&
     return found;
   };
   if (const auto exact = only([&](const auto& k) { return k.second == asked; })) return exact;
-  const ParsedNumber number = parse_number(asked);
+  const std::string_view digits = std::string_view(asked).substr(asked.starts_with('#') ? 1 : 0);
+  const ParsedNumber number = parse_number(digits);
   if (number.ok()) {
     if (const auto by = only([&](const auto& k) { return k.first == number.value; })) return by;
   }

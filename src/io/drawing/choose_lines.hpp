@@ -31,7 +31,8 @@ struct ChosenLines {
 [[nodiscard]] std::string place_of(const Drawing& drawing, const ChosenLine& line);
 
 /// The position among `names` (and their numbers) of the one that `asked` names: a name as it is
-/// written; else a number; else a name in other case, if one alone fits.
+/// written; else a number, which "#2" is whatever the names; else a name in other case, if one
+/// alone fits.
 [[nodiscard]] std::optional<std::size_t> find_structure(
     const std::string& asked, const std::vector<std::pair<double, std::string>>& known);
 

@@ -36,12 +36,12 @@ std::size_t column_or_none(const std::vector<std::string_view>& fields,
 
 CsvColumns columns_by_name(const std::vector<std::string_view>& names) {
   CsvColumns columns;
-  columns.xyz = {column_or_none(names, {"x", "px", "xcoord", "coordx", "xmm", "xum", "xm",
-                                        "easting", "lon", "longitude"}),
-                 column_or_none(names, {"y", "py", "ycoord", "coordy", "ymm", "yum", "ym",
-                                        "northing", "lat", "latitude"}),
-                 column_or_none(names, {"z", "pz", "zcoord", "coordz", "zmm", "zum", "zm", "height",
-                                        "elevation", "elev", "altitude"})};
+  columns.xyz = {column_or_none(names, {"x", "px", "points0", "xcoord", "coordx", "xmm", "xum",
+                                        "xm", "easting", "lon", "longitude"}),
+                 column_or_none(names, {"y", "py", "points1", "ycoord", "coordy", "ymm", "yum",
+                                        "ym", "northing", "lat", "latitude"}),
+                 column_or_none(names, {"z", "pz", "points2", "zcoord", "coordz", "zmm", "zum",
+                                        "zm", "height", "elevation", "elev", "altitude"})};
   columns.contour = column_or_none(
       names, {"contour", "contourid", "contournumber", "contourindex", "loop", "loopid", "ring",
               "ringid", "polygon", "polygonid", "curve", "line", "lineid", "part", "id"});
@@ -56,7 +56,14 @@ CsvColumns columns_by_name(const std::vector<std::string_view>& names) {
 // Tables of contours; tables of points alone are for whoever reads points.
 bool is_contour_table(std::string_view bytes) {
   TableRows rows(bytes.substr(0, 4096));
-  if (!rows.next() || !rows.is_header()) return false;
+  if (!rows.next()) return false;
+  // Numbers alone: x, y, z, and perhaps the contour. No other text of contours begins so.
+  if (!rows.is_header()) {
+    const auto is_number = [&](std::string_view field) { return rows.number(field).ok(); };
+    const std::vector<std::string_view>& fields = rows.fields();
+    return (fields.size() == 3 || fields.size() == 4) &&
+           std::all_of(fields.begin(), fields.end(), is_number);
+  }
   const CsvColumns columns = columns_by_name(rows.fields());
   const bool groups =
       columns.contour != kNowhere || columns.section != kNowhere || columns.structure != kNowhere;

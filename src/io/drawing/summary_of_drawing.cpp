@@ -44,6 +44,7 @@ StructureSummary summary_of_structure(const DrawnStructure& structure, const Dra
     if (bounds_area(line)) closed.push_back(&line.points);
   }
   summary.types = {types.begin(), types.end()};
+  summary.closed = closed.size();
   summary.planes = plane_count(closed, drawing);
   return summary;
 }

@@ -216,6 +216,12 @@ TEST(StackOfDrawing, AStructureIsChosenByNameOrNumber) {
     EXPECT_EQ(made_of(two_structures(), with(name)).name, "Lung") << name;
   }
   EXPECT_EQ(refusal_of(two_structures(), with("Lunge")).code, ErrorCode::usage);
+  Drawing twins = two_structures();
+  twins.structures[0].name = "Lung";
+  const Error several = refusal_of(twins, with("Lung"));
+  EXPECT_EQ(several.code, ErrorCode::usage);
+  EXPECT_NE(several.message.find("#1, #7"), std::string::npos) << several.message;
+  EXPECT_EQ(made_of(twins, with("#7")).stack.vertex_count(), 8U);
   EXPECT_NE(refusal_of(two_structures(), with("Lunge")).message.find("Lung"), std::string::npos);
 }
 
@@ -228,6 +234,7 @@ TEST(StackOfDrawing, TheOnlyStructureWithContoursNeedsNoChoice) {
 TEST(FindStructure, PrefersNamesToNumbersAndTakesNoSideInDoubt) {
   const std::vector<std::pair<double, std::string>> known{{1, "2"}, {2, "a"}, {3, "A"}, {4, "b"}};
   EXPECT_EQ(io::find_structure("2", known), 0U);
+  EXPECT_EQ(io::find_structure("#2", known), 1U);
   EXPECT_EQ(io::find_structure("a", known), 1U);
   EXPECT_EQ(io::find_structure("B", known), 3U);
   EXPECT_EQ(io::find_structure("4", known), 3U);
