@@ -22,6 +22,10 @@ struct Frame {
 /// Whether the map only exchanges coordinates and their signs, so that nothing is rounded.
 [[nodiscard]] TETLOFT_API bool is_exact(const Frame& frame);
 
+/// By how much volumes are larger in the file than in the stack: 1 of an orthonormal map, whose
+/// rounding does not count; else the determinant of the axes.
+[[nodiscard]] TETLOFT_API double volume_factor(const Frame& frame);
+
 /// Where a point of the stack lies in the file: each coordinate is the sum of its terms that are
 /// not 0, of x, y, z and the origin in this order.
 [[nodiscard]] TETLOFT_API Point3 place(const Frame& frame, const Point3& point);

@@ -93,7 +93,7 @@ struct Surface {
 /// std::invalid_argument for 2^30 tets or more.
 [[nodiscard]] TETLOFT_API Surface boundary_surface(const Model& model);
 
-/// Sum of the tets' volumes, in a fixed order.
+/// Sum of the tets' volumes where the model lies (volume_factor() of its frame), in a fixed order.
 [[nodiscard]] TETLOFT_API double volume(const Model& model);
 
 }  // namespace tetloft

@@ -32,6 +32,8 @@ constexpr double kMostSamples = 0x1p24;
 // So often the step that contours ask for is doubled for that; beyond, it tells little.
 constexpr int kMostCoarsenings = 2;
 constexpr double kWindowMargin = 8;  // of a window, in steps
+// A class of fewer steps along its larger side has no shape on the lattice, but that of a sample.
+constexpr double kFewestSteps = 4;
 
 // A contour from its lowest vertex on, towards the lower of that one's neighbours.
 struct CanonicalContour {
@@ -204,13 +206,18 @@ class Classes {
   SlabRegions regions_;
 };
 
-double samples_of(const SlabClass& c, double step, double around) {
+Box2 box_of(const SlabClass& c) {
   Box2 box;
   for (const Around where : {Around::lower, Around::upper}) {
     for (const Contour* contour : c.outlines.contours[where]) {
       for (const Point2& p : contour->vertices) box.add(p);
     }
   }
+  return box;
+}
+
+double samples_of(const SlabClass& c, double step, double around) {
+  const Box2 box = box_of(c);
   return ((box.x1 - box.x0 + around) / step + kWindowMargin) *
          ((box.y1 - box.y0 + around) / step + kWindowMargin);
 }
@@ -224,6 +231,15 @@ bool fit_lattice(between::SlabShape& shape, double gap) {
     if (samples * static_cast<double>(shape.at.size() + 2) <= kMostSamples) return true;
   }
   return false;
+}
+
+// Whether the lattice shows each class. One is as fine as the gap allows: where a gap is much
+// larger than what lies in it, or the units of heights are others, nothing can be said in between.
+bool shows_classes(const between::SlabShape& shape) {
+  return std::all_of(shape.classes.begin(), shape.classes.end(), [&](const SlabClass& c) {
+    const Box2 box = box_of(c);
+    return std::max(box.x1 - box.x0, box.y1 - box.y0) >= kFewestSteps * shape.step;
+  });
 }
 
 }  // namespace
@@ -246,7 +262,7 @@ between::InnerSections sections_between(const LinkedStack& stacked, SlabId slab,
     shape.at.push_back(static_cast<double>(k) / static_cast<double>(layers + 1));
   }
   between::InnerSections inner;
-  if (fit_lattice(shape, edges.gap)) inner = between::trace_between(shape);
+  if (fit_lattice(shape, edges.gap) && shows_classes(shape)) inner = between::trace_between(shape);
   inner.wanted = layers;
   return inner;
 }

@@ -139,6 +139,7 @@ class Checks {
     Model sound;
     sound.points = model_.points;
     sound.tets = IdVector<TetId, TetVertices>(view_.tets);
+    sound.frame = model_.frame;
     report_.volume = volume(sound);
     report_.overshoot = checking::overshoot(view_, stack_);
     report_.smallest_dihedral_degrees = checking::smallest_dihedral_degrees(view_);

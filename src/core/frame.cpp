@@ -40,6 +40,22 @@ bool is_exact(const Frame& frame) {
   return frame.origin == Point3{};
 }
 
+double volume_factor(const Frame& frame) {
+  constexpr double kRounding = 0x1p-40;
+  const auto& [a, b, c] = frame.axes;
+  const auto dot = [](const Point3& p, const Point3& q) {
+    return p.x * q.x + p.y * q.y + p.z * q.z;
+  };
+  const double determinant =
+      a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) + a.z * (b.x * c.y - b.y * c.x);
+  bool orthonormal = true;
+  for (const double product :
+       {dot(a, b), dot(b, c), dot(c, a), dot(a, a) - 1, dot(b, b) - 1, dot(c, c) - 1}) {
+    orthonormal = orthonormal && product < kRounding && product > -kRounding;
+  }
+  return orthonormal ? 1 : determinant;
+}
+
 Point3 place(const Frame& frame, const Point3& p) {
   const auto& [a, b, c] = frame.axes;
   return {sum(a.x, p.x, b.x, p.y, c.x, p.z, frame.origin.x),

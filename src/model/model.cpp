@@ -102,7 +102,7 @@ double volume(const Model& model) {
     lost += std::fabs(sum) >= std::fabs(term) ? (sum - next) + term : (term - next) + sum;
     sum = next;
   }
-  return std::ldexp(sum + lost, -3 * exponent);
+  return std::ldexp(sum + lost, -3 * exponent) * volume_factor(model.frame);
 }
 
 }  // namespace tetloft

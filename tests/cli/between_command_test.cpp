@@ -164,7 +164,7 @@ TEST_F(BetweenCommand, PutsAsManyBetweenAsAreCalledFor) {
 
 TEST_F(BetweenCommand, RefusesWhatMakesNoSense) {
   expect_failure({"between"}, 2, "usage", "missing IN");
-  expect_failure({"between", in_}, 2, "usage", "missing option --output (-o) OUT.cnt");
+  expect_failure({"between", in_}, 2, "usage", "missing option --output (-o) OUT");
   expect_failure({"between", in_, "-o", folder_.file("o.vtu")}, 2, "usage", ".cnt");
   expect_failure({"between", in_, "-o", in_}, 2, "usage", "overwrite");
   expect_failure({"between", in_, "-o", out_, "--labels-out", folder_.file("l.csv")}, 2, "usage",

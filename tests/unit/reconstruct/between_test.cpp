@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <set>
 #include <stop_token>
@@ -225,6 +226,29 @@ TEST(LongStack, WithNoneBetweenIsTheGivenOneDecided) {
   // A ring of regions has as many links.
   EXPECT_EQ(joined_and_parted(made.correspondence.decisions)[0], stack.contour_count());
   EXPECT_EQ(checked(made).genus, std::vector<long>{1});
+}
+
+// Squares that shrink, small as the lattice of the slab has no more steps for them.
+TEST(LongStack, StaysAsGivenWhereGapsAreFarLargerThanWhatLiesInThem) {
+  for (const double half : {1.0, 0.125, 0x1p-10}) {
+    SectionStack stack;
+    for (const double scale : {1.0, 0.75, 0.5}) {
+      const double s = half * scale;
+      Section section{16 * (4 - 4 * scale), {}};
+      section.contours.push_back({{{87 - s, -s}, {87 + s, -s}, {87 + s, s}, {87 - s, s}}});
+      stack.sections.push_back(section);
+    }
+    BetweenOptions options;
+    const LongStack made = long_of(stack, options);
+    for (const Section& section : made.stack.sections) {
+      for (const Contour& contour : section.contours) {
+        for (const Point2& p : contour.vertices) {
+          EXPECT_LE(std::max(std::abs(p.x - 87), std::abs(p.y)), half) << half;
+        }
+      }
+    }
+    if (half < 0.5) EXPECT_TRUE(same_stack(made.stack, stack)) << half;
+  }
 }
 
 TEST(LongStack, ByItselfGetsNoneWhereSectionsAreTheSame) {
