@@ -80,17 +80,17 @@ class OffReader {
     std::string_view word = head.rest;
     if (head.known) next();
     if (head.other_dimension) return complain("points of other than three dimensions");
-    if (word.empty()) word = next();
-    if (word == "BINARY") return complain("binary OFF is not read; save it as text");
     std::array<std::size_t, 2> counts{};
     for (std::size_t& count : counts) {
+      if (word.empty()) word = next();
+      if (word == "BINARY") return complain("binary OFF is not read; save it as text");
       const auto number = parse_integer(word);
       if (!number || *number < 0 || *number >= UINT32_MAX) {
         return complain(in_quotes(word) +
                         " is no count: \"OFF\", then those of vertices and faces");
       }
       count = static_cast<std::size_t>(*number);
-      if (&count == &counts[0]) word = next();
+      word = {};
     }
     vertices_ = counts[0];
     faces_ = counts[1];
