@@ -41,10 +41,16 @@ std::string section_text(const Section& section) {
   return text;
 }
 
-Written write_sections(Sink& sink, const SectionStack& stack, const Target& /*target*/) {
+Written write_sections(Sink& sink, const SectionStack& stack, const Target& target) {
   sink.append("S " + std::to_string(stack.sections.size()) + '\n');
   for (const Section& section : stack.sections) sink.append(section_text(section));
-  return std::vector<Warning>();
+  if (stack.frame == Frame{}) return std::vector<Warning>();
+  Warning warning{
+      "the planes are turned to z = const: this format cannot tell where they lay; .vtp "
+      "and .csl can",
+      {}};
+  warning.where.file = target.name;
+  return std::vector<Warning>{warning};
 }
 
 }  // namespace
