@@ -134,7 +134,7 @@ class OffReader {
   }
 
   Error ends(const char* what, std::size_t here, std::size_t announced) const {
-    return complain(std::to_string(announced) + ' ' + what +
+    return complain(std::string(what) + ": " + std::to_string(announced) +
                     " are announced, the file ends after " + std::to_string(here));
   }
 

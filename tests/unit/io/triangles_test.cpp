@@ -174,9 +174,9 @@ TEST(Off, ReadsEveryKindOfHead) {
   EXPECT_EQ(read("STCNOFF\n3 1 0\n" + rest).mesh.points.size(), 3U);
   expect_says(refusal("4OFF\n3 1 0\n" + rest, "a.off"), "three dimensions");
   expect_says(refusal("OFF BINARY\n", "a.off"), "save it as text");
-  expect_says(refusal("OFF\n4 1 0\n" + rest, "a.off"), "is not");
+  expect_says(refusal("OFF\n4 1 0\n" + rest, "a.off"), "faces: 1 are announced");
   expect_says(refusal("OFF\n3 2 0\n" + rest, "a.off"),
-              "2 faces are announced, the file ends after 1");
+              "faces: 2 are announced, the file ends after 1");
   expect_says(refusal("OFF\n3 1 0\n" + rest + "3 0 1 2\n", "a.off"), "a.off:8: something follows");
   expect_says(refusal("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "a.off"),
               "'3' is none of the 3 vertices");
