@@ -44,13 +44,16 @@ std::string section_text(const Section& section) {
 Written write_sections(Sink& sink, const SectionStack& stack, const Target& target) {
   sink.append("S " + std::to_string(stack.sections.size()) + '\n');
   for (const Section& section : stack.sections) sink.append(section_text(section));
-  if (stack.frame == Frame{}) return std::vector<Warning>();
-  Warning warning{
-      "the planes are turned to z = const: this format cannot tell where they lay; .vtp "
-      "and .csl can",
-      {}};
-  warning.where.file = target.name;
-  return std::vector<Warning>{warning};
+  std::vector<Warning> warnings;
+  if (stack.frame != Frame()) {
+    Warning warning{
+        "the planes lie in other directions in the file that they came from; written are their own "
+        "coordinates, as .cnt has no others (.csl and .vtp have)",
+        {}};
+    warning.where.file = target.name;
+    warnings.push_back(std::move(warning));
+  }
+  return warnings;
 }
 
 }  // namespace
