@@ -1,8 +1,10 @@
 // Every reader of the table, and the choice between them: any bytes give values or a clean error
 // under each name of a format and under each extension; what was read survives writing.
+#include <cmath>
 #include <string>
 
 #include <tetloft/formats.hpp>
+#include <tetloft/slice.hpp>
 
 #include "fuzz/target.hpp"
 
@@ -65,6 +67,27 @@ void try_points(std::string_view bytes, const std::string& name, const ReadOptio
   }
 }
 
+// Whatever a surface holds, slicing gives a valid stack or a clean error.
+void try_triangles(std::string_view bytes, const std::string& name, const ReadOptions& options) {
+  const auto read = parse_triangles(bytes, name, options);
+  if (!fine(read)) return;
+  const TriangleMesh& mesh = read->mesh;
+  require(!mesh.triangles.empty(), "a surface without triangles");
+  for (const auto& triangle : mesh.triangles) {
+    for (const std::uint32_t v : triangle) require(v < mesh.points.size(), "a corner is no point");
+  }
+  for (const Point3& p : mesh.points) {
+    require(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z), "not finite");
+  }
+  SliceOptions slicing;
+  slicing.planes = 1 + bytes.size() % 4;
+  slicing.axis = static_cast<int>(bytes.size() % 3);
+  slicing.execution.threads = 1;
+  const auto sliced = slice(mesh, slicing);
+  if (!sliced) return require_clean(sliced.error());
+  require(validate(sliced->stack).ok(), "a mesh is sliced to a stack that is not valid");
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -78,5 +101,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (!named || format.reads.has(Contents::stack)) try_stack(bytes, name, options);
   if (!named || format.reads.has(Contents::model)) try_model(bytes, name, options);
   if (!named || format.reads.has(Contents::points)) try_points(bytes, name, options);
+  if (!named || format.reads.has(Contents::surface)) try_triangles(bytes, name, options);
   return 0;
 }

@@ -19,6 +19,7 @@
 #include <tetloft/point.hpp>
 #include <tetloft/result.hpp>
 #include <tetloft/section_stack.hpp>
+#include <tetloft/slice.hpp>
 
 namespace tetloft {
 
@@ -26,7 +27,7 @@ namespace tetloft {
 enum class Contents : std::uint8_t {
   stack = 0,
   model = 1,
-  surface = 2,  ///< the boundary of a model
+  surface = 2,  ///< triangles; of a model its boundary
   points = 3,
   labels = 4,  ///< of contours
   lines = 5,   ///< in space
@@ -106,6 +107,12 @@ struct ReadPoints {
   std::vector<Warning> warnings;
 };
 
+struct ReadTriangles {
+  /// Polygons of more corners are fans of triangles around their first one.
+  TriangleMesh mesh;
+  std::vector<Warning> warnings;
+};
+
 /// A file's bytes, and the warnings that its writer would return.
 struct Formatted {
   std::string bytes;
@@ -135,6 +142,15 @@ struct Formatted {
     const std::string& path, const Model& model, const WriteOptions& options = {});
 [[nodiscard]] TETLOFT_API Result<Formatted> format_model(const Model& model,
                                                          const WriteOptions& options);
+
+/// A surface of any origin, as it stands in the file: closed or not, points perhaps several times.
+/// All coordinates are finite, every corner is a point, and there is a triangle. Of the options
+/// `format` alone matters.
+[[nodiscard]] TETLOFT_API Result<ReadTriangles> read_triangles(const std::string& path,
+                                                               const ReadOptions& options = {});
+[[nodiscard]] TETLOFT_API Result<ReadTriangles> parse_triangles(std::string_view bytes,
+                                                                const std::string& name,
+                                                                const ReadOptions& options = {});
 
 /// The boundary of a model; contracts as of write_surface() in io.hpp.
 [[nodiscard]] TETLOFT_API Result<std::vector<Warning>> write_surface(const std::string& path,

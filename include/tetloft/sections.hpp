@@ -7,3 +7,4 @@
 #include <tetloft/repair.hpp>
 #include <tetloft/section_stack.hpp>
 #include <tetloft/skeleton.hpp>
+#include <tetloft/slice.hpp>

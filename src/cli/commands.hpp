@@ -19,6 +19,7 @@ struct Command {
 [[nodiscard]] Command delaunay_command();
 [[nodiscard]] Command info_command();
 [[nodiscard]] Command convert_command();
+[[nodiscard]] Command slice_command();
 [[nodiscard]] Command links_command();
 [[nodiscard]] Command between_command();
 [[nodiscard]] Command skeleton_command();

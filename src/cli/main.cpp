@@ -34,6 +34,10 @@ Error unknown_command(const std::string& name, const std::vector<Command>& comma
   } else if (has_input_extension(name, Contents::model)) {
     hint = " (to see a solid: tetloft render " + input_word("MODEL", Contents::model) +
            " -o OUT.html)";
+  } else if (has_input_extension(name, Contents::surface)) {
+    hint = " (to make a stack of a surface: tetloft slice " +
+           input_word("MESH", Contents::surface) + " --planes N -o " +
+           output_word("OUT", Contents::stack) + ')';
   }
   return usage_error("unknown command " + io::in_quotes(name) + hint + "; see tetloft --help");
 }

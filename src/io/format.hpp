@@ -14,7 +14,6 @@
 #include "io/drawing/drawing.hpp"
 #include "io/sink.hpp"
 #include "io/surface.hpp"
-#include "io/triangle_soup.hpp"
 #include "io/volume/volume.hpp"
 
 namespace tetloft::internal::io {
@@ -60,8 +59,8 @@ struct Format {
   Result<std::unique_ptr<Volume>> (*open_volume)(const Source&, const ReadOptions&) = nullptr;
   Result<ReadModel> (*read_model)(const Source&, const ReadOptions&) = nullptr;
   Result<ReadPoints> (*read_points)(const Source&, const ReadOptions&) = nullptr;
-  /// Triangles in space, for slicing.
-  Result<TriangleSoup> (*read_triangles)(const Source&, const ReadOptions&) = nullptr;
+  /// A surface, for slicing: finite points; corners that are points.
+  Result<ReadTriangles> (*read_triangles)(const Source&, const ReadOptions&) = nullptr;
   Result<Labels> (*read_labels)(const Source&, const ReadOptions&) = nullptr;
 
   Written (*write_stack)(Sink&, const SectionStack&, const Target&) = nullptr;

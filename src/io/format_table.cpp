@@ -20,6 +20,7 @@
   FORMAT(ply)                        \
   FORMAT(vtp)                        \
   FORMAT(stl)                        \
+  FORMAT(off)                        \
   FORMAT(geojson)                    \
   FORMAT(svg)                        \
   FORMAT(dxf)                        \

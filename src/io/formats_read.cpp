@@ -55,6 +55,14 @@ Result<ReadPoints> points_by(const io::Format& format, const io::Source& source,
                              const ReadOptions& options) {
   return format.read_points(source, options);
 }
+Result<ReadTriangles> triangles_by(const io::Format& format, const io::Source& source,
+                                   const ReadOptions& options) {
+  Result<ReadTriangles> read = format.read_triangles(source, options);
+  if (!read || !read->mesh.triangles.empty()) return read;
+  Error error{ErrorCode::invalid_input, "the file has no triangles", {}};
+  error.where.file = source.name;
+  return error;
+}
 Result<Labels> labels_by(const io::Format& format, const io::Source& source,
                          const ReadOptions& options) {
   return format.read_labels(source, options);
@@ -190,6 +198,14 @@ Result<ReadPoints> read_points(const std::string& path, const ReadOptions& optio
 Result<ReadPoints> parse_points(std::string_view bytes, const std::string& name,
                                 const ReadOptions& options) {
   return parse_bytes(Contents::points, points_by, bytes, name, options);
+}
+
+Result<ReadTriangles> read_triangles(const std::string& path, const ReadOptions& options) {
+  return read_path(Contents::surface, triangles_by, path, options);
+}
+Result<ReadTriangles> parse_triangles(std::string_view bytes, const std::string& name,
+                                      const ReadOptions& options) {
+  return parse_bytes(Contents::surface, triangles_by, bytes, name, options);
 }
 
 Result<Labels> read_labels(const std::string& path) {

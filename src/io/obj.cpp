@@ -1,20 +1,35 @@
-// Boundary surfaces as Wavefront .obj: text, all digits.
+// Surfaces as Wavefront .obj: text, all digits.
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <string>
 
 #include "io/cursor.hpp"
 #include "io/format.hpp"
 #include "io/numbers.hpp"
+#include "io/obj_read.hpp"
 
 namespace tetloft::internal::io {
 
 namespace {
 
-// A first vertex: "v" and three numbers; a section of a .cnt has other words there.
+// A first vertex: "v" and three numbers; a section of a .cnt has other words there. Before it,
+// names of objects, groups and materials.
 bool is_obj(std::string_view bytes) {
+  constexpr std::array<std::string_view, 5> kNames{"mtllib", "usemtl", "o", "g", "s"};
+  constexpr int kMostLines = 100;
   TextCursor cursor(bytes);
-  for (cursor.skip_white(); cursor.peek() == '#'; cursor.skip_white()) cursor.skip_line();
-  if (cursor.token() != "v") return false;
+  for (int line = 0; line < kMostLines; ++line) {
+    cursor.skip_white();
+    if (cursor.peek() == '#') {
+      cursor.skip_line();
+      continue;
+    }
+    const std::string_view word = cursor.token();
+    if (word == "v") break;
+    if (std::find(kNames.begin(), kNames.end(), word) == kNames.end()) return false;
+    cursor.skip_line();
+  }
   for (int i = 0; i < 3; ++i) {
     cursor.skip_blanks();
     if (!parse_number(cursor.token()).ok()) return false;
@@ -50,6 +65,7 @@ extern constinit const Format obj_format{.name = "obj",
                                          .summary = "Wavefront",
                                          .extensions = {".obj"},
                                          .recognise = is_obj,
+                                         .read_triangles = read_obj,
                                          .write_surface = write_obj};
 
 }  // namespace tetloft::internal::io

@@ -1,11 +1,12 @@
-// Boundary surfaces as .ply (Turk 1994): doubles, binary or text. Points of any such file.
+// Boundary surfaces as .ply (Turk 1994): doubles, binary or text. Points and faces of any such
+// file.
 #include <cstdint>
 #include <string>
 
 #include "core/little_endian.hpp"
 #include "io/format.hpp"
 #include "io/numbers.hpp"
-#include "io/ply_points.hpp"
+#include "io/ply_read.hpp"
 
 namespace tetloft::internal::io {
 
@@ -60,6 +61,7 @@ extern constinit const Format ply_format{.name = "ply",
                                          .extensions = {".ply"},
                                          .recognise = is_ply,
                                          .read_points = read_ply_points,
+                                         .read_triangles = read_ply_triangles,
                                          .write_surface = write_ply};
 
 }  // namespace tetloft::internal::io

@@ -8,18 +8,16 @@
 #include <numeric>
 
 #include "core/little_endian.hpp"
+#include "io/cursor.hpp"
 #include "io/format.hpp"
 #include "io/numbers.hpp"
+#include "io/stl_read.hpp"
 
 namespace tetloft::internal::io {
 
 namespace {
 
 using FloatPoint = std::array<float, 3>;
-
-// Of binary files: the head with the count of triangles, and each triangle.
-constexpr std::size_t kHeadBytes = 84;
-constexpr std::size_t kTriangleBytes = 50;
 
 FloatPoint rounded(const Point3& p) {
   // Adding zero turns −0 into 0: STL readers merge vertices by their bits.
@@ -152,7 +150,7 @@ void append_stl(Sink& sink, const SurfaceMesh& mesh, Encoding encoding) {
   if (encoding == Encoding::binary) {
     // 80 bytes that must not begin with "solid", else readers take the file for ASCII.
     piece = "binary STL by tetloft";
-    piece.resize(kHeadBytes - 4, ' ');
+    piece.resize(kStlHeadBytes - 4, ' ');
     append_little(piece, static_cast<std::uint32_t>(mesh.triangles.size()));
   } else {
     piece = "solid tetloft\n";
@@ -190,12 +188,9 @@ Written write_stl(Sink& sink, const SurfaceMesh& mesh, const Model& /*model*/,
   return warnings;
 }
 
-// Binary files have the size that their count of triangles asks for.
 bool is_stl(std::string_view bytes) {
-  if (bytes.substr(0, 6) == "solid ") return true;
-  if (bytes.size() < kHeadBytes) return false;
-  const auto triangles = load_little<std::uint32_t>(bytes.data() + kHeadBytes - 4);
-  return bytes.size() == kHeadBytes + std::uint64_t{triangles} * kTriangleBytes;
+  const bool text = bytes.substr(0, 5) == "solid" && bytes.size() > 5 && is_white(bytes[5]);
+  return text || is_binary_stl(bytes);
 }
 
 }  // namespace
@@ -204,6 +199,7 @@ extern constinit const Format stl_format{.name = "stl",
                                          .summary = "stereolithography, float32",
                                          .extensions = {".stl"},
                                          .recognise = is_stl,
+                                         .read_triangles = read_stl,
                                          .write_surface = write_stl};
 
 }  // namespace tetloft::internal::io

@@ -148,6 +148,7 @@ extern constinit const Format vtp_format{.name = "vtp",
                                          .recognise = is_poly_data,
                                          .read_drawing = read_vtp_lines,
                                          .read_points = read_vtp_points,
+                                         .read_triangles = read_vtp_triangles,
                                          .write_stack = write_stack_vtp,
                                          .write_surface = write_surface_vtp,
                                          .write_lines = write_lines_vtp};

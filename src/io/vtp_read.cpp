@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "io/numbers.hpp"
+#include "io/polygons.hpp"
 #include "io/vtk_data.hpp"
 #include "io/xml.hpp"
 
@@ -346,6 +347,34 @@ Result<ReadPoints> read_vtp_points(const Source& source, const ReadOptions& /*op
     const Result<std::vector<Point3>> points = reader.points_of(p);
     if (!points) return points.error();
     read.points.insert(read.points.end(), points->begin(), points->end());
+  }
+  return read;
+}
+
+Result<ReadTriangles> read_vtp_triangles(const Source& source, const ReadOptions& /*options*/) {
+  VtpReader reader(source);
+  if (Result<void> scanned = reader.scan({kPolys}); !scanned) return scanned.error();
+  PolygonList polygons;
+  std::size_t strips = 0;
+  for (std::size_t p = 0; p < reader.pieces().size(); ++p) {
+    const Result<std::vector<Point3>> points = reader.points_of(p);
+    if (!points) return points.error();
+    const std::size_t first = polygons.points();
+    for (const Point3& q : *points) polygons.add_point(q);
+    strips += reader.pieces()[p].count[kStrips];
+    std::vector<std::uint32_t> corners;
+    Result<void> taken = reader.for_each_element(p, kPolys, [&](const auto& ids) {
+      corners.clear();
+      for (const std::int64_t id : ids) {
+        corners.push_back(static_cast<std::uint32_t>(first + static_cast<std::size_t>(id)));
+      }
+      polygons.add_polygon(corners, p);
+    });
+    if (!taken) return taken.error();
+  }
+  ReadTriangles read = polygons.take(source.name);
+  if (strips > 0) {
+    read.warnings.push_back({"left out: " + std::to_string(strips) + " strips", {}});
   }
   return read;
 }

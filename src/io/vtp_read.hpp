@@ -12,6 +12,10 @@ namespace tetloft::internal::io {
 /// All points, whatever refers to them.
 [[nodiscard]] Result<ReadPoints> read_vtp_points(const Source& source, const ReadOptions& options);
 
+/// Polygons; a warning tells of strips, which are left out.
+[[nodiscard]] Result<ReadTriangles> read_vtp_triangles(const Source& source,
+                                                       const ReadOptions& options);
+
 /// The name of the cell data that tell of each line its section: files of stacks have them.
 inline constexpr const char* kSectionOfLine = "section";
 

@@ -53,7 +53,7 @@ set(owner_report slab)
 set(owner_between reconstruct)
 set(owner_links reconstruct)
 set(owner_delaunay delaunay2 delaunay3)
-foreach(subject section_stack repair nesting conforming_section skeleton overlap)
+foreach(subject section_stack slice repair nesting conforming_section skeleton overlap)
   set(owner_${subject} sections)
 endforeach()
 

@@ -180,6 +180,18 @@ TEST(FormatTable, ReadsBackWhatEachFormatWrites) {
       for (std::size_t i = 0; i < expected.size(); ++i) {
         EXPECT_TRUE(test::same_bits(read->points[i], expected[i])) << format.name << i;
       }
+    } else if (contents == Contents::surface) {
+      const auto read = parse_triangles(bytes, name);
+      ASSERT_TRUE(read.ok()) << to_string(read.error());
+      const io::SurfaceMesh expected = io::surface_mesh(one_tet());
+      ASSERT_EQ(read->mesh.triangles.size(), expected.triangles.size());
+      for (std::size_t i = 0; i < expected.triangles.size(); ++i) {
+        for (std::size_t k = 0; k < 3; ++k) {
+          EXPECT_EQ(read->mesh.points[read->mesh.triangles[i][k]],
+                    expected.points[expected.triangles[i][k]])
+              << format.name << i << k;
+        }
+      }
     } else {
       ADD_FAILURE() << "no way to read back " << name_of(contents);
     }

@@ -1,6 +1,6 @@
-// Reading points of .ply (Turk 1994): a header that declares elements and their properties, then
+// Reading .ply (Turk 1994): a header that declares elements and their properties, then
 // the elements one after the other.
-#include "io/ply_points.hpp"
+#include "io/ply_read.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,6 +14,7 @@
 #include "core/little_endian.hpp"
 #include "io/cursor.hpp"
 #include "io/numbers.hpp"
+#include "io/polygons.hpp"
 #include "io/rows.hpp"
 
 namespace tetloft::internal::io {
@@ -62,14 +63,18 @@ class PlyReader {
  public:
   explicit PlyReader(const Source& source) : bytes_(source.bytes), name_(source.name) {}
 
-  Result<ReadPoints> read() {
-    if (Result<void> head = read_head(); !head) return head.error();
-    for (const PlyElement& element : elements_) {
-      Result<bool> vertices = read_element(element);
-      if (!vertices) return vertices.error();
-      if (*vertices) return std::move(read_);
+  Result<ReadPoints> points() {
+    if (Result<void> read = read_elements(false); !read) return read.error();
+    return ReadPoints{polygons_.take(name_).mesh.points, std::move(warnings_)};
+  }
+
+  Result<ReadTriangles> triangles() {
+    if (Result<void> read = read_elements(true); !read) return read.error();
+    if (const auto missing = polygons_.missing()) {
+      return complain("face " + std::to_string(missing->place) + " refers to vertex " +
+                      std::to_string(missing->point) + " of " + std::to_string(polygons_.points()));
     }
-    return complain("the file has no element 'vertex'");
+    return polygons_.take(name_);
   }
 
  private:
@@ -182,11 +187,67 @@ class PlyReader {
     return load_little<double>(value.data());
   }
 
-  // Whether it was that of the vertices.
-  Result<bool> read_element(const PlyElement& element) {
+  // Up to the last one that is needed.
+  Result<void> read_elements(bool faces) {
+    if (Result<void> head = read_head(); !head) return head;
+    const auto find = [&](std::string_view name) {
+      const auto found = std::find_if(elements_.begin(), elements_.end(),
+                                      [&](const PlyElement& e) { return e.name == name; });
+      return static_cast<std::size_t>(found - elements_.begin());
+    };
+    const std::size_t vertex = find("vertex");
+    const std::size_t face = find("face");
+    if (vertex == elements_.size()) return complain("the file has no element 'vertex'");
+    if (faces && face == elements_.size()) return complain("the file has no element 'face'");
+    const std::size_t last = faces ? std::max(vertex, face) : vertex;
+    for (std::size_t e = 0; e <= last; ++e) {
+      Result<void> read;
+      if (e == vertex) {
+        read = read_vertices(elements_[e]);
+      } else if (faces && e == face) {
+        read = read_faces(elements_[e]);
+      } else {
+        read = pass_over(elements_[e]);
+      }
+      if (!read) return read;
+    }
+    return {};
+  }
+
+  // Reads each of the element, and then calls done(); `value` is called with the property's number
+  // and each value.
+  template <class Value, class Done>
+  Result<void> read_each(const PlyElement& element, Value&& value, Done&& done) {
+    // An element without properties takes no bytes, however many there are.
+    if (element.properties.empty()) return {};
+    for (number_ = 0; number_ < element.count; ++number_) {
+      for (std::size_t p = 0; p < element.properties.size(); ++p) {
+        const PlyProperty& property = element.properties[p];
+        const auto count = property.count ? take(*property.count) : 1.0;
+        bool taken = count && *count >= 0;
+        for (double i = 0; taken && i < *count; ++i) {
+          const auto one = take(property.type);
+          taken = one.has_value();
+          if (taken) value(p, *one);
+        }
+        if (!taken) {
+          return complain(std::string(element.name) + ' ' + std::to_string(number_) + " of " +
+                          std::to_string(element.count) + " is cut off, or no number");
+        }
+      }
+      if (Result<void> good = done(); !good) return good;
+    }
+    return {};
+  }
+
+  Result<void> pass_over(const PlyElement& element) {
+    return read_each(
+        element, [](std::size_t, double) {}, [] { return Result<void>(); });
+  }
+
+  Result<void> read_vertices(const PlyElement& element) {
     std::array<std::size_t, 3> xyz{};
-    const bool vertices = element.name == "vertex";
-    for (std::size_t i = 0; vertices && i < 3; ++i) {
+    for (std::size_t i = 0; i < 3; ++i) {
       const std::string_view name = std::string_view("xyz").substr(i, 1);
       const auto found =
           std::find_if(element.properties.begin(), element.properties.end(),
@@ -196,38 +257,53 @@ class PlyReader {
       }
       xyz[i] = static_cast<std::size_t>(found - element.properties.begin());
     }
-    // An element without properties takes no bytes, however many there are.
-    if (element.properties.empty()) return vertices;
-    for (std::size_t k = 0; k < element.count; ++k) {
-      std::array<double, 3> point{};
-      for (std::size_t p = 0; p < element.properties.size(); ++p) {
-        const auto value = take_property(element.properties[p]);
-        if (!value) {
-          return complain(std::string(element.name) + ' ' + std::to_string(k) + " of " +
-                          std::to_string(element.count) + " is cut off, or no number");
-        }
-        for (std::size_t i = 0; i < 3; ++i) {
-          if (vertices && xyz[i] == p) point[i] = *value;
-        }
+    std::array<double, 3> point{};
+    const auto value = [&](std::size_t p, double v) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        if (xyz[i] == p) point[i] = v;
       }
-      if (!vertices) continue;
+    };
+    const auto done = [&]() -> Result<void> {
       if (!std::isfinite(point[0]) || !std::isfinite(point[1]) || !std::isfinite(point[2])) {
-        return complain("vertex " + std::to_string(k) + " is not finite");
+        return complain("vertex " + std::to_string(number_) + " is not finite");
       }
-      read_.points.push_back({point[0], point[1], point[2]});
-    }
-    if (vertices) tell(element.properties.size() - 3);
-    return vertices;
+      polygons_.add_point({point[0], point[1], point[2]});
+      return {};
+    };
+    Result<void> read = read_each(element, value, done);
+    if (read) tell(element.properties.size() - 3);
+    return read;
   }
 
-  std::optional<double> take_property(const PlyProperty& property) {
-    if (!property.count) return take(property.type);
-    const auto count = take(*property.count);
-    if (!count || *count < 0) return std::nullopt;
-    for (double i = 0; i < *count; ++i) {
-      if (!take(property.type)) return std::nullopt;
+  Result<void> read_faces(const PlyElement& element) {
+    const auto list = std::find_if(
+        element.properties.begin(), element.properties.end(), [](const PlyProperty& p) {
+          return p.count && (p.name == "vertex_indices" || p.name == "vertex_index");
+        });
+    if (list == element.properties.end()) {
+      return complain("the faces have no list 'vertex_indices' or 'vertex_index'");
     }
-    return 0;
+    const auto chosen = static_cast<std::size_t>(list - element.properties.begin());
+    std::vector<std::uint32_t> corners;
+    double wrong = 0;  // a number that is none of a vertex
+    const auto value = [&](std::size_t p, double v) {
+      if (p != chosen) return;
+      const bool good = v >= 0 && v < UINT32_MAX && v == std::trunc(v);
+      if (!good && wrong == 0) wrong = v == v ? v : -1;
+      corners.push_back(good ? static_cast<std::uint32_t>(v) : 0);
+    };
+    const auto done = [&]() -> Result<void> {
+      if (wrong != 0) {
+        std::string text;
+        append_number(text, wrong);
+        return complain("face " + std::to_string(number_) + ": " + text +
+                        " is no number of a vertex");
+      }
+      polygons_.add_polygon(corners, number_);
+      corners.clear();
+      return {};
+    };
+    return read_each(element, value, done);
   }
 
   void tell(std::size_t others) {
@@ -236,7 +312,7 @@ class PlyReader {
                         (others == 1 ? " property" : " properties") + " beside x, y and z",
                     {}};
     warning.where.file = name_;
-    read_.warnings.push_back(std::move(warning));
+    warnings_.push_back(std::move(warning));
   }
 
   std::string_view bytes_;
@@ -246,13 +322,19 @@ class PlyReader {
   PlyForm form_ = PlyForm::text;
   bool in_data_ = false;
   std::vector<PlyElement> elements_;
-  ReadPoints read_;
+  std::size_t number_ = 0;  // of the element at hand
+  PolygonList polygons_;
+  std::vector<Warning> warnings_;  // of points
 };
 
 }  // namespace
 
 Result<ReadPoints> read_ply_points(const Source& source, const ReadOptions& /*options*/) {
-  return PlyReader(source).read();
+  return PlyReader(source).points();
+}
+
+Result<ReadTriangles> read_ply_triangles(const Source& source, const ReadOptions& /*options*/) {
+  return PlyReader(source).triangles();
 }
 
 }  // namespace tetloft::internal::io
