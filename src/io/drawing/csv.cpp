@@ -56,14 +56,7 @@ CsvColumns columns_by_name(const std::vector<std::string_view>& names) {
 // Tables of contours; tables of points alone are for whoever reads points.
 bool is_contour_table(std::string_view bytes) {
   TableRows rows(bytes.substr(0, 4096));
-  if (!rows.next()) return false;
-  // Numbers alone: x, y, z, and perhaps the contour. No other text of contours begins so.
-  if (!rows.is_header()) {
-    const auto is_number = [&](std::string_view field) { return rows.number(field).ok(); };
-    const std::vector<std::string_view>& fields = rows.fields();
-    return (fields.size() == 3 || fields.size() == 4) &&
-           std::all_of(fields.begin(), fields.end(), is_number);
-  }
+  if (!rows.next() || !rows.is_header()) return false;
   const CsvColumns columns = columns_by_name(rows.fields());
   const bool groups =
       columns.contour != kNowhere || columns.section != kNowhere || columns.structure != kNowhere;
