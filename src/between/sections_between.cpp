@@ -206,7 +206,7 @@ class Classes {
   SlabRegions regions_;
 };
 
-Box2 box_of(const SlabClass& c) {
+Box2 class_box(const SlabClass& c) {
   Box2 box;
   for (const Around where : {Around::lower, Around::upper}) {
     for (const Contour* contour : c.outlines.contours[where]) {
@@ -217,7 +217,7 @@ Box2 box_of(const SlabClass& c) {
 }
 
 double samples_of(const SlabClass& c, double step, double around) {
-  const Box2 box = box_of(c);
+  const Box2 box = class_box(c);
   return ((box.x1 - box.x0 + around) / step + kWindowMargin) *
          ((box.y1 - box.y0 + around) / step + kWindowMargin);
 }
@@ -237,7 +237,7 @@ bool fit_lattice(between::SlabShape& shape, double gap) {
 // larger than what lies in it, or the units of heights are others, nothing can be said in between.
 bool shows_classes(const between::SlabShape& shape) {
   return std::all_of(shape.classes.begin(), shape.classes.end(), [&](const SlabClass& c) {
-    const Box2 box = box_of(c);
+    const Box2 box = class_box(c);
     return std::max(box.x1 - box.x0, box.y1 - box.y0) >= kFewestSteps * shape.step;
   });
 }
