@@ -18,13 +18,13 @@ class PointTable {
   Result<ReadPoints> read() {
     bool more = rows_.next();
     // The second names are those of other programs.
-    const std::array<std::vector<std::string_view>, 3> kNames{
+    const std::array<std::vector<std::string_view>, 3> kColumnNames{
         {{"x", "points0", "easting"},
          {"y", "points1", "northing"},
          {"z", "points2", "height", "elevation"}}};
     if (more && rows_.is_header() && may_be_names()) {
       for (std::size_t i = 0; i < 3; ++i) {
-        columns_[i] = column_named(rows_.fields(), kNames[i]);
+        columns_[i] = column_named(rows_.fields(), kColumnNames[i]);
         if (columns_[i] < rows_.fields().size()) continue;
         return row_error(name_, rows_.line(),
                          "no columns named x, y and z (or easting, northing and height): name them "

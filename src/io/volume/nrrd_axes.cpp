@@ -61,18 +61,18 @@ struct NrrdSpace {
   std::size_t dimension = 0;
 };
 NrrdSpace space_of(const std::string& value) {
-  struct Known {
+  struct KnownSpace {
     const char* names[2];
     const char* space;
   };
-  constexpr std::array<Known, 6> kKnown{{{{"right-anterior-superior", "ras"}, "RAS"},
-                                         {{"left-anterior-superior", "las"}, "LAS"},
-                                         {{"left-posterior-superior", "lps"}, "LPS"},
-                                         {{"scanner-xyz", "scannerxyz"}, "scanner-xyz"},
-                                         {{"3d-right-handed", "3dr"}, "3D-right-handed"},
-                                         {{"3d-left-handed", "3dl"}, "3D-left-handed"}}};
+  constexpr std::array<KnownSpace, 6> kKnown{{{{"right-anterior-superior", "ras"}, "RAS"},
+                                              {{"left-anterior-superior", "las"}, "LAS"},
+                                              {{"left-posterior-superior", "lps"}, "LPS"},
+                                              {{"scanner-xyz", "scannerxyz"}, "scanner-xyz"},
+                                              {{"3d-right-handed", "3dr"}, "3D-right-handed"},
+                                              {{"3d-left-handed", "3dl"}, "3D-left-handed"}}};
   const std::string lower = lower_case(trimmed(value));
-  for (const Known& known : kKnown) {
+  for (const KnownSpace& known : kKnown) {
     for (const char* name : known.names) {
       if (lower == name) return {known.space, 3};
       if (lower == std::string(name) + "-time" || lower == std::string(name) + "t") {
