@@ -15,13 +15,6 @@ using namespace tetloft::fuzz;
 
 constexpr std::array kNames{"rtstruct", "cxt", "csl", "slc", "imod"};
 
-template <class Read>
-bool fine(const Result<Read>& read) {
-  if (read) return true;
-  require_clean(read.error());
-  return false;
-}
-
 void try_stack(std::string_view bytes, ReadOptions options) {
   for (const Validity validity : {Validity::required, Validity::unchecked}) {
     options.validity = validity;

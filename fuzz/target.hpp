@@ -31,6 +31,15 @@ inline void require_clean(const Error& error) {
   require(!error.message.empty(), "an error without a message");
 }
 
+/// Whether a reader read it; its error is clean and names the file.
+template <class Read>
+bool fine(const Result<Read>& read) {
+  if (read) return true;
+  require_clean(read.error());
+  require(!read.error().where.file.empty(), "an error without the file's name");
+  return false;
+}
+
 inline std::string_view text_of(const std::uint8_t* data, std::size_t size) {
   return {reinterpret_cast<const char*>(data), size};
 }

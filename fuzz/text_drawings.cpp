@@ -17,13 +17,6 @@ using namespace tetloft::fuzz;
 constexpr std::array kDrawings{"geojson", "svg", "dxf", "vtp", "csv", "cnt"};
 constexpr std::array kPoints{"xyz", "node", "ply", "vtp"};
 
-template <class Read>
-bool fine(const Result<Read>& read) {
-  if (read) return true;
-  require_clean(read.error());
-  return false;
-}
-
 void survives_writing(const SectionStack& stack) {
   for (const char* name : {"geojson", "vtp", "csl"}) {
     const auto once = format_stack(stack, {.format = name});

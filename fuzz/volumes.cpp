@@ -12,14 +12,6 @@ namespace {
 using namespace tetloft;
 using namespace tetloft::fuzz;
 
-template <class Read>
-bool fine(const Result<Read>& read) {
-  if (read) return true;
-  require_clean(read.error());
-  require(!read.error().where.file.empty(), "an error without the file's name");
-  return false;
-}
-
 void try_stack(std::string_view bytes, const std::string& name, const ReadOptions& options) {
   const auto read = parse_stack(bytes, name, options);
   if (fine(read)) require(validate(read->stack).ok(), "a stack that is not valid");

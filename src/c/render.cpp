@@ -10,6 +10,7 @@
 #include "c/handles.hpp"
 #include "c/options.hpp"
 #include "c/structs.hpp"
+#include "core/text.hpp"
 
 namespace tetloft::internal::c {
 
@@ -79,10 +80,7 @@ constexpr std::array kPictureFormats{PictureFormat{".png", render_png},
 
 // Of the path's extension, in letters of either case.
 RenderModel renderer_of(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  for (char& letter : extension) {
-    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
-  }
+  const std::string extension = lower_case(std::filesystem::path(path).extension().string());
   for (const PictureFormat& format : kPictureFormats) {
     if (extension == format.extension) return format.render;
   }

@@ -77,13 +77,7 @@ int Console::fail(const Error& error) {
   if (!json_ || delivered_) return code;
   JsonWriter json;
   json.begin_object();
-  json.key("error");
-  json.begin_object();
-  json.member("code", name_of(error.code));
-  json.member("message", error.message);
-  json.key("where");
-  write_place(json, error.where);
-  json.end_object();
+  write_error(json, error);
   json.end_object();
   const Result<void> told = deliver(json.text());
   if (!told) say("error: " + to_string(told.error()));
@@ -100,6 +94,16 @@ std::string kind_of(std::string_view message) {
     if (!quoted) kind += number ? '#' : c;
   }
   return kind;
+}
+
+void write_error(JsonWriter& json, const Error& error) {
+  json.key("error");
+  json.begin_object();
+  json.member("code", name_of(error.code));
+  json.member("message", error.message);
+  json.key("where");
+  write_place(json, error.where);
+  json.end_object();
 }
 
 void write_place(JsonWriter& json, const Place& place) {

@@ -65,6 +65,8 @@ class Console {
 
 /// The members file, line, section, slab, contour, vertex, point, where known.
 void write_place(JsonWriter& json, const Place& place);
+/// A member "error": code, message, where.
+void write_error(JsonWriter& json, const Error& error);
 /// A member "warnings": objects with message and where.
 void write_warnings(JsonWriter& json, const std::vector<Warning>& warnings);
 

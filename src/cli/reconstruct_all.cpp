@@ -136,13 +136,7 @@ void write_outcome(JsonWriter& json, const Structure& structure, const Outcome& 
   json.member("number", structure.value);
   json.member("name", structure.name);
   if (outcome.error) {
-    json.key("error");
-    json.begin_object();
-    json.member("code", name_of(outcome.error->code));
-    json.member("message", outcome.error->message);
-    json.key("where");
-    write_place(json, outcome.error->where);
-    json.end_object();
+    write_error(json, *outcome.error);
   } else {
     json.key("written");
     json.begin_array();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "core/text.hpp"
 #include "io/files.hpp"
 #include "io/numbers.hpp"
 
@@ -28,13 +29,6 @@ std::string as_file_name(const std::string& name) {
     const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
                        c == '_' || c == '-' || c == '.' || static_cast<unsigned char>(c) >= 0x80;
     text += plain ? c : '_';
-  }
-  return text;
-}
-
-std::string lower(std::string text) {
-  for (char& c : text) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   }
   return text;
 }
@@ -88,7 +82,7 @@ std::vector<std::string> outputs_of(const std::string& path,
     const std::string base =
         as_file_name(structure.name.empty() ? structure.number : structure.name);
     std::string name = base;
-    for (std::size_t i = 0; !taken.insert(lower(name)).second; ++i) {
+    for (std::size_t i = 0; !taken.insert(lower_case(name)).second; ++i) {
       name = base + '-' + structure.number + (i == 0 ? "" : '-' + std::to_string(i));
     }
     outputs.push_back(stem + '-' + name + extension);

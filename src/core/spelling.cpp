@@ -1,5 +1,6 @@
 // See spelling.hpp.
 #include "core/spelling.hpp"
+#include "core/text.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -8,14 +9,6 @@
 namespace tetloft::internal {
 
 namespace {
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return result;
-}
 
 // Without the hyphens that every option begins with: they are no evidence.
 std::string_view stem(std::string_view word) {
@@ -45,12 +38,12 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }
 
 std::string_view closest(std::string_view word, const std::vector<std::string_view>& candidates) {
-  const std::string meant = lower(stem(word));
+  const std::string meant = lower_case(stem(word));
   if (meant.empty() || meant.size() > kLongest) return {};
   std::string_view best;
   std::optional<std::size_t> least;
   for (const std::string_view candidate : candidates) {
-    const std::string name = lower(stem(candidate));
+    const std::string name = lower_case(stem(candidate));
     const std::size_t allowed = std::max<std::size_t>(1, std::min(meant.size(), name.size()) / 3);
     // A beginning is as good as one slip, but one letter is the beginning of too much.
     const bool begins = meant.size() > 1 && name.rfind(meant, 0) == 0;

@@ -28,6 +28,12 @@ struct TextUnit {
 /// printable(printable(t)) == printable(t).
 [[nodiscard]] std::string printable(std::string_view text);
 
+/// Letters of ASCII in lower case; what is beyond it stays.
+[[nodiscard]] constexpr char lower_case(char c) {
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+[[nodiscard]] std::string lower_case(std::string_view text);
+
 /// `text` as a document may hold it, XML and HTML included: each byte that is no UTF-8, and each
 /// control character but tab and line ends, becomes U+FFFD, as do U+FFFE and U+FFFF.
 [[nodiscard]] std::string valid_utf8(std::string_view text);

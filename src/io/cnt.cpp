@@ -3,6 +3,7 @@
 
 #include "io/cnt_read.hpp"
 #include "io/cursor.hpp"
+#include "io/drawing/written_stack.hpp"
 #include "io/format.hpp"
 #include "io/numbers.hpp"
 
@@ -44,16 +45,7 @@ std::string section_text(const Section& section) {
 Written write_sections(Sink& sink, const SectionStack& stack, const Target& target) {
   sink.append("S " + std::to_string(stack.sections.size()) + '\n');
   for (const Section& section : stack.sections) sink.append(section_text(section));
-  std::vector<Warning> warnings;
-  if (stack.frame != Frame()) {
-    Warning warning{
-        "the planes lie in other directions in the file that they came from; written are their own "
-        "coordinates, as .cnt has no others (.csl and .vtp have)",
-        {}};
-    warning.where.file = target.name;
-    warnings.push_back(std::move(warning));
-  }
-  return warnings;
+  return warnings_of_turned(stack, target, ".cnt");
 }
 
 }  // namespace

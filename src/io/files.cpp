@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <filesystem>
 
+#include "core/text.hpp"
 #include "io/output_place.hpp"
 
 namespace tetloft::internal::io {
@@ -101,11 +102,7 @@ Result<std::string> read_file(const std::string& path, const ReadLimits& limits)
 }
 
 std::string extension_of(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  for (char& c : extension) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return extension;
+  return lower_case(std::filesystem::path(path).extension().string());
 }
 
 }  // namespace tetloft::internal::io

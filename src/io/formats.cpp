@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "core/spelling.hpp"
+#include "core/text.hpp"
 #include "io/files.hpp"
 #include "io/numbers.hpp"
 
@@ -45,10 +46,7 @@ bool writes(const Format& format, Contents contents) {
 }
 
 std::string_view extension_in(const Format& format, const std::string& path) {
-  std::string name = std::filesystem::path(path).filename().string();
-  for (char& c : name) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
+  const std::string name = lower_case(std::filesystem::path(path).filename().string());
   std::string_view longest;
   for (const std::string_view extension : format.extensions) {
     // A name that is nothing but an extension is a hidden file.

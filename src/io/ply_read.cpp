@@ -16,34 +16,33 @@
 #include "io/numbers.hpp"
 #include "io/polygons.hpp"
 #include "io/rows.hpp"
+#include "io/scalar_type.hpp"
+#include "io/volume/samples.hpp"
 
 namespace tetloft::internal::io {
 
 namespace {
 
-enum class PlyType : std::uint8_t { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
-
 struct PlyTypeName {
   std::string_view name;
-  PlyType type;
-  std::size_t bytes;
+  ScalarType type;
 };
-constexpr std::array<PlyTypeName, 16> kPlyTypes{{{"char", PlyType::int8, 1},
-                                                 {"int8", PlyType::int8, 1},
-                                                 {"uchar", PlyType::uint8, 1},
-                                                 {"uint8", PlyType::uint8, 1},
-                                                 {"short", PlyType::int16, 2},
-                                                 {"int16", PlyType::int16, 2},
-                                                 {"ushort", PlyType::uint16, 2},
-                                                 {"uint16", PlyType::uint16, 2},
-                                                 {"int", PlyType::int32, 4},
-                                                 {"int32", PlyType::int32, 4},
-                                                 {"uint", PlyType::uint32, 4},
-                                                 {"uint32", PlyType::uint32, 4},
-                                                 {"float", PlyType::float32, 4},
-                                                 {"float32", PlyType::float32, 4},
-                                                 {"double", PlyType::float64, 8},
-                                                 {"float64", PlyType::float64, 8}}};
+constexpr std::array<PlyTypeName, 16> kPlyTypes{{{"char", ScalarType::int8},
+                                                 {"int8", ScalarType::int8},
+                                                 {"uchar", ScalarType::uint8},
+                                                 {"uint8", ScalarType::uint8},
+                                                 {"short", ScalarType::int16},
+                                                 {"int16", ScalarType::int16},
+                                                 {"ushort", ScalarType::uint16},
+                                                 {"uint16", ScalarType::uint16},
+                                                 {"int", ScalarType::int32},
+                                                 {"int32", ScalarType::int32},
+                                                 {"uint", ScalarType::uint32},
+                                                 {"uint32", ScalarType::uint32},
+                                                 {"float", ScalarType::float32},
+                                                 {"float32", ScalarType::float32},
+                                                 {"double", ScalarType::float64},
+                                                 {"float64", ScalarType::float64}}};
 
 struct PlyProperty {
   std::string_view name;
@@ -149,7 +148,7 @@ class PlyReader {
     if (words.size() != (list ? 5U : 3U)) return complain("a property has too many words, or few");
     const auto type = type_of(words[list ? 3 : 1]);
     if (list) property.count = type_of(words[2]);
-    const bool countable = !list || (property.count && property.count->type < PlyType::float32);
+    const bool countable = !list || (property.count && !is_float(property.count->type));
     if (!type || !countable) return complain("a property has no known type");
     property.type = *type;
     property.name = words.back();
@@ -165,26 +164,15 @@ class PlyReader {
       while (at_ < bytes_.size() && !is_white(bytes_[at_])) ++at_;
       const ParsedNumber number = parse_number(bytes_.substr(from, at_ - from));
       if (!number.ok()) return std::nullopt;
-      return type.type == PlyType::float32 ? static_cast<float>(number.value) : number.value;
+      return type.type == ScalarType::float32 ? static_cast<float>(number.value) : number.value;
     }
-    if (bytes_.size() - at_ < type.bytes) return std::nullopt;
-    std::array<char, 8> value{};
-    std::memcpy(value.data(), bytes_.data() + at_, type.bytes);
-    at_ += type.bytes;
-    if (form_ == PlyForm::big) {
-      std::reverse(value.begin(), value.begin() + static_cast<std::ptrdiff_t>(type.bytes));
-    }
-    switch (type.type) {
-      case PlyType::int8: return load_little<std::int8_t>(value.data());
-      case PlyType::uint8: return load_little<std::uint8_t>(value.data());
-      case PlyType::int16: return load_little<std::int16_t>(value.data());
-      case PlyType::uint16: return load_little<std::uint16_t>(value.data());
-      case PlyType::int32: return load_little<std::int32_t>(value.data());
-      case PlyType::uint32: return load_little<std::uint32_t>(value.data());
-      case PlyType::float32: return load_little<float>(value.data());
-      case PlyType::float64: break;
-    }
-    return load_little<double>(value.data());
+    const std::size_t size = size_of(type.type);
+    if (bytes_.size() - at_ < size) return std::nullopt;
+    const char* const from = bytes_.data() + at_;
+    at_ += size;
+    return visit_scalar(type.type, [&](auto number) {
+      return static_cast<double>(number_in<decltype(number)>(from, form_ == PlyForm::big));
+    });
   }
 
   // Up to the last one that is needed.

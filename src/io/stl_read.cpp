@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/little_endian.hpp"
+#include "core/text.hpp"
 #include "io/cursor.hpp"
 #include "io/numbers.hpp"
 #include "io/rows.hpp"
@@ -96,13 +97,7 @@ class StlText {
 
   // Whether the word is `expected`, which is in lower case.
   static bool is(std::string_view word, std::string_view expected) {
-    if (word.size() != expected.size()) return false;
-    for (std::size_t i = 0; i < word.size(); ++i) {
-      const char c = word[i];
-      if ((c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c) != expected[i])
-        return false;
-    }
-    return true;
+    return word.size() == expected.size() && lower_case(word) == expected;
   }
 
   std::string_view next() {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/text.hpp"
 #include "io/cursor.hpp"
 
 namespace tetloft::internal::io {
@@ -92,7 +93,7 @@ std::string plain_name(std::string_view name) {
   std::string text;
   for (const char c : name.substr(0, name.find_first_of("([{"))) {
     if (c == ' ' || c == '_' || c == '-' || c == ':') continue;
-    text += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    text += lower_case(c);
   }
   return text;
 }

@@ -16,23 +16,9 @@ namespace tetloft::internal::io {
 
 namespace {
 
-struct TypeRow {
-  std::string_view name;
-  ScalarType type;
-  std::size_t bytes;
-};
-constexpr std::array<TypeRow, 10> kTypes{{{"Int8", ScalarType::int8, 1},
-                                          {"UInt8", ScalarType::uint8, 1},
-                                          {"Int16", ScalarType::int16, 2},
-                                          {"UInt16", ScalarType::uint16, 2},
-                                          {"Int32", ScalarType::int32, 4},
-                                          {"UInt32", ScalarType::uint32, 4},
-                                          {"Int64", ScalarType::int64, 8},
-                                          {"UInt64", ScalarType::uint64, 8},
-                                          {"Float32", ScalarType::float32, 4},
-                                          {"Float64", ScalarType::float64, 8}}};
-
-std::size_t bytes_of(ScalarType type) { return kTypes[static_cast<std::size_t>(type)].bytes; }
+// In the order of ScalarType.
+constexpr std::array<std::string_view, 10> kTypes{
+    "Int8", "UInt8", "Int16", "UInt16", "Int32", "UInt32", "Int64", "UInt64", "Float32", "Float64"};
 
 std::string array_name(const DataArray& array) { return "the array " + in_quotes(array.name); }
 
@@ -217,24 +203,14 @@ std::vector<T> convert(std::string_view bytes) {
 
 template <class T>
 std::vector<T> convert(ScalarType type, std::string_view bytes) {
-  switch (type) {
-    case ScalarType::int8: return convert<std::int8_t, T>(bytes);
-    case ScalarType::uint8: return convert<std::uint8_t, T>(bytes);
-    case ScalarType::int16: return convert<std::int16_t, T>(bytes);
-    case ScalarType::uint16: return convert<std::uint16_t, T>(bytes);
-    case ScalarType::int32: return convert<std::int32_t, T>(bytes);
-    case ScalarType::uint32: return convert<std::uint32_t, T>(bytes);
-    case ScalarType::int64: return convert<std::int64_t, T>(bytes);
-    case ScalarType::uint64: return convert<std::uint64_t, T>(bytes);
-    case ScalarType::float32: break;
-    case ScalarType::float64: break;
-  }
-  // Integers never come here from floats: read_integers refuses them first.
-  if constexpr (std::is_floating_point_v<T>) {
-    return type == ScalarType::float32 ? convert<float, T>(bytes) : convert<double, T>(bytes);
-  } else {
-    return {};
-  }
+  return visit_scalar(type, [&](auto stored) -> std::vector<T> {
+    // Integers never come here from floats: read_integers refuses them first.
+    if constexpr (std::is_floating_point_v<decltype(stored)> && !std::is_floating_point_v<T>) {
+      return {};
+    } else {
+      return convert<decltype(stored), T>(bytes);
+    }
+  });
 }
 
 template <class T>
@@ -288,7 +264,7 @@ Result<std::vector<T>> read_values(const DataArray& array, const DataSource& sou
   Result<Payload> payload = binary_payload(array, source, scanner);
   if (!payload) return payload.error();
   const std::string_view bytes = view_of(*payload);
-  if (bytes.size() % bytes_of(array.type) != 0) {
+  if (bytes.size() % size_of(array.type) != 0) {
     return scanner.complain(array.position,
                             array_name(array) + " does not hold a whole number of values");
   }
@@ -319,7 +295,7 @@ Result<void> check_unpacking(const std::vector<const DataArray*>& arrays, const 
     BlockHeader header;
     // What is wrong is told by who reads it.
     if (read_header(EncodedBytes(*array, source), source, header) != HeaderFault::none) continue;
-    const std::uint64_t values = header.unpacked / bytes_of(array->type);
+    const std::uint64_t values = header.unpacked / size_of(array->type);
     if (header.unpacked > left || values > left / 8 || header.unpacked + 8 * values > left) {
       return scanner.complain(array->position, array_name(*array) +
                                                    ": the file unpacks to more than " +
@@ -384,15 +360,12 @@ Result<DataArray> declare_array(const XmlTag& tag, std::string_view name,
   array.position = tag.position;
   array.name = name;
   const std::string* const type = tag.find("type");
-  bool known = false;
-  for (const TypeRow& row : kTypes) {
-    if (type == nullptr || *type != row.name) continue;
-    array.type = row.type;
-    known = true;
-  }
-  if (!known) {
+  const auto known =
+      type == nullptr ? kTypes.end() : std::find(kTypes.begin(), kTypes.end(), *type);
+  if (known == kTypes.end()) {
     return scanner.complain(array.position, array_name(array) + " has no numeric type");
   }
+  array.type = static_cast<ScalarType>(known - kTypes.begin());
   const auto read_size = [&](std::string_view key, std::size_t& size) {
     const std::string* const text = tag.find(key);
     if (text == nullptr) return true;

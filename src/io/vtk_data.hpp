@@ -13,26 +13,10 @@
 
 #include <tetloft/result.hpp>
 
+#include "io/scalar_type.hpp"
 #include "io/xml.hpp"
 
 namespace tetloft::internal::io {
-
-enum class ScalarType : std::uint8_t {
-  int8,
-  uint8,
-  int16,
-  uint16,
-  int32,
-  uint32,
-  int64,
-  uint64,
-  float32,
-  float64
-};
-
-[[nodiscard]] constexpr bool is_float(ScalarType type) {
-  return type == ScalarType::float32 || type == ScalarType::float64;
-}
 
 /// A DataArray as declared.
 struct DataArray {

@@ -83,9 +83,7 @@ class VtpScanner {
  private:
   Result<void> close(const XmlTag& tag) {
     if (open_.empty() || open_.back() != tag.name) {
-      return scanner_.complain(tag.position, "the tag " +
-                                                 in_quotes("</" + std::string(tag.name) + '>') +
-                                                 " does not close what is open");
+      return scanner_.complain_of_close(tag);
     }
     open_.pop_back();
     return {};

@@ -41,6 +41,11 @@ const std::string* XmlTag::find(std::string_view attribute) const {
   return nullptr;
 }
 
+Error XmlScanner::complain_of_close(const XmlTag& tag) const {
+  return complain(tag.position, "the tag " + in_quotes("</" + std::string(tag.name) + '>') +
+                                    " does not close what is open");
+}
+
 Error XmlScanner::complain(std::size_t position, const std::string& message) const {
   Error error{ErrorCode::invalid_input, message, {}};
   error.where.file = name_;

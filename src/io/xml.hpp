@@ -46,6 +46,8 @@ class XmlScanner {
   [[nodiscard]] std::size_t size() const { return text_.size(); }
   [[nodiscard]] const std::string& name() const { return name_; }
 
+  /// That a closing tag is not that of the element which is open.
+  [[nodiscard]] Error complain_of_close(const XmlTag& tag) const;
   /// invalid_input, naming the file and the line of byte `position`.
   [[nodiscard]] Error complain(std::size_t position, const std::string& message) const;
 

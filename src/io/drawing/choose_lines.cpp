@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/spelling.hpp"
+#include "core/text.hpp"
 #include "io/numbers.hpp"
 
 namespace tetloft::internal::io {
@@ -13,13 +14,6 @@ namespace tetloft::internal::io {
 namespace {
 
 using Known = std::vector<std::pair<double, std::string>>;
-
-std::string lower(std::string text) {
-  for (char& c : text) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return text;
-}
 
 // "1 'lung', 2 'heart'": of many the first ones.
 std::string listed(const Known& known) {
@@ -140,7 +134,7 @@ std::optional<std::size_t> find_structure(const std::string& asked, const Known&
   if (number.ok()) {
     if (const auto by = only([&](const auto& k) { return k.first == number.value; })) return by;
   }
-  return only([&](const auto& k) { return lower(k.second) == lower(asked); });
+  return only([&](const auto& k) { return lower_case(k.second) == lower_case(asked); });
 }
 
 Result<ChosenLines> choose_lines(Drawing& drawing, const std::string& asked) {

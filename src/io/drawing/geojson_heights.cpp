@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/spelling.hpp"
+#include "core/text.hpp"
 #include "io/numbers.hpp"
 
 namespace tetloft::internal::io {
@@ -38,7 +39,7 @@ std::string plain(std::string_view name) {
   std::string text;
   for (const char c : name) {
     if (c == ' ' || c == '_' || c == '-') continue;
-    text += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    text += lower_case(c);
   }
   return text;
 }

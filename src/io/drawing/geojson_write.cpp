@@ -40,12 +40,7 @@ Written write_geojson(Sink& sink, const SectionStack& stack, const Target& targe
   const Result<std::vector<Warning>> fit = check_written(stack, target);
   if (!fit) return fit.error();
   std::vector<Warning> warnings = *fit;
-  if (stack.frame != Frame()) {
-    Warning warning{
-        "the planes lie in other directions in the file that they came from; written are their own "
-        "coordinates, as GeoJSON has no others",
-        {}};
-    warning.where.file = target.name;
+  for (Warning& warning : warnings_of_turned(stack, target, "GeoJSON")) {
     warnings.push_back(std::move(warning));
   }
   Pieces pieces(sink);

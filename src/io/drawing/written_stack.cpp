@@ -23,6 +23,18 @@ Result<std::vector<Warning>> check_written(const SectionStack& stack, const Targ
   return warnings;
 }
 
+std::vector<Warning> warnings_of_turned(const SectionStack& stack, const Target& target,
+                                        std::string_view format) {
+  if (stack.frame == Frame()) return {};
+  Warning warning{
+      "the planes lie in other directions in the file that they came from; written are their own "
+      "coordinates, as " +
+          std::string(format) + " has no others (.csl and .vtp have)",
+      {}};
+  warning.where.file = target.name;
+  return {std::move(warning)};
+}
+
 std::vector<std::vector<ContourId>> rings_by_outer(const Nesting& nesting) {
   std::vector<std::vector<ContourId>> rings;
   IdVector<ContourId, std::size_t> place;

@@ -1,6 +1,7 @@
 // What writers of drawings ask of a stack.
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include <tetloft/nesting.hpp>
@@ -15,6 +16,12 @@ namespace tetloft::internal::io {
 /// invalid_input where it is not valid.
 [[nodiscard]] Result<std::vector<Warning>> check_written(const SectionStack& stack,
                                                          const Target& target);
+
+/// Of formats that know planes z = const alone, `format`: a warning where the planes of the stack
+/// lie in other directions.
+[[nodiscard]] std::vector<Warning> warnings_of_turned(const SectionStack& stack,
+                                                      const Target& target,
+                                                      std::string_view format);
 
 /// Each outer contour and the holes right within it, in the order of the contours.
 [[nodiscard]] std::vector<std::vector<ContourId>> rings_by_outer(const Nesting& nesting);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/text.hpp"
 #include "io/cursor.hpp"
 #include "io/numbers.hpp"
 #include "io/volume/part_bytes.hpp"
@@ -24,10 +25,7 @@ Error cut_off(const std::string& name) {
 Result<double> value_of(std::string_view token, const std::string& name) {
   const ParsedNumber number = parse_number(token);
   if (number.ok()) return number.value;
-  std::string lower;
-  for (const char c : token.substr(0, 9)) {
-    lower += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  }
+  const std::string lower = lower_case(token.substr(0, 9));
   const double infinity = std::numeric_limits<double>::infinity();
   if (lower == "nan" || lower == "-nan") return std::numeric_limits<double>::quiet_NaN();
   if (lower == "inf" || lower == "+inf" || lower == "infinity") return infinity;

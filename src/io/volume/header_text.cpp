@@ -13,14 +13,6 @@ constexpr std::size_t kReadAtOnce = std::size_t{1} << 12;
 
 }  // namespace
 
-std::string lower_case(std::string_view text) {
-  std::string lower(text);
-  for (char& c : lower) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return lower;
-}
-
 std::vector<std::string> words_of(std::string_view text) {
   std::vector<std::string> words;
   TextCursor cursor(text);

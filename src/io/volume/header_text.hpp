@@ -14,9 +14,6 @@
 
 namespace tetloft::internal::io {
 
-/// In lower case, as far as ASCII goes.
-[[nodiscard]] std::string lower_case(std::string_view text);
-
 /// Words between white space.
 [[nodiscard]] std::vector<std::string> words_of(std::string_view text);
 

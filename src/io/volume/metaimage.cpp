@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/text.hpp"
 #include "io/format.hpp"
 #include "io/numbers.hpp"
 #include "io/volume/file_volume.hpp"
@@ -27,26 +28,26 @@ bool recognise_metaimage(std::string_view bytes) {
   return key == "ndims";
 }
 
-Result<SampleType> element_type(const MetaHeader& meta) {
+Result<ScalarType> element_type(const MetaHeader& meta) {
   const MetaHeader::Field* const field = meta.find({"elementtype"});
   if (field == nullptr) return meta.complain(field, "the header has no ElementType");
   struct Named {
     const char* name;
-    SampleType type;
+    ScalarType type;
   };
   // MET_LONG has four bytes in files, on every system.
-  constexpr std::array<Named, 12> kTypes{{{"met_char", SampleType::int8},
-                                          {"met_uchar", SampleType::uint8},
-                                          {"met_short", SampleType::int16},
-                                          {"met_ushort", SampleType::uint16},
-                                          {"met_int", SampleType::int32},
-                                          {"met_uint", SampleType::uint32},
-                                          {"met_long", SampleType::int32},
-                                          {"met_ulong", SampleType::uint32},
-                                          {"met_long_long", SampleType::int64},
-                                          {"met_ulong_long", SampleType::uint64},
-                                          {"met_float", SampleType::float32},
-                                          {"met_double", SampleType::float64}}};
+  constexpr std::array<Named, 12> kTypes{{{"met_char", ScalarType::int8},
+                                          {"met_uchar", ScalarType::uint8},
+                                          {"met_short", ScalarType::int16},
+                                          {"met_ushort", ScalarType::uint16},
+                                          {"met_int", ScalarType::int32},
+                                          {"met_uint", ScalarType::uint32},
+                                          {"met_long", ScalarType::int32},
+                                          {"met_ulong", ScalarType::uint32},
+                                          {"met_long_long", ScalarType::int64},
+                                          {"met_ulong_long", ScalarType::uint64},
+                                          {"met_float", ScalarType::float32},
+                                          {"met_double", ScalarType::float64}}};
   const std::string wanted = lower_case(field->value);
   for (const Named& known : kTypes) {
     if (wanted == known.name) return known.type;
@@ -132,7 +133,7 @@ Result<std::unique_ptr<Volume>> open_metaimage(const Source& source,
                                                const ReadOptions& /*options*/) {
   const Result<MetaHeader> meta = read_meta_header(*source.whole, source.name);
   if (!meta) return meta.error();
-  const Result<SampleType> type = element_type(*meta);
+  const Result<ScalarType> type = element_type(*meta);
   if (!type) return type.error();
   VolumeHeader header;
   header.type = name_of(*type);

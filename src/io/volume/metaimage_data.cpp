@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdlib>
 
+#include "core/text.hpp"
 #include "io/numbers.hpp"
 #include "io/volume/data_files.hpp"
 #include "io/volume/header_text.hpp"

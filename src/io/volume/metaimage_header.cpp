@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "core/text.hpp"
 #include "io/numbers.hpp"
 #include "io/volume/header_text.hpp"
 #include "io/volume/volume_error.hpp"

@@ -43,18 +43,18 @@ bool recognise_nifti(std::string_view bytes) {
   return header && !header->analyze;
 }
 
-Result<SampleType> sample_type(int datatype, const std::string& name) {
+Result<ScalarType> sample_type(int datatype, const std::string& name) {
   switch (datatype) {
-    case 2: return SampleType::uint8;
-    case 4: return SampleType::int16;
-    case 8: return SampleType::int32;
-    case 16: return SampleType::float32;
-    case 64: return SampleType::float64;
-    case 256: return SampleType::int8;
-    case 512: return SampleType::uint16;
-    case 768: return SampleType::uint32;
-    case 1024: return SampleType::int64;
-    case 1280: return SampleType::uint64;
+    case 2: return ScalarType::uint8;
+    case 4: return ScalarType::int16;
+    case 8: return ScalarType::int32;
+    case 16: return ScalarType::float32;
+    case 64: return ScalarType::float64;
+    case 256: return ScalarType::int8;
+    case 512: return ScalarType::uint16;
+    case 768: return ScalarType::uint32;
+    case 1024: return ScalarType::int64;
+    case 1280: return ScalarType::uint64;
     default: break;
   }
   struct Unread {
@@ -178,7 +178,7 @@ Result<std::unique_ptr<Volume>> open_nifti(const Source& source, const ReadOptio
   }
   VolumeHeader header;
   if (Result<void> set = set_nifti_sizes(*nifti, source.name, header); !set) return set.error();
-  const Result<SampleType> type = sample_type(nifti->datatype, source.name);
+  const Result<ScalarType> type = sample_type(nifti->datatype, source.name);
   if (!type) return type.error();
   header.type = name_of(*type);
   if (Result<void> set = set_nifti_space(*nifti, source.name, header); !set) return set.error();

@@ -33,10 +33,10 @@ std::array<double, 3> voxel_sizes(const NiftiHeader& nifti, const std::string& n
 // the third negated where qfac is −1. Where rounding leaves nothing, or less, for a, the other
 // three are made a unit.
 Matrix qform_matrix(const NiftiHeader& nifti, const std::array<double, 3>& sizes) {
-  constexpr double kNoShift = 1e-7;  // of the reference implementation, for floats
+  constexpr double kRoundedAway = 1e-7;  // of the reference implementation, for floats
   auto [b, c, d] = nifti.quatern;
   double a = 1 - (b * b + c * c + d * d);
-  if (a < kNoShift) {
+  if (a < kRoundedAway) {
     const double length = std::sqrt(b * b + c * c + d * d);
     b = b / length;
     c = c / length;

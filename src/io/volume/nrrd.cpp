@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 
+#include "core/text.hpp"
 #include "io/format.hpp"
 #include "io/numbers.hpp"
 #include "io/volume/file_volume.hpp"
@@ -20,29 +21,29 @@ bool recognise_nrrd(std::string_view bytes) {
   return bytes.substr(0, kNrrdMagic.size()) == kNrrdMagic;
 }
 
-Result<SampleType> type_of(const NrrdHeader& nrrd) {
+Result<ScalarType> type_of(const NrrdHeader& nrrd) {
   const NrrdField* const field = nrrd.find("type");
   if (field == nullptr) return nrrd.complain("type", "the header has no type");
   struct Named {
-    SampleType type;
+    ScalarType type;
     std::array<const char*, 7> names;
   };
   constexpr std::array<Named, 10> kTypes{{
-      {SampleType::int8, {"signed char", "int8", "int8_t"}},
-      {SampleType::uint8, {"uchar", "unsigned char", "uint8", "uint8_t"}},
-      {SampleType::int16,
+      {ScalarType::int8, {"signed char", "int8", "int8_t"}},
+      {ScalarType::uint8, {"uchar", "unsigned char", "uint8", "uint8_t"}},
+      {ScalarType::int16,
        {"short", "short int", "signed short", "signed short int", "int16", "int16_t"}},
-      {SampleType::uint16,
+      {ScalarType::uint16,
        {"ushort", "unsigned short", "unsigned short int", "uint16", "uint16_t"}},
-      {SampleType::int32, {"int", "signed int", "int32", "int32_t"}},
-      {SampleType::uint32, {"uint", "unsigned int", "uint32", "uint32_t"}},
-      {SampleType::int64,
+      {ScalarType::int32, {"int", "signed int", "int32", "int32_t"}},
+      {ScalarType::uint32, {"uint", "unsigned int", "uint32", "uint32_t"}},
+      {ScalarType::int64,
        {"longlong", "long long", "long long int", "signed long long", "signed long long int",
         "int64", "int64_t"}},
-      {SampleType::uint64,
+      {ScalarType::uint64,
        {"ulonglong", "unsigned long long", "unsigned long long int", "uint64", "uint64_t"}},
-      {SampleType::float32, {"float"}},
-      {SampleType::float64, {"double"}},
+      {ScalarType::float32, {"float"}},
+      {ScalarType::float64, {"double"}},
   }};
   const std::string wanted = lower_case(trimmed(field->value));
   for (const Named& named : kTypes) {
@@ -54,7 +55,7 @@ Result<SampleType> type_of(const NrrdHeader& nrrd) {
 }
 
 Result<SampleFormat> sample_format(const NrrdHeader& nrrd, VolumeHeader& header) {
-  const Result<SampleType> type = type_of(nrrd);
+  const Result<ScalarType> type = type_of(nrrd);
   if (!type) return type.error();
   SampleFormat format{*type};
   const NrrdField* const endian = nrrd.find("endian");

@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "core/text.hpp"
 #include "io/numbers.hpp"
 #include "io/volume/file_volume.hpp"
 #include "io/volume/header_text.hpp"

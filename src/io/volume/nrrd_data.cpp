@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "core/text.hpp"
 #include "io/numbers.hpp"
 #include "io/volume/data_files.hpp"
 #include "io/volume/header_text.hpp"

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/text.hpp"
 #include "io/cursor.hpp"
 #include "io/numbers.hpp"
 #include "io/volume/header_text.hpp"
@@ -15,7 +16,7 @@ namespace {
 std::string identifier_of(std::string_view field) {
   std::string identifier;
   for (const char c : field) {
-    if (!is_white(c)) identifier += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    if (!is_white(c)) identifier += lower_case(c);
   }
   // Both names are in use.
   return identifier == "centerings" ? "centers" : identifier;

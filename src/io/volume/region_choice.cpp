@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/spelling.hpp"
+#include "core/text.hpp"
 #include "io/numbers.hpp"
 
 namespace tetloft::internal::io {
@@ -23,13 +24,6 @@ Error choice_error(const std::string& name, const std::string& message,
 std::string value_text(double value) {
   std::string text;
   append_number(text, value);
-  return text;
-}
-
-std::string in_lower_case(std::string text) {
-  for (char& c : text) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
   return text;
 }
 
@@ -91,9 +85,8 @@ std::optional<ChosenRegion> only_segment(const VolumeHeader& header, Matches&& m
 std::optional<ChosenRegion> named_segment(const VolumeHeader& header, const std::string& wanted) {
   auto found = only_segment(header, [&](const VolumeSegment& s) { return s.name == wanted; });
   if (found) return found;
-  const std::string lower = in_lower_case(wanted);
-  found =
-      only_segment(header, [&](const VolumeSegment& s) { return in_lower_case(s.name) == lower; });
+  const std::string lower = lower_case(wanted);
+  found = only_segment(header, [&](const VolumeSegment& s) { return lower_case(s.name) == lower; });
   if (found) return found;
   const ParsedNumber number = parse_number(wanted);
   if (!number.ok()) return std::nullopt;

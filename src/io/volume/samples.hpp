@@ -8,30 +8,13 @@
 #include <cstdint>
 #include <cstring>
 #include <span>
-#include <string_view>
+
+#include "io/scalar_type.hpp"
 
 namespace tetloft::internal::io {
 
-enum class SampleType : std::uint8_t {
-  int8,
-  uint8,
-  int16,
-  uint16,
-  int32,
-  uint32,
-  int64,
-  uint64,
-  float32,
-  float64,
-};
-
-/// "int8", …
-[[nodiscard]] std::string_view name_of(SampleType type);
-/// In bytes.
-[[nodiscard]] std::size_t size_of(SampleType type);
-
 struct SampleFormat {
-  SampleType type = SampleType::uint8;
+  ScalarType type = ScalarType::uint8;
   bool big_endian = false;
   /// A voxel's value is slope · sample + intercept.
   double slope = 1;

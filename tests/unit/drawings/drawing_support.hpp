@@ -49,4 +49,18 @@ inline void expect_warning(const std::vector<Warning>& warnings,
   ADD_FAILURE() << "no warning has " << parts.front() << ": " << warnings_of(warnings);
 }
 
+/// An object of this name with a square in each of two planes, one of an open line, one of points.
+inline void expect_three_objects(const FileSummary& read, const std::string& name) {
+  ASSERT_EQ(read.structures.size(), 3U);
+  EXPECT_EQ(read.structures[0].number, 1);
+  EXPECT_EQ(read.structures[0].name, name);
+  EXPECT_EQ(read.structures[0].contours, 2U);
+  EXPECT_EQ(read.structures[0].points, 8U);
+  EXPECT_EQ(read.structures[0].planes, 2U);
+  using Types = std::vector<std::pair<std::string, std::size_t>>;
+  EXPECT_EQ(read.structures[0].types, (Types{{"closed", 2}}));
+  EXPECT_EQ(read.structures[1].types, (Types{{"open", 1}}));
+  EXPECT_EQ(read.structures[2].types, (Types{{"points", 1}}));
+}
+
 }  // namespace tetloft::test

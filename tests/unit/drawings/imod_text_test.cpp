@@ -32,17 +32,8 @@ TEST(ImodText, IsRecognisedAndCounted) {
   EXPECT_EQ(read->format, "imod");
   EXPECT_EQ(read->unit, "um");
   EXPECT_EQ(read->warnings.size(), 0U) << warnings_of(read->warnings);
-  ASSERT_EQ(read->structures.size(), 3U);
-  EXPECT_EQ(read->structures[0].number, 1);
-  EXPECT_EQ(read->structures[0].name, "outer membrane #2");
-  EXPECT_EQ(read->structures[0].contours, 2U);
-  EXPECT_EQ(read->structures[0].points, 8U);
-  EXPECT_EQ(read->structures[0].planes, 2U);
-  using Types = std::vector<std::pair<std::string, std::size_t>>;
-  EXPECT_EQ(read->structures[0].types, (Types{{"closed", 2}}));
-  EXPECT_EQ(read->structures[1].types, (Types{{"open", 1}}));
+  expect_three_objects(*read, "outer membrane #2");
   EXPECT_EQ(read->structures[1].name, "");
-  EXPECT_EQ(read->structures[2].types, (Types{{"points", 1}}));
 }
 
 TEST(ImodText, CoordinatesAreScaled) {

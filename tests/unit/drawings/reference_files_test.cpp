@@ -60,6 +60,23 @@ void expect_structure(const StructureSummary& structure, const JsonValue& truth)
             types);
 }
 
+// Of each file of a format, all of which can be read: body(path, truth, what inspect() tells).
+// False where there are none.
+template <class Body>
+bool for_each_summary(const std::string& format, Body&& body) {
+  const std::vector<fs::path> files = files_of(format);
+  for (const fs::path& file : files) {
+    SCOPED_TRACE(file.filename().string());
+    const auto read = inspect(file.string());
+    if (read) {
+      body(file, truth_of(file), *read);
+    } else {
+      ADD_FAILURE() << to_string(read.error());
+    }
+  }
+  return !files.empty();
+}
+
 TEST(ReferenceFiles, StructureSets) {
   const std::vector<fs::path> files = files_of("rtstruct");
   if (files.empty()) GTEST_SKIP() << "no reference files";
@@ -87,16 +104,11 @@ TEST(ReferenceFiles, StructureSets) {
 }
 
 TEST(ReferenceFiles, Cxt) {
-  const std::vector<fs::path> files = files_of("cxt");
-  if (files.empty()) GTEST_SKIP() << "no reference files";
-  for (const fs::path& file : files) {
-    SCOPED_TRACE(file.filename().string());
-    const JsonValue truth = truth_of(file);
-    const auto read = inspect(file.string());
-    ASSERT_TRUE(read.ok()) << to_string(read.error());
-    ASSERT_EQ(read->structures.size(), truth.at("rois").array.size());
-    for (std::size_t s = 0; s < read->structures.size(); ++s) {
-      const StructureSummary& structure = read->structures[s];
+  const auto as_told = [](const fs::path& /*file*/, const JsonValue& truth,
+                          const FileSummary& read) {
+    ASSERT_EQ(read.structures.size(), truth.at("rois").array.size());
+    for (std::size_t s = 0; s < read.structures.size(); ++s) {
+      const StructureSummary& structure = read.structures[s];
       const std::string number = std::to_string(structure.number);
       EXPECT_EQ(structure.contours, count_at(truth.at("contours_per_roi"), number));
       EXPECT_EQ(structure.points, count_at(truth.at("points_per_roi"), number));
@@ -104,74 +116,60 @@ TEST(ReferenceFiles, Cxt) {
       EXPECT_TRUE(line.starts_with(number + '|')) << line;
       EXPECT_TRUE(line.ends_with('|' + structure.name)) << line;
     }
-  }
+  };
+  if (!for_each_summary("cxt", as_told)) GTEST_SKIP() << "no reference files";
 }
 
 TEST(ReferenceFiles, Csl) {
-  const std::vector<fs::path> files = files_of("csl");
-  if (files.empty()) GTEST_SKIP() << "no reference files";
-  for (const fs::path& file : files) {
-    SCOPED_TRACE(file.filename().string());
-    const JsonValue truth = truth_of(file);
-    const auto read = inspect(file.string());
-    ASSERT_TRUE(read.ok()) << to_string(read.error());
-    ASSERT_TRUE(read->lines.has_value());
-    EXPECT_EQ(read->lines->planes, count_at(truth, "planes_read"));
-    EXPECT_EQ(read->lines->contours, count_at(truth, "components"));
-    EXPECT_EQ(read->lines->points, count_at(truth, "vertices"));
-    EXPECT_EQ(read->lines->open, 0U);
+  const auto as_told = [](const fs::path& file, const JsonValue& truth, const FileSummary& read) {
+    ASSERT_TRUE(read.lines.has_value());
+    EXPECT_EQ(read.lines->planes, count_at(truth, "planes_read"));
+    EXPECT_EQ(read.lines->contours, count_at(truth, "components"));
+    EXPECT_EQ(read.lines->points, count_at(truth, "vertices"));
+    EXPECT_EQ(read.lines->open, 0U);
     std::vector<std::int64_t> labels;
     for (const JsonValue& label : truth.at("labels_used").array) {
       labels.push_back(static_cast<std::int64_t>(label.number));
     }
-    EXPECT_EQ(read->lines->labels, labels);
+    EXPECT_EQ(read.lines->labels, labels);
     const auto stack = read_stack(file.string());
     EXPECT_EQ(stack.ok(), truth.at("planes_parallel").boolean);
-    if (!stack) continue;
+    if (!stack) return;
     EXPECT_EQ(stack->stack.sections.size(), count_at(truth, "planes_read"));
     // Holes have the labels of what is around them.
     EXPECT_EQ(stack->labels.labels.size(),
               count_at(truth, "components") - count_at(truth, "holes"));
-  }
+  };
+  if (!for_each_summary("csl", as_told)) GTEST_SKIP() << "no reference files";
 }
 
 TEST(ReferenceFiles, Slc) {
-  const std::vector<fs::path> files = files_of("slc");
-  if (files.empty()) GTEST_SKIP() << "no reference files";
-  for (const fs::path& file : files) {
-    SCOPED_TRACE(file.filename().string());
-    const JsonValue truth = truth_of(file);
-    const auto read = inspect(file.string());
-    ASSERT_TRUE(read.ok()) << to_string(read.error());
-    ASSERT_TRUE(read->lines.has_value());
-    EXPECT_EQ(read->lines->planes, count_at(truth, "slices"));
-    EXPECT_EQ(read->lines->contours, count_at(truth, "contours"));
-    EXPECT_EQ(read->lines->points, count_at(truth, "points"));
-    EXPECT_EQ(read->lines->open, count_at(truth, "open"));
-    EXPECT_EQ(read->lines->closed, count_at(truth, "closed"));
-    EXPECT_EQ(read->warnings.size(), count_at(truth, "adjacency_out_of_range"));
+  const auto as_told = [](const fs::path& file, const JsonValue& truth, const FileSummary& read) {
+    ASSERT_TRUE(read.lines.has_value());
+    EXPECT_EQ(read.lines->planes, count_at(truth, "slices"));
+    EXPECT_EQ(read.lines->contours, count_at(truth, "contours"));
+    EXPECT_EQ(read.lines->points, count_at(truth, "points"));
+    EXPECT_EQ(read.lines->open, count_at(truth, "open"));
+    EXPECT_EQ(read.lines->closed, count_at(truth, "closed"));
+    EXPECT_EQ(read.warnings.size(), count_at(truth, "adjacency_out_of_range"));
     const auto stack = read_stack(file.string());
     EXPECT_EQ(stack.ok(), count_at(truth, "open") == 0);
-    if (!stack) continue;
+    if (!stack) return;
     EXPECT_EQ(stack->labels.labels.size() + stack->labels.hole_labels.size(),
               count_at(truth, "contours"));
-  }
+  };
+  if (!for_each_summary("slc", as_told)) GTEST_SKIP() << "no reference files";
 }
 
 TEST(ReferenceFiles, Imod) {
-  const std::vector<fs::path> files = files_of("imod");
-  if (files.empty()) GTEST_SKIP() << "no reference files";
-  for (const fs::path& file : files) {
-    SCOPED_TRACE(file.filename().string());
-    const JsonValue truth = truth_of(file);
-    const auto read = inspect(file.string());
-    ASSERT_TRUE(read.ok()) << to_string(read.error());
-    EXPECT_EQ(read->unit, "nm");
-    EXPECT_EQ(read->warnings.size(), 0U) << warnings_of(read->warnings);
+  const auto as_told = [](const fs::path& /*file*/, const JsonValue& truth,
+                          const FileSummary& read) {
+    EXPECT_EQ(read.unit, "nm");
+    EXPECT_EQ(read.warnings.size(), 0U) << warnings_of(read.warnings);
     const std::vector<JsonValue>& objects = truth.at("objects").array;
-    ASSERT_EQ(read->structures.size(), objects.size());
+    ASSERT_EQ(read.structures.size(), objects.size());
     for (std::size_t s = 0; s < objects.size(); ++s) {
-      const StructureSummary& structure = read->structures[s];
+      const StructureSummary& structure = read.structures[s];
       EXPECT_EQ(structure.name, objects[s].at("name").string);
       EXPECT_EQ(structure.contours, count_at(objects[s], "contours_header"));
       std::size_t points = 0;
@@ -182,7 +180,8 @@ TEST(ReferenceFiles, Imod) {
       const bool open = objects[s].at("open_flag").boolean;
       for (const auto& [type, count] : structure.types) EXPECT_EQ(type, open ? "open" : "closed");
     }
-  }
+  };
+  if (!for_each_summary("imod", as_told)) GTEST_SKIP() << "no reference files";
 }
 
 }  // namespace
