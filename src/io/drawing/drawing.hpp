@@ -50,8 +50,7 @@ struct Drawing {
   std::string chosen_by = "--roi";
   /// Lines bear labels, which are part of the stack.
   bool labelled = false;
-  /// Of a drawing of one structure: adjacency that the file tells (it tells all of it).
-  bool tells_joins = false;
+  /// Of a drawing of one structure: adjacency, where the file tells it, and then all of it.
   std::vector<DrawnJoin> joins;
   /// Contours of the format may touch and cross themselves and each other, as keyholes do; the
   /// region is that of odd crossing number. They are repaired when the stack is made.

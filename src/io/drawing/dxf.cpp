@@ -11,7 +11,7 @@
 
 #include "io/cursor.hpp"
 #include "io/drawing/dxf_arc.hpp"
-#include "io/drawing/svg_shapes.hpp"
+#include "io/drawing/ellipse.hpp"
 #include "io/format.hpp"
 #include "io/numbers.hpp"
 
@@ -293,16 +293,16 @@ class DxfReader {
   }
 
   Result<void> add_circle() {
-    if (!(entity_.radius > 0) || budget_ < 64) {
+    if (!(entity_.radius > 0) || budget_ < kEllipsePoints) {
       ++left_out_["CIRCLE"];
       return {};
     }
-    budget_ -= 64;
+    budget_ -= kEllipsePoints;
     ++arcs_;
     const Point3& centre = entity_.place[0];
-    const SvgLine ring = svg_ellipse({centre.x, centre.y}, entity_.radius, entity_.radius);
     std::vector<Point3> points;
-    for (const Point2& p : ring.points) points.push_back({p.x, p.y, centre.z});
+    for (const Point2& p : ellipse_points({centre.x, centre.y}, entity_.radius, entity_.radius))
+      points.push_back({p.x, p.y, centre.z});
     return add_line(std::move(points), true, entity_);
   }
 

@@ -42,7 +42,6 @@ class SlcReader {
     first_of_slice_.push_back(drawn().size());
     resolve();
     drawing_.planes = first_of_slice_.size() - 1;
-    drawing_.tells_joins = !drawing_.joins.empty();
     drawing_.warnings = warnings_.take();
     return std::move(drawing_);
   }

@@ -277,7 +277,7 @@ class StackMaker {
   }
 
   void add_labels() {
-    if (!drawing_.labelled && !drawing_.tells_joins) return;
+    if (!drawing_.labelled && drawing_.joins.empty()) return;
     if (!validate(read_.stack, {.threads = 1}))
       return;  // unchecked: what is mended is numbered anew
     if (repaired_) {

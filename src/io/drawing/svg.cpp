@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "io/cursor.hpp"
+#include "io/drawing/ellipse.hpp"
 #include "io/drawing/range_text.hpp"
 #include "io/drawing/svg_shapes.hpp"
 #include "io/format.hpp"
@@ -300,7 +301,7 @@ class SvgReader {
     const double rx = value(name == "circle" ? "r" : "rx");
     const double ry = value(name == "circle" ? "r" : "ry");
     if (rx > 0 && ry > 0) {
-      shape.lines.push_back(svg_ellipse({value("cx"), value("cy")}, rx, ry));
+      shape.lines.push_back({ellipse_points({value("cx"), value("cy")}, rx, ry), true});
       shape.curves = 1;
       shape.curve_points = shape.lines.back().points.size();
       if (shape.curve_points > budget_) shape.problem = "more curves than can be turned into lines";

@@ -277,25 +277,4 @@ std::optional<SvgTransform> svg_transform(std::string_view text) {
 
 SvgLines svg_path(std::string_view data, std::size_t most) { return PathReader(data, most).read(); }
 
-SvgLine svg_ellipse(const Point2& centre, double rx, double ry) {
-  // Quarter by quarter by the rational parametrization, so that no sine is needed.
-  constexpr int kPerQuarter = 16;
-  SvgLine line;
-  line.closed = true;
-  for (int quarter = 0; quarter < 4; ++quarter) {
-    for (int i = 0; i < kPerQuarter; ++i) {
-      const double t = static_cast<double>(i) / kPerQuarter;
-      double x = (1 - t * t) / (1 + t * t);
-      double y = 2 * t / (1 + t * t);
-      for (int turn = 0; turn < quarter; ++turn) {
-        const double before = x;
-        x = -y;
-        y = before;
-      }
-      line.points.push_back({centre.x + rx * x, centre.y + ry * y});
-    }
-  }
-  return line;
-}
-
 }  // namespace tetloft::internal::io

@@ -47,7 +47,4 @@ struct SvgLines {
 /// `most` points of Béziers.
 [[nodiscard]] SvgLines svg_path(std::string_view data, std::size_t most);
 
-/// An ellipse of 64 points, its four extreme ones among them.
-[[nodiscard]] SvgLine svg_ellipse(const Point2& centre, double rx, double ry);
-
 }  // namespace tetloft::internal::io

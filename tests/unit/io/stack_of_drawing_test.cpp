@@ -263,7 +263,6 @@ TEST(StackOfDrawing, AdjacencyBecomesLabels) {
   // Two bodies in section 0, of which one goes on; a hole each in what goes on.
   Drawing drawing = one_structure({square(0, 0, 4, 0), square(0, 0, 1, 0), square(20, 0, 2, 0),
                                    square(0, 0, 4, 1), square(0, 0, 1, 1)});
-  drawing.tells_joins = true;
   drawing.joins = {{0, 3}, {1, 4}, {2, 4}};  // the last one joins a body to a hole
   const Labels labels = made_of(drawing).labels;
   ASSERT_EQ(labels.labels.size(), 3U);
