@@ -218,6 +218,7 @@ Result<int> reconstruct_all(const Arguments& arguments, const ReconstructRequest
   }
   auto structures = listed(request, console);
   if (!structures) return structures.error();
+  const std::vector<Warning> of_file = console.warnings();
   AllStructures all(arguments, request, *std::move(structures));
   {
     Progress progress(!console.quiet());
@@ -227,6 +228,9 @@ Result<int> reconstruct_all(const Arguments& arguments, const ReconstructRequest
   for (std::size_t i = 0; i < all.structures().size(); ++i) {
     const Outcome& outcome = all.outcomes()[i];
     for (Warning warning : outcome.warnings) {
+      // What the file itself is odd in has been told.
+      const auto same = [&](const Warning& told) { return told.message == warning.message; };
+      if (std::any_of(of_file.begin(), of_file.end(), same)) continue;
       warning.message = title(all.structures()[i]) + ": " + warning.message;
       console.warn(warning);
     }

@@ -40,6 +40,8 @@ class StructuresCommand : public ::testing::Test {
     for (const char* height : {"0", "1", "3"}) text += square("1", "0", height);
     for (const char* height : {"0", "1"}) text += square("2", "7", height);
     text += square("3", "0", "0") + "3||3|||0\\0\\0\\1\\5\\0\\4\\0\\5\n";
+    // A slip of the file, not of any structure.
+    text.replace(text.find("1||4|"), 5, "1||5|");
     test::put(in_, text);
   }
 
@@ -92,6 +94,7 @@ TEST_F(StructuresCommand, AllBecomeSolidsButThoseThatFail) {
   EXPECT_EQ(folder_.names(),
             (std::vector<std::string>{"in.cxt", "out-.._Left_Lung.vtu", "out-left_lung.vtu"}));
   EXPECT_EQ(warnings_with(told, "'empty' has no closed contour"), 1U);
+  EXPECT_EQ(warnings_with(told, "another number of points"), 1U);
   EXPECT_EQ(run({"check", folder_.file("out-left_lung.vtu"), in_, "--roi", "1"}).code, 0);
   const test::Outcome plain = run({"reconstruct", in_, "--roi", "all", "-o", out_});
   EXPECT_NE(plain.err.find("structure 3 'tilted'"), std::string::npos) << plain.err;
