@@ -7,7 +7,7 @@
 #include "core/little_endian.hpp"
 #include "io/drawing/csl_write.hpp"
 #include "io/table_rows.hpp"
-#include "unit/io/drawing_support.hpp"
+#include "unit/drawings/stack_support.hpp"
 
 namespace tetloft {
 

@@ -1,4 +1,4 @@
-// What the tests of drawings share: reading text, and the files of reference where they are.
+// What tests of drawings that become stacks share, and the files of reference where they are.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -7,7 +7,7 @@
 
 #include "core/little_endian.hpp"
 #include "io/base64.hpp"
-#include "unit/io/drawing_support.hpp"
+#include "unit/drawings/stack_support.hpp"
 
 namespace tetloft {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "io/drawing/svg_shapes.hpp"
-#include "unit/io/drawing_support.hpp"
+#include "unit/drawings/stack_support.hpp"
 
 namespace tetloft {
 

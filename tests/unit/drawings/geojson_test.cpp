@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "unit/io/drawing_support.hpp"
+#include "unit/drawings/stack_support.hpp"
 
 namespace tetloft {
 namespace {

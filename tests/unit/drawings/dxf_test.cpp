@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "unit/io/drawing_support.hpp"
+#include "unit/drawings/stack_support.hpp"
 
 namespace tetloft {
 namespace {
