@@ -38,9 +38,7 @@ struct ReadStack {
   /// Where each contour begins, for messages: lines[section][contour]. Empty where the format has
   /// no lines.
   IdVector<SectionId, IdVector<ContourId, std::size_t>> lines;
-  Labels labels = {};     ///< that the file gives its contours
-  std::string name = {};  ///< of the structure that was read; empty where it has none
-  std::string unit = {};  ///< of length, as the format names it; empty where the file says none
+  Labels labels = {};  ///< that the file gives its contours
 };
 
 /// Whether a reader validates what it read, or leaves that to the caller, who may repair() first.
@@ -74,7 +72,11 @@ enum class Validity { required, unchecked };
 [[nodiscard]] TETLOFT_API Result<void> write_labels(const std::string& path, const Labels& labels);
 [[nodiscard]] TETLOFT_API Result<std::string> format_labels(const Labels& labels);
 
-enum class Encoding { binary, ascii };
+enum class Encoding {
+  binary,
+  ascii,
+  compressed,  ///< binary, as zlib streams where the format has them
+};
 
 /// VTK XML unstructured grid: Float64 points; cell data component, slab, kind; point data
 /// section, contour, origin, each left out where the model's is empty; an invalid id is −1; links

@@ -3,9 +3,11 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include <tetloft/correspondence.hpp>
+#include <tetloft/description.hpp>
 #include <tetloft/export.hpp>
 #include <tetloft/frame.hpp>
 #include <tetloft/ids.hpp>
@@ -76,7 +78,15 @@ struct Model {
   /// As SectionStack::frame. Files hold the points as they lie there; .vtu also those of the stack,
   /// where placing them rounds.
   Frame frame = {};
+  /// That of the stack.
+  Description about = {};
+  /// Of those that labels name; empty, or one for each component, which may be empty.
+  IdVector<ComponentId, std::string> component_names = {};
 };
+
+/// What files and pictures call a component: its name; without one, the model's, or "component",
+/// and its number counted from 1; the model's alone if it has that one only.
+[[nodiscard]] TETLOFT_API std::string component_name(const Model& model, ComponentId component);
 
 /// Adjacency, stars and links of a model's tets; vertex and tet ids are the model's. Made anew by
 /// each call, in near-linear time: keep it. Refused as TetMesh::from_tets().

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <vector>
 
+#include <tetloft/description.hpp>
 #include <tetloft/execution.hpp>
 #include <tetloft/export.hpp>
 #include <tetloft/frame.hpp>
@@ -34,6 +35,7 @@ struct TETLOFT_API SectionStack {
   /// Where the stack lies in the space of its file; what is made of it lies there, too. No
   /// coordinate here is in that space but by place().
   Frame frame = {};
+  Description about = {};
   [[nodiscard]] std::size_t contour_count() const;
   [[nodiscard]] std::size_t vertex_count() const;
 };

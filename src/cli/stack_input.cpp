@@ -180,8 +180,8 @@ Result<StackInput> read_and_mend(const std::string& path, const Preparation& pre
   Result<ReadStack> read = read_stack(path, reading);
   if (!read) return with_remedy(read.error());
   StackInput input;
-  input.name = read->name;
-  input.unit = read->unit;
+  input.name = read->stack.about.name;
+  input.unit = read->stack.about.unit;
   if (!mending.any()) {
     warn_of_reader(*read, mending, console);
     input.stack = std::move(read->stack);

@@ -258,6 +258,7 @@ Result<GeigerModel> reconstruct_geiger(const SectionStack& stack,
     if (made && !*made) made = Geiger(stack, 0, options).run();
     if (!made) return made.error();
     (*made)->model.frame = stack.frame;
+    (*made)->model.about = stack.about;
     return std::move(**made);
   });
 }

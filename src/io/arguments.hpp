@@ -10,7 +10,7 @@
 namespace tetloft::internal::io {
 
 [[nodiscard]] inline Result<void> check_encoding(Encoding encoding) {
-  if (is_enumerator(encoding, Encoding::ascii)) return {};
+  if (is_enumerator(encoding, Encoding::compressed)) return {};
   return Error{ErrorCode::usage, "there is no such encoding: binary or ascii", {}};
 }
 

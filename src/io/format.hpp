@@ -40,6 +40,14 @@ struct Target {
 
 using Written = Result<std::vector<Warning>>;
 
+/// A file that a model's format has beside the one that is asked for: of its name, but with this
+/// ending.
+struct Companion {
+  std::string_view extension;
+  /// As Format::write_model. Null: none.
+  Written (*write)(Sink&, const Model&, const Target&) = nullptr;
+};
+
 /// A function that is null is something that the format cannot do. Readers trust no count of a
 /// file; their errors and warnings name source.name. Writers check before they append.
 struct Format {
@@ -66,6 +74,7 @@ struct Format {
   Written (*write_stack)(Sink&, const SectionStack&, const Target&) = nullptr;
   /// The model is well formed.
   Written (*write_model)(Sink&, const Model&, const Target&) = nullptr;
+  std::array<Companion, 2> companions = {};
   /// The boundary of the model, which is well formed.
   Written (*write_surface)(Sink&, const SurfaceMesh&, const Model&, const Target&) = nullptr;
   Written (*write_points)(Sink&, const std::vector<Point3>&, const Target&) = nullptr;

@@ -19,7 +19,7 @@ FileSummary summary_of_stack(ReadStack read) {
   lines.points = read.stack.vertex_count();
   FileSummary summary;
   summary.lines = std::move(lines);
-  summary.unit = std::move(read.unit);
+  summary.unit = std::move(read.stack.about.unit);
   summary.warnings = std::move(read.warnings);
   return summary;
 }

@@ -30,6 +30,7 @@ Result<std::optional<LongStack>> between_in(Unit unit, const SectionStack& stack
   // Given ones are as they were, for their unit costs no bit; inserted ones as in the model.
   result.stack = sections::scaled(layers.prepared.stack, -built->prepared.exponent);
   result.stack.frame = stack.frame;
+  result.stack.about = stack.about;
   result.source = std::move(layers.source);
   result.component = std::move(layers.component);
   result.components = model->component_count;

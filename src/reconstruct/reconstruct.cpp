@@ -65,6 +65,7 @@ Result<std::optional<Reconstruction>> reconstruct_in(Unit unit, const SectionSta
   if (!model) return std::optional<Reconstruction>();
   result.model = std::move(*model);
   result.model.frame = stack.frame;
+  result.model.about = stack.about;
   result.warnings = std::move(built->warnings);
   if (const auto hint = hint_of_many_tets(built->prepared, result.model)) {
     result.warnings.push_back(*hint);

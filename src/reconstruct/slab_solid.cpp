@@ -138,7 +138,7 @@ class SlabBuilder {
       std::vector<LeftApart> apart = completion.run();
       work_ += completion.work();
       clock.end(Step::complex);
-      if (!apart.empty()) return std::optional(left_apart(slab, classes, apart.front()));
+      if (!apart.empty()) return left_apart(slab, classes, apart.front());
       const bool sealed = pits_.open_sealed(slab, classes, completion.complex());
       clock.end(Step::complex);
       if (sealed) return std::optional<SlabOutcome>();
@@ -153,8 +153,9 @@ class SlabBuilder {
     }
   }
 
-  [[nodiscard]] static SlabOutcome left_apart(const Slab& slab, const SlabClasses& classes,
-                                              LeftApart& apart) {
+  [[nodiscard]] static std::optional<SlabOutcome> left_apart(const Slab& slab,
+                                                             const SlabClasses& classes,
+                                                             LeftApart& apart) {
     RefineHere here;
     for (const SlabRegionId r : apart.regions) {
       const bool upper = classes.regions().is_upper(r);

@@ -15,8 +15,8 @@
 #include "core/text.hpp"
 #include "core/watched_work.hpp"
 #include "io/base64.hpp"
+#include "io/bytes/deflate.hpp"
 #include "io/numbers.hpp"
-#include "render/deflate.hpp"
 #include "render/subject.hpp"
 #include "render/vector.hpp"
 #include "render/viewer_parts.hpp"
@@ -110,7 +110,7 @@ void append_array(std::string& page, const char* id, const std::vector<T>& value
   }
   page += "<script type=\"application/octet-stream\" id=\"array-";
   page += id;
-  page += "\">" + io::encode_base64(render::zlib_compressed(planes)) + "</script>\n";
+  page += "\">" + io::encode_base64(io::zlib_compressed(planes)) + "</script>\n";
 }
 
 class Page {

@@ -8,7 +8,8 @@
 #include <tetloft/render.hpp>
 
 #include "core/guard.hpp"
-#include "render/deflate.hpp"
+#include "io/bytes/checksum.hpp"
+#include "io/bytes/deflate.hpp"
 #include "render/raster.hpp"
 
 namespace tetloft {
@@ -19,15 +20,6 @@ namespace {
 
 using render::Picture;
 
-std::uint32_t crc32(std::string_view bytes) {
-  std::uint32_t crc = 0xFFFFFFFFU;
-  for (const char c : bytes) {
-    crc ^= static_cast<unsigned char>(c);
-    for (int k = 0; k < 8; ++k) crc = (crc & 1U) != 0 ? crc >> 1 ^ 0xEDB88320U : crc >> 1;
-  }
-  return ~crc;
-}
-
 void append_word(std::string& out, std::uint32_t word) {
   for (int shift = 24; shift >= 0; shift -= 8) out += static_cast<char>(word >> shift & 0xFFU);
 }
@@ -36,7 +28,7 @@ void append_chunk(std::string& out, const std::string& type, const std::string& 
   append_word(out, static_cast<std::uint32_t>(data.size()));
   const std::string body = type + data;
   out += body;
-  append_word(out, crc32(body));
+  append_word(out, io::crc32(io::kCrcOfNothing, body));
 }
 
 // Each row by the filter of the least sum of magnitudes (section 12.8).
@@ -86,7 +78,7 @@ std::string png(const Picture& picture, bool opaque) {
   header += std::string{'\x08', opaque ? '\x02' : '\x06', '\0', '\0', '\0'};
   append_chunk(out, "IHDR", header);
   append_chunk(out, "sRGB", std::string(1, '\0'));
-  append_chunk(out, "IDAT", render::zlib_compressed(filtered(picture, opaque ? 3 : 4)));
+  append_chunk(out, "IDAT", io::zlib_compressed(filtered(picture, opaque ? 3 : 4)));
   append_chunk(out, "IEND", {});
   return out;
 }

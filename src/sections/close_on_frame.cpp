@@ -77,6 +77,7 @@ class FrameCloser {
     const std::vector<bool> chosen = choose();
     ClosedOnFrame result;
     result.stack.frame = stack_.frame;
+    result.stack.about = stack_.about;
     std::size_t whole = 0;
     for (const SectionId s : stack_.sections.ids()) {
       const FramedSection& section = sections_[s.index()];

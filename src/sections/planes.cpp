@@ -105,6 +105,7 @@ Result<ArrangedPlanes> arrange(const SectionStack& stack, const PlaneOptions& op
   ArrangedPlanes result;
   const double tolerance = options.rule == PlaneRule::merge ? options.tolerance : 0;
   result.stack.frame = stack.frame;
+  result.stack.about = stack.about;
   for (const Sections& group : groups_of(stack, tolerance)) {
     Section section;
     section.z = height_of(stack, group);

@@ -57,6 +57,7 @@ class CxtReader {
     drawing_.may_touch = true;
     drawing_.leaves_out_open = true;
     drawing_.unit = "mm";
+    drawing_.orientation = "LPS";
     std::string_view rest = without_mark(source_.bytes);
     for (line_ = 1; !rest.empty(); ++line_) {
       const std::string_view line = without_padding(cut_line(rest));

@@ -68,6 +68,7 @@ struct Drawing {
   /// or the error that they become none. Null: nothing.
   std::function<Result<void>(Drawing&)> prepare;
   std::string unit;
+  std::string orientation;  ///< Description::orientation
   std::vector<Warning> warnings;
 };
 

@@ -163,6 +163,7 @@ class StructureSet {
     drawing_.may_touch = true;
     drawing_.leaves_out_open = true;
     drawing_.unit = "mm";
+    drawing_.orientation = "LPS";
     add_structures();
     find_structures();
     reserve_lines();

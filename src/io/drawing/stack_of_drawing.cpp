@@ -34,8 +34,7 @@ class StackMaker {
     Result<ChosenLines> chosen = choose_lines(drawing_, options_.structure);
     if (!chosen) return at(chosen.error());
     lines_ = std::move(chosen->lines);
-    read_.name = std::move(chosen->name);
-    read_.unit = drawing_.unit;
+    read_.stack.about = {std::move(chosen->name), drawing_.unit, drawing_.orientation};
     read_.warnings = std::move(drawing_.warnings);
     if (!drawing_.not_parallel.empty()) {
       return at({ErrorCode::invalid_input,
@@ -125,8 +124,9 @@ class StackMaker {
     }
     if (lines_.empty()) {
       return Error{ErrorCode::invalid_input,
-                   (read_.name.empty() ? std::string("there")
-                                       : "in structure " + in_quotes(read_.name) + " there") +
+                   (read_.stack.about.name.empty()
+                        ? std::string("there")
+                        : "in structure " + in_quotes(read_.stack.about.name) + " there") +
                        " is no closed contour of three points or more",
                    {}};
     }

@@ -77,6 +77,11 @@ class StackBuilder {
   std::size_t vertices_ = 0;
 };
 
+// "RAS", "LPS", "LAS" and the like, of what formats call spaces.
+bool is_of_body(const std::string& space) {
+  return space.size() == 3 && (space[0] == 'L' || space[0] == 'R');
+}
+
 Result<void> check_size(const VolumeHeader& header, const SlicePlacement& placed,
                         const std::string& name) {
   if (header.size[placed.across] > kMostSlices) {
@@ -116,8 +121,8 @@ Result<ReadStack> stack_of_volume(Volume& volume, const std::string& name,
   if (read.stack.sections.empty()) return empty_region(volume, name, options, *region);
   read.warnings = header.warnings;
   read.stack.frame = placed->frame;
-  read.name = region->name;
-  read.unit = header.unit;
+  read.stack.about = {region->name, header.unit,
+                      is_of_body(header.space) ? header.space : std::string()};
   if (options.validity == Validity::required) {
     const Result<void> valid = validate(read.stack, untold(options.execution));
     if (!valid) return at_file(name, valid.error());

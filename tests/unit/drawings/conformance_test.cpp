@@ -39,7 +39,7 @@ double torus_slice(double big, double r, double h) {
 void expect_solid(const Result<ReadStack>& read, const Solid& solid) {
   SCOPED_TRACE(solid.name);
   ASSERT_TRUE(read.ok()) << to_string(read.error());
-  EXPECT_EQ(read->name, solid.name);
+  EXPECT_EQ(read->stack.about.name, solid.name);
   const auto made = reconstruct(read->stack);
   ASSERT_TRUE(made.ok()) << to_string(made.error());
   const auto report = check(made->model, read->stack);

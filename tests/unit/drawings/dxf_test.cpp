@@ -67,7 +67,7 @@ TEST(Dxf, ReadsPolylinesOfBothForms) {
                heavy("0", {{"0", "0", "400"}, {"4", "0", "400"}, {"4", "4", "400"}}, "9")));
   EXPECT_EQ(heights_of(stack.stack), (std::vector<double>{350, 375.5, 400}));
   EXPECT_EQ(stack.stack.vertex_count(), 11U);
-  EXPECT_EQ(stack.unit, "m");
+  EXPECT_EQ(stack.stack.about.unit, "m");
 }
 
 TEST(Dxf, TakesAnyLineEnds) {

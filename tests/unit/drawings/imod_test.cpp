@@ -41,8 +41,8 @@ TEST(Imod, IsRecognisedAndCounted) {
 TEST(Imod, CoordinatesAreScaled) {
   const auto read = parse_stack(three_objects(), "a.mod");
   ASSERT_TRUE(read.ok()) << to_string(read.error());
-  EXPECT_EQ(read->name, "membrane");
-  EXPECT_EQ(read->unit, "nm");
+  EXPECT_EQ(read->stack.about.name, "membrane");
+  EXPECT_EQ(read->stack.about.unit, "nm");
   ASSERT_EQ(read->stack.sections.size(), 2U);
   EXPECT_EQ(read->stack.sections[SectionId(1)].z, 0.5 * 2.5 * 4);
   EXPECT_EQ(read->stack.sections[SectionId(1)].contours[ContourId(0)].vertices[2], (Point2{1, 1}));

@@ -27,8 +27,8 @@ TEST(Rtstruct, ReadsAStack) {
   const auto read = parse_stack(
       file_of({{dicom_square(5, 0)}, {dicom_square(2, 0)}, {dicom_square(4, 3)}}), "a.dcm");
   ASSERT_TRUE(read.ok()) << to_string(read.error());
-  EXPECT_EQ(read->name, "lung");
-  EXPECT_EQ(read->unit, "mm");
+  EXPECT_EQ(read->stack.about.name, "lung");
+  EXPECT_EQ(read->stack.about.unit, "mm");
   ASSERT_EQ(read->stack.sections.size(), 2U);
   EXPECT_EQ(read->stack.sections[SectionId(0)].contours.size(), 2U);
   EXPECT_EQ(read->stack.sections[SectionId(1)].z, 3);
@@ -49,7 +49,7 @@ TEST(Rtstruct, AsksWhichStructure) {
   for (const char* const asked : {"2", "heart", "HEART"}) {
     const auto heart = parse_stack(bytes, "a.dcm", {.structure = asked});
     ASSERT_TRUE(heart.ok()) << to_string(heart.error());
-    EXPECT_EQ(heart->name, "heart");
+    EXPECT_EQ(heart->stack.about.name, "heart");
     EXPECT_EQ(heart->stack.sections[SectionId(0)].contours[ContourId(0)].vertices[0],
               (Point2{-3, -3}));
   }

@@ -213,7 +213,7 @@ TEST(StackOfDrawing, AStructureIsChosenByNameOrNumber) {
   EXPECT_EQ(error.code, ErrorCode::usage);
   EXPECT_NE(error.message.find("7 'Lung'"), std::string::npos) << error.message;
   for (const char* name : {"Lung", "lung", "7"}) {
-    EXPECT_EQ(made_of(two_structures(), with(name)).name, "Lung") << name;
+    EXPECT_EQ(made_of(two_structures(), with(name)).stack.about.name, "Lung") << name;
   }
   EXPECT_EQ(refusal_of(two_structures(), with("Lunge")).code, ErrorCode::usage);
   Drawing twins = two_structures();
@@ -228,7 +228,7 @@ TEST(StackOfDrawing, AStructureIsChosenByNameOrNumber) {
 TEST(StackOfDrawing, TheOnlyStructureWithContoursNeedsNoChoice) {
   Drawing drawing = two_structures();
   drawing.structures[0].lines.clear();
-  EXPECT_EQ(made_of(drawing).name, "Lung");
+  EXPECT_EQ(made_of(drawing).stack.about.name, "Lung");
 }
 
 TEST(FindStructure, PrefersNamesToNumbersAndTakesNoSideInDoubt) {

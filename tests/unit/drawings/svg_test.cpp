@@ -83,7 +83,7 @@ TEST(Svg, ReadsHolesAndNestedGroups) {
                layer("slic3r:z=\"2e-06\"")));
   EXPECT_EQ(stack.stack.contour_count(), 3U);
   EXPECT_NEAR(test::region_area(stack.stack.sections[SectionId(0)]), 80, 1e-12);
-  EXPECT_EQ(stack.unit, "mm");
+  EXPECT_EQ(stack.stack.about.unit, "mm");
 }
 
 TEST(Svg, ReadsPaths) {

@@ -7,8 +7,8 @@
 
 #include "core/prng.hpp"
 #include "io/bytes/checksum.hpp"
+#include "io/bytes/deflate.hpp"
 #include "io/bytes/inflate.hpp"
-#include "render/deflate.hpp"
 #include "support/deflated.hpp"
 
 namespace tetloft {
@@ -163,7 +163,7 @@ TEST(Inflate, RunsOfCodeLengths) {
 TEST(Inflate, WhatIsReadDoesNotDependOnThePieces) {
   std::string text;
   for (unsigned values : {2U, 7U, 256U}) text += noise(70000, values, values);
-  const std::string packed = render::zlib_compressed(text);
+  const std::string packed = io::zlib_compressed(text);
   for (const std::size_t piece : {std::size_t{1}, std::size_t{1000}, std::size_t{32768},
                                   std::size_t{100000}, text.size() + 1}) {
     const std::string shifted = "head" + packed + "tail";
@@ -185,7 +185,7 @@ TEST(Inflate, WhatIsReadDoesNotDependOnThePieces) {
 TEST(Inflate, WhatTheCompressorMakesComesBack) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     const std::string text = noise(seed * seed * 40, seed, 1U + static_cast<unsigned>(seed) * 6);
-    EXPECT_EQ(unpacked(render::zlib_compressed(text), Wrapping::zlib), text);
+    EXPECT_EQ(unpacked(io::zlib_compressed(text), Wrapping::zlib), text);
   }
 }
 
@@ -230,7 +230,7 @@ TEST(Inflate, WhatIsCutOffIsRefusedWhereverItIsCut) {
   for (std::size_t size = 0; size < whole.size(); ++size) {
     EXPECT_NE(refusal(whole.substr(0, size), Wrapping::gzip), "taken") << size;
   }
-  const std::string packed = render::zlib_compressed(noise(300, 1, 9));
+  const std::string packed = io::zlib_compressed(noise(300, 1, 9));
   for (std::size_t size = 0; size < packed.size(); ++size) {
     EXPECT_NE(refusal(packed.substr(0, size), Wrapping::zlib), "taken") << size;
   }
@@ -252,7 +252,7 @@ TEST(Inflate, WhatComesBeforeAnErrorIsHandedOut) {
 }
 
 TEST(Inflate, MoreThanAskedForIsRefused) {
-  const std::string bomb = render::zlib_compressed(std::string(1 << 20, '\0'));
+  const std::string bomb = io::zlib_compressed(std::string(1 << 20, '\0'));
   EXPECT_EQ(refusal(bomb, Wrapping::zlib, 1000),
             "the compressed data unpack to more than 1000 bytes");
   EXPECT_EQ(unpacked(bomb, Wrapping::zlib), std::string(1 << 20, '\0'));

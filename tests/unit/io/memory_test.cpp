@@ -9,8 +9,8 @@
 #include <tetloft/formats.hpp>
 #include <tetloft/inspect.hpp>
 
+#include "io/bytes/deflate.hpp"
 #include "io/files.hpp"
-#include "render/deflate.hpp"
 #include "support/counted_memory.hpp"
 #include "unit/io/io_support.hpp"
 
@@ -288,7 +288,7 @@ TEST(Memory, OfVolumesIsBounded) {
 
 // Whatever a small file unpacks to, a slice is in memory, and what contours there are.
 TEST(Memory, OfPackedVolumesIsThatOfASlice) {
-  const std::string zeros = render::zlib_compressed(std::string(std::size_t{64} << 20, '\0'));
+  const std::string zeros = io::zlib_compressed(std::string(std::size_t{64} << 20, '\0'));
   const auto header = [](const char* sizes) {
     return "NDims = 3\nDimSize = " + std::string(sizes) +
            "\nElementType = MET_UCHAR\nCompressedData = True\nElementDataFile = LOCAL\n";

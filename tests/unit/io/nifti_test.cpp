@@ -140,8 +140,8 @@ TEST(Nifti, LabelTablesInExtensionsNameLabels) {
     EXPECT_EQ(labels_of(look_at(bytes)), "0:6 1:5 spleen 7:1 left kidney");
     const auto read = parse_stack(gzipped(bytes), "file", {.structure = "Left Kidney"});
     ASSERT_TRUE(read.ok());
-    EXPECT_EQ(read->name, "left kidney");
-    EXPECT_EQ(read->unit, "mm");
+    EXPECT_EQ(read->stack.about.name, "left kidney");
+    EXPECT_EQ(read->stack.about.unit, "mm");
   }
 }
 

@@ -235,8 +235,8 @@ TEST(VolumeStack, SeveralLabelsAreListed) {
   EXPECT_EQ(refusal(volume, {}),
             "the volume has several labels: 1 'Liver' (6 voxels), 12 'left lung' (1 voxel); choose "
             "one with --label N|NAME, or --label all; of an image, --iso VALUE");
-  EXPECT_EQ(read_of(volume, structure("LIVER"))->name, "Liver");
-  EXPECT_EQ(read_of(volume, structure("12"))->name, "left lung");
+  EXPECT_EQ(read_of(volume, structure("LIVER"))->stack.about.name, "Liver");
+  EXPECT_EQ(read_of(volume, structure("12"))->stack.about.name, "left lung");
   EXPECT_EQ(refusal(volume, structure("livre")),
             "there is no single segment 'livre' (did you mean Liver?); there is 1 'Liver', "
             "12 'left lung', 13 'spleen'");
@@ -299,7 +299,7 @@ TEST(VolumeStack, SegmentsOfSeveralVolumesOverlap) {
   for (const char* name : {"a", "b", "c"}) {
     const Result<ReadStack> read = read_of(volume, structure(name));
     ASSERT_TRUE(read.ok());
-    EXPECT_EQ(read->name, name);
+    EXPECT_EQ(read->stack.about.name, name);
     EXPECT_EQ(read->stack.sections[SectionId(0)].z, *name == 'c' ? 2 : 1);
   }
   const Result<FileSummary> summary = io::summary_of_volume(volume, {});

@@ -1,4 +1,5 @@
-#include "render/deflate.hpp"
+// Matches by hash chains, one dynamic Huffman code for each block.
+#include "io/bytes/deflate.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +9,9 @@
 #include <utility>
 #include <vector>
 
-namespace tetloft::internal::render {
+#include "io/bytes/checksum.hpp"
+
+namespace tetloft::internal::io {
 
 namespace {
 
@@ -270,19 +273,10 @@ class Chains {
   std::vector<std::uint32_t> head_, before_;
 };
 
-std::uint32_t adler32(std::string_view bytes) {
-  std::uint32_t a = 1, b = 0;
-  for (const char c : bytes) {
-    a = (a + static_cast<unsigned char>(c)) % 65521;
-    b = (b + a) % 65521;
-  }
-  return b << 16 | a;
-}
-
 }  // namespace
 
-std::string zlib_compressed(std::string_view bytes) {
-  std::string out("\x78\x9c", 2);
+std::string deflated(std::string_view bytes) {
+  std::string out;
   BitWriter writer(out);
   Chains chains(bytes);
   std::vector<Symbol> symbols;
@@ -306,9 +300,14 @@ std::string zlib_compressed(std::string_view bytes) {
   }
   write_block(symbols, true, writer);
   writer.flush();
-  const std::uint32_t sum = adler32(bytes);
+  return out;
+}
+
+std::string zlib_compressed(std::string_view bytes) {
+  std::string out = "\x78\x9c" + deflated(bytes);
+  const std::uint32_t sum = adler32(kAdlerOfNothing, bytes);
   for (int shift = 24; shift >= 0; shift -= 8) out += static_cast<char>(sum >> shift & 0xFFU);
   return out;
 }
 
-}  // namespace tetloft::internal::render
+}  // namespace tetloft::internal::io

@@ -1,5 +1,5 @@
 // Compression, undone by a decoder of the tests' own.
-#include "render/deflate.hpp"
+#include "io/bytes/deflate.hpp"
 
 #include <gtest/gtest.h>
 
@@ -35,13 +35,13 @@ TEST(Deflate, RoundTripsThroughADecoderOfItsOwn) {
   for (std::size_t k = skewed.size(); k-- > 1;) std::swap(skewed[k], skewed[prng.next() % (k + 1)]);
   all.push_back(skewed);
   for (const std::string& bytes : all) {
-    const std::string packed = render::zlib_compressed(bytes);
+    const std::string packed = io::zlib_compressed(bytes);
     const auto unpacked = test::inflate(packed);
     ASSERT_TRUE(unpacked) << bytes.size();
     EXPECT_TRUE(*unpacked == bytes) << bytes.size();
   }
-  EXPECT_LT(render::zlib_compressed(std::string(100'000, 'x')).size(), 300U);
-  EXPECT_LT(render::zlib_compressed(words).size(), 30'000U);
+  EXPECT_LT(io::zlib_compressed(std::string(100'000, 'x')).size(), 300U);
+  EXPECT_LT(io::zlib_compressed(words).size(), 30'000U);
 }
 
 }  // namespace
