@@ -16,6 +16,11 @@
   FORMAT(metaimage)                  \
   FORMAT(cnt)                        \
   FORMAT(vtu)                        \
+  FORMAT(medit)                      \
+  FORMAT(tetgen)                     \
+  FORMAT(abaqus)                     \
+  FORMAT(nastran)                    \
+  FORMAT(netgen)                     \
   FORMAT(obj)                        \
   FORMAT(ply)                        \
   FORMAT(vtp)                        \
