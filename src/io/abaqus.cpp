@@ -129,7 +129,7 @@ Written write_abaqus(Sink& sink, const Model& model, const Target& /*target*/) {
   Pieces pieces(sink);
   std::string& text = pieces.text();
   text = "*HEADING\nMesh by tetloft\n";
-  append_comments(text, "**", model, groups);
+  append_comments(text, "**", model, {});
   for (std::size_t g = 0; g < groups.size(); ++g) {
     text += "** elset " + labels[g] + " is " + printable(groups[g].name) + '\n';
   }

@@ -61,7 +61,7 @@ Written write_nastran(Sink& sink, const Model& model, const Target& /*target*/) 
   Pieces pieces(sink);
   std::string& text = pieces.text();
   text = "$ Mesh by tetloft\n";
-  append_comments(text, "$", model, groups);
+  append_comments(text, "$", model, {});
   text += "BEGIN BULK\n";
   for (const ComponentGroup& group : groups) {
     const std::string property = std::to_string(group.component.valid() ? group.tag() : of_none);
