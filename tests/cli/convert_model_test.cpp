@@ -43,7 +43,7 @@ TEST_F(ConvertModel, WritesTheBoundaryThatReconstructWrites) {
     const std::string converted = file("converted." + ending);
     ASSERT_EQ(run({"reconstruct", stack_, "--surface", direct, "--quiet"}).code, 0);
     const JsonValue told = run_json({"convert", model_, converted});
-    EXPECT_EQ(told.at("components").items.size(), 2U);
+    EXPECT_EQ(told.at("components").array.size(), 2U);
     EXPECT_EQ(test::get(converted), test::get(direct)) << ending;
   }
 }
@@ -62,19 +62,19 @@ TEST_F(ConvertModel, KeepsASolidBitForBit) {
 
 TEST_F(ConvertModel, MakesAFileOfEachComponent) {
   const JsonValue told = run_json({"convert", model_, file("part.vtu"), "--per-component"});
-  ASSERT_EQ(told.at("written").items.size(), 2U);
+  ASSERT_EQ(told.at("written").array.size(), 2U);
   double volumes = 0;
   std::size_t tets = 0;
-  for (const JsonValue& written : told.at("written").items) {
-    const auto part = read_vtu(written.text);
-    ASSERT_TRUE(part.ok()) << written.text;
+  for (const JsonValue& written : told.at("written").array) {
+    const auto part = read_vtu(written.string);
+    ASSERT_TRUE(part.ok()) << written.string;
     EXPECT_EQ(part->component_count, 1U);
     volumes += volume(*part);
     tets += part->tets.size();
   }
   EXPECT_DOUBLE_EQ(volumes, 5);
   EXPECT_EQ(static_cast<double>(tets), told.at("tets").number);
-  EXPECT_EQ(told.at("written").items[0].text, file("part-component_1.vtu"));
+  EXPECT_EQ(told.at("written").array[0].string, file("part-component_1.vtu"));
 }
 
 TEST_F(ConvertModel, TakesTheFormatByName) {
@@ -100,14 +100,14 @@ TEST_F(ConvertModel, RefusesWhatDoesNotFit) {
   fails({model_, model_}, 2, "overwrite");
   fails({model_, file("x.xyz")}, 2, ".vtu");
   fails({model_, file("x.obj"), "--to", "foo"}, 2, "foo");
-  fails({stack_, file("x.obj")}, 4, "reconstruct makes a model");
-  fails({model_, file("none/x.obj")}, 3, "folder");
+  fails({stack_, file("x.obj")}, 3, "reconstruct makes a model");
+  fails({model_, file("none/x.obj")}, 4, "folder");
 }
 
 // Nothing of several files appears where one of them cannot be written.
 TEST_F(ConvertModel, LeavesNothingWhereOnePartCannotBeWritten) {
   fs::create_directory(file("part-component_2.stl"));
-  expect_failure({"convert", model_, file("part.stl"), "--per-component"}, 3, "io",
+  expect_failure({"convert", model_, file("part.stl"), "--per-component"}, 4, "io",
                  "part-component_2.stl", {file("part-component_1.stl")});
 }
 
@@ -118,7 +118,7 @@ TEST_F(ConvertModel, NamesComponentsAfterLabels) {
   ASSERT_EQ(run({"reconstruct", stack_, "-o", model, "--labels", labels}).code, 0);
   const JsonValue told = run_json({"convert", model, file("part.stl"), "--per-component"});
   std::vector<std::string> names;
-  for (const JsonValue& name : told.at("components").items) names.push_back(name.text);
+  for (const JsonValue& name : told.at("components").array) names.push_back(name.string);
   EXPECT_EQ(names, (std::vector<std::string>{"label 7", "label 3"}));
   EXPECT_TRUE(fs::exists(file("part-label_7.stl")));
 }

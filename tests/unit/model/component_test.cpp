@@ -26,7 +26,10 @@ Model two_components() {
   model.slab.raw() = {SlabId(4), SlabId(2)};
   model.kind.raw() = {TetKind::ii, TetKind::prism};
   model.component_count = 2;
-  model.links.push_back({});
+  RegionLink link;
+  link.slab = SlabId(2);
+  link.lower = link.upper = ContourId(0);
+  model.links.push_back(link);
   return model;
 }
 
