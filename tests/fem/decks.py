@@ -40,6 +40,24 @@ def corners(mesh, face):
     return [mesh.points[mesh.tets[tet][k]] for k in FACES[side]]
 
 
+def volume(mesh, tet):
+    a, b, c, d = (mesh.points[n] for n in mesh.tets[tet])
+    u, v, w = ([p[i] - a[i] for i in range(3)] for p in (b, c, d))
+    return (u[0] * (v[1] * w[2] - v[2] * w[1]) + u[1] * (v[2] * w[0] - v[0] * w[2])
+            + u[2] * (v[0] * w[1] - v[1] * w[0])) / 6
+
+
+def level_area(mesh, faces):
+    """Of faces in a plane of equal z, and the centre of that area."""
+    parts = []
+    for face in faces:
+        a, b, c = corners(mesh, face)
+        size = abs((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2
+        parts.append((size, [(a[i] + b[i] + c[i]) / 3 for i in range(2)]))
+    area = sum(size for size, _ in parts)
+    return area, [sum(size * c[i] for size, c in parts) / area for i in range(2)]
+
+
 def node_set(name, nodes):
     return f"*NSET, NSET={name}\n" + "".join(f"{node}\n" for node in nodes)
 
@@ -47,6 +65,10 @@ def node_set(name, nodes):
 def pressed_faces(faces, pressure):
     """Lines of *DLOAD."""
     return "".join(f"{tet}, P{side[1]}, {pressure!r}\n" for tet, side in faces)
+
+
+def table(answer, title):
+    return next(rows for name, rows in answer.items() if name.startswith(title))
 
 
 def solve(folder, mesh_file, before, step):
