@@ -31,10 +31,12 @@ class MeditReader {
       : cursor_(source.bytes), name_(source.name), warnings_(source.name) {}
 
   Result<ReadModel> read() {
-    for (std::string_view word = next(); !word.empty() && word != "End"; word = next()) {
+    std::string_view word = next();
+    for (; !word.empty() && word != "End"; word = next()) {
       if (!is_letter(word.front())) return complain(in_quotes(word) + " stands for a keyword");
       if (Result<void> taken = take_section(word); !taken) return taken.error();
     }
+    if (word.empty()) warnings_.add("the file has no End: it may have been cut off");
     if (!has_tets_) return complain("the file has no Tetrahedra");
     if (largest_ > points_.size()) {
       return complain("a tetrahedron refers to vertex " + std::to_string(largest_) + " of " +

@@ -228,6 +228,63 @@ TEST(Memory, OfLabelsAndPointsIsBounded) {
   });
 }
 
+std::vector<Family> medit_meshes() {
+  const std::string head = "MeshVersionFormatted 2 Dimension 3 ";
+  const std::string of_tets = head + "Vertices 1 0 0 0 0 Tetrahedra ";
+  std::string components, names = head;
+  int tets = 0;
+  while (components.size() < kSize) components += "\n1 1 1 1 " + std::to_string(++tets);
+  for (int i = 1; names.size() < kSize; ++i) names += "#component " + std::to_string(i) + ":\n";
+  const std::string count = std::to_string(kSize / 8);
+  return {
+      {"points", repeated("0 0 0 0\n", kSize, head + "Vertices " + count + '\n')},
+      {"tets", of_tets + std::to_string(kSize / 10) + '\n' + test::repeated("1 1 1 1 1\n", kSize)},
+      {"components", of_tets + std::to_string(tets) + components},
+      {"names", names},
+      {"name after name", repeated("#component 1:" + std::string(40, 'a') + '\n', kSize)},
+      {"comments", repeated("#\n", kSize, head)},
+      {"long comment", head + '#' + std::string(kSize, 'a')},
+      {"long token", head + "Vertices " + std::string(kSize, '1')},
+      {"keywords", repeated("A ", kSize, head)},
+      {"numbers", repeated("0 ", kSize, head + "Ridges ")},
+      {"huge counts", repeated("Tetrahedra 99999999999 ", kSize, head)}};
+}
+
+TEST(Memory, OfMeditIsBounded) {
+  std::size_t read = 0;
+  expect_bounded(medit_meshes(), [&](const std::string& bytes) {
+    read += parse_model(bytes, "a.mesh").ok() ? 1U : 0U;
+  });
+  EXPECT_GE(read, 2U);
+}
+
+TEST(Memory, OfTetgenIsBounded) {
+  test::TempFolder folder;
+  test::put(folder.file("a.node"), "1 3\n1 0 0 0\n");
+  const auto read = [&](const std::string& bytes) {
+    test::put(folder.file("a.ele"), bytes);
+    EXPECT_TRUE(read_model(folder.file("a.ele")).ok());
+  };
+  std::string regions;
+  int tets = 0;
+  for (; regions.size() < kSize; ++tets) {
+    regions += '\n' + std::to_string(tets + 1) + " 1 1 1 1 " + std::to_string(tets);
+  }
+  expect_bounded({{"regions", std::to_string(tets) + " 4 1" + regions},
+                  {"comments", repeated("#\n", kSize, "0 4\n")},
+                  {"one comment", "0 4 #" + std::string(kSize, 'a')}},
+                 read);
+  // Many points, few tets.
+  const std::string ele = "1 4\n1 1 1 1 1\n";
+  test::put(folder.file("a.ele"), ele);
+  std::string nodes;
+  int points = 0;
+  for (; nodes.size() < kSize; ++points) nodes += '\n' + std::to_string(points + 1) + " 0 0 0";
+  test::put(folder.file("a.node"), std::to_string(points) + " 3" + nodes);
+  const std::size_t peak = peak_of([&] { EXPECT_TRUE(read_model(folder.file("a.ele")).ok()); });
+  EXPECT_LE(peak, kReaderMultiple * nodes.size() + kReaderBytes);
+}
+
 std::vector<Family> volumes() {
   std::vector<Family> families;
   const std::string side = std::to_string(kSize / 400);
