@@ -10,9 +10,11 @@
 #include <utility>
 #include <vector>
 
+#include "core/text.hpp"
 #include "io/vtk_data.hpp"
 #include "io/vtu_frame.hpp"
 #include "io/vtu_scan.hpp"
+#include "io/vtu_text.hpp"
 #include "io/xml.hpp"
 #include "model/fields.hpp"
 #include "model/tables.hpp"
@@ -34,7 +36,7 @@ class GridDecoder {
     std::vector<const DataArray*> arrays;
     for (const VtuArray& array : grid_.arrays) arrays.push_back(&array.data);
     for (const DataArray& array : grid_.columns) arrays.push_back(&array);
-    Result<void> unpacked = check_unpacking(arrays, grid_.source, scanner_);
+    Result<void> unpacked = check_unpacking(arrays, grid_.source, kGridUnpacked, scanner_);
     if (!unpacked) return unpacked.error();
     for (std::size_t piece = 0; piece < grid_.pieces.size(); ++piece) {
       const std::size_t first_point = model_.points.size();
@@ -47,6 +49,7 @@ class GridDecoder {
       if (tables) tables = read_table(table);
     });
     if (!tables) return tables.error();
+    if (Result<void> texts = read_texts(); !texts) return texts.error();
     if (Result<void> frame = read_frame(); !frame) return frame.error();
     return std::move(model_);
   }
@@ -161,6 +164,46 @@ class GridDecoder {
       }
       model_.tets.push_back(tet);
     }
+    return {};
+  }
+
+  // Nothing where the array is another writer's: of other numbers, or no UTF-8.
+  Result<std::string> text_in(std::string_view name) {
+    const DataArray* const array = grid_.find_column(name);
+    if (array == nullptr || array->type != ScalarType::uint8 || array->components != 1) {
+      return std::string();
+    }
+    const auto values = read_integers(*array, grid_.source, scanner_);
+    if (!values) return values.error();
+    std::string text;
+    text.reserve(values->size());
+    for (const std::int64_t value : *values) {
+      if (value < 0 || value > 255) return std::string();
+      text += static_cast<char>(static_cast<unsigned char>(value));
+    }
+    for (std::string_view rest = text; !rest.empty();) {
+      const TextUnit unit = first_unit(rest);
+      if (!unit.valid) return std::string();
+      rest.remove_prefix(unit.length);
+    }
+    return text;
+  }
+
+  Result<void> read_texts() {
+    Result<void> done;
+    for_each_text([&](const VtuText& text) {
+      if (!done) return;
+      Result<std::string> value = text_in(text.array);
+      if (value) {
+        model_.about.*text.text = valid_utf8(*value);
+      } else {
+        done = value.error();
+      }
+    });
+    if (!done) return done;
+    const Result<std::string> names = text_in(kComponentNames);
+    if (!names) return names.error();
+    if (!names->empty()) set_names(model_, *names);
     return {};
   }
 
