@@ -13,10 +13,10 @@
 #include "io/format.hpp"
 #include "io/stage.hpp"
 #include "io/vtk_data.hpp"
+#include "io/vtk_text.hpp"
 #include "io/vtk_write.hpp"
 #include "io/vtu_frame.hpp"
 #include "io/vtu_read.hpp"
-#include "io/vtu_text.hpp"
 #include "model/fields.hpp"
 #include "model/tables.hpp"
 #include "model/well_formed.hpp"
@@ -77,7 +77,7 @@ VtkArray text_array(std::string_view name, const std::string& text) {
 
 // What is not said has no array.
 void add_texts(const Model& model, VtkGroup& group) {
-  for_each_text([&](const VtuText& text) {
+  for_each_text([&](const VtkText& text) {
     const std::string& value = model.about.*text.text;
     if (!value.empty()) group.arrays.push_back(text_array(text.array, valid_utf8(value)));
   });

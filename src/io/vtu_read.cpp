@@ -10,11 +10,11 @@
 #include <utility>
 #include <vector>
 
-#include "core/text.hpp"
+#include "io/groups.hpp"
 #include "io/vtk_data.hpp"
+#include "io/vtk_text.hpp"
 #include "io/vtu_frame.hpp"
 #include "io/vtu_scan.hpp"
-#include "io/vtu_text.hpp"
 #include "io/xml.hpp"
 #include "model/fields.hpp"
 #include "model/tables.hpp"
@@ -167,44 +167,28 @@ class GridDecoder {
     return {};
   }
 
-  // Nothing where the array is another writer's: of other numbers, or no UTF-8.
-  Result<std::string> text_in(std::string_view name) {
+  Result<void> read_text(std::string_view name) {
     const DataArray* const array = grid_.find_column(name);
-    if (array == nullptr || array->type != ScalarType::uint8 || array->components != 1) {
-      return std::string();
-    }
+    // Another writer's?
+    if (array == nullptr || array->type != ScalarType::uint8 || array->components != 1) return {};
     const auto values = read_integers(*array, grid_.source, scanner_);
     if (!values) return values.error();
-    std::string text;
-    text.reserve(values->size());
+    std::string bytes;
+    bytes.reserve(values->size());
     for (const std::int64_t value : *values) {
-      if (value < 0 || value > 255) return std::string();
-      text += static_cast<char>(static_cast<unsigned char>(value));
+      if (value < 0 || value > 255) return {};
+      bytes += static_cast<char>(static_cast<unsigned char>(value));
     }
-    for (std::string_view rest = text; !rest.empty();) {
-      const TextUnit unit = first_unit(rest);
-      if (!unit.valid) return std::string();
-      rest.remove_prefix(unit.length);
-    }
-    return text;
+    set_text(model_, name, bytes);
+    return {};
   }
 
   Result<void> read_texts() {
     Result<void> done;
-    for_each_text([&](const VtuText& text) {
-      if (!done) return;
-      Result<std::string> value = text_in(text.array);
-      if (value) {
-        model_.about.*text.text = valid_utf8(*value);
-      } else {
-        done = value.error();
-      }
+    for_each_text([&](const VtkText& text) {
+      if (done) done = read_text(text.array);
     });
-    if (!done) return done;
-    const Result<std::string> names = text_in(kComponentNames);
-    if (!names) return names.error();
-    if (!names->empty()) set_names(model_, *names);
-    return {};
+    return done ? read_text(kComponentNames) : done;
   }
 
   // Where the points are no longer those that were placed, the model stays as it lies.
@@ -276,10 +260,7 @@ class GridDecoder {
     for_each_field([&](const auto& field) {
       if (done) done = read_field(field);
     });
-    for (const ComponentId component : model_.component) {
-      if (!component.valid()) continue;
-      model_.component_count = std::max(model_.component_count, component.index() + 1);
-    }
+    count_components(model_);
     return done;
   }
 

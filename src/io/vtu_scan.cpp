@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "io/numbers.hpp"
+#include "io/vtk_text.hpp"
 #include "io/vtu_frame.hpp"
-#include "io/vtu_text.hpp"
 #include "model/fields.hpp"
 #include "model/tables.hpp"
 
@@ -50,7 +50,7 @@ std::optional<KnownArray> known_array(std::string_view group, std::string_view n
     }
   });
   if (group != "FieldData") return found;
-  for_each_text([&](const VtuText& text) {
+  for_each_text([&](const VtkText& text) {
     if (name == text.array) found = KnownArray{group, text.array, VtuRole::column};
   });
   if (name == kComponentNames) found = KnownArray{group, kComponentNames, VtuRole::column};
