@@ -19,6 +19,11 @@
   FORMAT(vtk)                        \
   FORMAT(msh)                        \
   FORMAT(msh2)                       \
+  FORMAT(medit)                      \
+  FORMAT(tetgen)                     \
+  FORMAT(abaqus)                     \
+  FORMAT(nastran)                    \
+  FORMAT(netgen)                     \
   FORMAT(obj)                        \
   FORMAT(ply)                        \
   FORMAT(vtp)                        \
