@@ -16,6 +16,9 @@
   FORMAT(metaimage)                  \
   FORMAT(cnt)                        \
   FORMAT(vtu)                        \
+  FORMAT(vtk)                        \
+  FORMAT(msh)                        \
+  FORMAT(msh2)                       \
   FORMAT(medit)                      \
   FORMAT(tetgen)                     \
   FORMAT(abaqus)                     \

@@ -42,11 +42,15 @@ std::vector<ComponentGroup> component_groups(const Model& model) {
   return groups;
 }
 
-Model GroupedSolid::take(IdVector<VertexId, Point3> points,
-                         const std::map<std::int64_t, std::string>& names, WarningList& warnings) {
-  Model model;
-  model.points = std::move(points);
-  model.tets = std::move(tets_);
+void count_components(Model& model) {
+  model.component_count = 0;
+  for (const ComponentId component : model.component) {
+    if (!component.valid()) continue;
+    model.component_count = std::max(model.component_count, component.index() + 1);
+  }
+}
+
+void turn_positive(Model& model, WarningList& warnings) {
   std::size_t turned = 0;
   std::size_t flat = 0;
   for (TetVertices& tet : model.tets) {
@@ -61,6 +65,14 @@ Model GroupedSolid::take(IdVector<VertexId, Point3> points,
   };
   tell(turned, " tet is negative: it is turned over", " tets are negative: they are turned over");
   tell(flat, " tet has no volume", " tets have no volume");
+}
+
+Model GroupedSolid::take(IdVector<VertexId, Point3> points,
+                         const std::map<std::int64_t, std::string>& names, WarningList& warnings) {
+  Model model;
+  model.points = std::move(points);
+  model.tets = std::move(tets_);
+  turn_positive(model, warnings);
 
   std::map<std::int64_t, ComponentId> component;
   for (const std::int64_t group : groups_) component.emplace(group, ComponentId());
