@@ -2,7 +2,7 @@
 // fields, CTETRA in small ones, a PSOLID for each component. Loads, supports and materials are
 // left to the user: PSOLID n asks for MAT1 n.
 //
-// A real has a point, and 16 characters at most: also in free format more are cut off by readers.
+// A real has a point, and 16 characters at most; so has one in free fields.
 #include <cstdint>
 #include <string>
 
