@@ -65,6 +65,9 @@ constexpr std::array<LegacyAttribute, 8> kLegacyAttributes{{{"vectors", 3},
                                                             {"edge_flags", 1},
                                                             {"texture_coordinates", 0}}};
 
+// How many corners cells of the types 0 to 14 have; −1: any number.
+constexpr std::array<int, 15> kCellCorners{0, 1, -1, 2, -1, 3, -1, -1, 4, 4, 4, 8, 8, 6, 5};
+
 class LegacyReader {
  public:
   explicit LegacyReader(const Source& source)
@@ -349,6 +352,7 @@ class LegacyReader {
       cursor_.fail("CELL_TYPES are " + std::to_string(types_->size()) + " for " +
                    std::to_string(ends_.size()) + " cells");
     }
+    for (std::size_t cell = 0; cell < ends_.size(); ++cell) check_corners(cell);
     const auto tets = static_cast<std::size_t>(
         std::count(types_->begin(), types_->end(), std::int64_t{kVtkTetra}));
     const std::size_t others = types_->size() - tets;
@@ -364,11 +368,19 @@ class LegacyReader {
     }
   }
 
+  // A type that is cut off is another's, most of all.
+  void check_corners(std::size_t cell) const {
+    const std::int64_t type = (*types_)[cell];
+    const std::size_t corners = ends_[cell] - begin_of(cell);
+    if (type < 0 || static_cast<std::size_t>(type) >= kCellCorners.size()) return;
+    const int due = kCellCorners[static_cast<std::size_t>(type)];
+    if (due < 0 || corners == static_cast<std::size_t>(due)) return;
+    cursor_.fail("cell " + std::to_string(cell) + " is of type " + std::to_string(type) +
+                 " and has " + std::to_string(corners) + " corners");
+  }
+
   [[nodiscard]] TetVertices tet_of(std::size_t cell) const {
     const std::size_t begin = begin_of(cell);
-    if (ends_[cell] - begin != 4) {
-      cursor_.fail("cell " + std::to_string(cell) + " is a tetrahedron without four corners");
-    }
     TetVertices tet;
     for (std::size_t k = 0; k < 4; ++k) {
       const std::int64_t corner = corners_[begin + k];
