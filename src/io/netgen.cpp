@@ -48,14 +48,14 @@ void append_netgen_tets(Pieces& pieces, const Model& model,
   }
 }
 
-// Names are words.
+// Names are words. Those of boundaries are others: readers may keep all in one table.
 void append_netgen_names(Pieces& pieces, const char* section,
-                         const std::vector<std::string>& labels) {
+                         const std::vector<std::string>& labels, const char* ending) {
   std::string& text = pieces.text();
   text += std::string(section) + '\n' + std::to_string(labels.size()) + '\n';
   for (std::size_t g = 0; g < labels.size(); ++g) {
     append_number(text, g + 1);
-    text += ' ' + labels[g] + '\n';
+    text += ' ' + labels[g] + ending + '\n';
     pieces.next();
   }
 }
@@ -75,8 +75,8 @@ Written write_netgen(Sink& sink, const Model& model, const Target& /*target*/) {
     text += '\n';
     pieces.next();
   }
-  append_netgen_names(pieces, "materials", labels);
-  append_netgen_names(pieces, "bcnames", labels);
+  append_netgen_names(pieces, "materials", labels, "");
+  append_netgen_names(pieces, "bcnames", labels, "_BOUNDARY");
   text += "endmesh\n";
   pieces.finish();
   return std::vector<Warning>();

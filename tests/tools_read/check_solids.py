@@ -9,6 +9,7 @@ Exit code 77: the reader is not installed. On Debian: python3-vtk9, python3-mesh
 """
 import json
 import math
+import re
 import sys
 
 SKIPPED = 77
@@ -80,7 +81,8 @@ def meshio_mixes_up(path):
 def read_with_meshio(path, format):
     import meshio
     import numpy
-    known = {"vtu": "vtu", "vtk": "vtk", "msh": "gmsh", "msh2": "gmsh"}
+    known = {"vtu": "vtu", "vtk": "vtk", "msh": "gmsh", "msh2": "gmsh", "medit": "medit",
+             "tetgen": "tetgen", "abaqus": "abaqus", "nastran": "nastran", "netgen": "netgen"}
     if format not in known or (format == "vtu" and meshio_mixes_up(path)):
         return None
     mesh = meshio.read(path, file_format=known[format])
@@ -101,6 +103,22 @@ def read_with_meshio(path, format):
         solid.triangle_tags = tags("gmsh:physical", "triangle")
         solid.names = {int(tag): name for name, (tag, dimension) in mesh.field_data.items()
                        if dimension == 3}
+    elif format in ("medit", "netgen"):
+        array = {"medit": "medit:ref", "netgen": "netgen:index"}[format]
+        solid.tet_tags = tags(array, "tetra")
+        solid.triangles = rows("triangle", 3)
+        solid.triangle_tags = tags(array, "triangle")
+        if format == "netgen":
+            solid.names = {int(tag): name for name, (tag, dimension) in mesh.field_data.items()
+                           if dimension == 3}
+    elif format == "abaqus":
+        sets = [name for name in mesh.cell_sets if name != "ALL_ELEMENTS"]
+        solid.names = dict(enumerate(sets, 1))
+        solid.tet_tags = numpy.concatenate(
+            [numpy.full(len(block.data), 1 + [len(mesh.cell_sets[name][i]) > 0 for name in sets]
+                        .index(True)) for i, block in enumerate(mesh.cells)])
+    elif format in ("tetgen", "nastran"):
+        solid.tet_tags = tags(format + ":ref", "tetra")
     else:
         solid.tet_tags = tags("component", "tetra") + 1
     return solid
@@ -109,7 +127,7 @@ def read_with_meshio(path, format):
 def read_with_gmsh(path, format):
     import gmsh
     import numpy
-    if format not in ("msh", "msh2", "vtk"):
+    if format not in ("msh", "msh2", "vtk", "medit", "nastran"):
         return None
     gmsh.initialize()
     try:
@@ -126,7 +144,9 @@ def read_with_gmsh(path, format):
         def elements(dimension, kind, size):
             rows, tags = [], []
             for _, entity in gmsh.model.getEntities(dimension):
-                groups = gmsh.model.getPhysicalGroupsForEntity(dimension, entity)
+                # Of some formats numbers become those of entities.
+                groups = (gmsh.model.getPhysicalGroupsForEntity(dimension, entity)
+                          if format in ("msh", "msh2") else [entity])
                 _, nodes = mesh.getElementsByType(kind, entity)
                 found = [[index[n] for n in nodes[i:i + size]] for i in range(0, len(nodes), size)]
                 rows += found
@@ -136,7 +156,9 @@ def read_with_gmsh(path, format):
         solid = Solid(coordinates.reshape(-1, 3), tets)
         if format != "vtk":  # of which it reads the tets alone
             solid.tet_tags = tet_tags
+        if format in ("msh", "msh2", "medit"):
             solid.triangles, solid.triangle_tags = elements(2, 2, 3)
+        if format in ("msh", "msh2"):
             volumes, surfaces = ({tag: gmsh.model.getPhysicalName(dimension, tag)
                                   for _, tag in gmsh.model.getPhysicalGroups(dimension)}
                                  for dimension in (3, 2))
@@ -156,6 +178,8 @@ READERS = {"vtk": read_with_vtk, "meshio": read_with_meshio, "gmsh": read_with_g
 
 def name_in(format, name):
     """The name as the format can hold it."""
+    if format in ("abaqus", "netgen"):
+        return re.sub("[^A-Z0-9]+", "_", name.upper()).strip("_")
     return name.replace('"', "'") if format in ("msh", "msh2") else name
 
 
@@ -188,6 +212,9 @@ def differences(solid, expected):
     yield from compare("points", len(solid.points), expected["points"])
     yield from compare("tets", len(solid.tets), expected["tets"])
     box = [float(x) for x in list(solid.points.min(axis=0)) + list(solid.points.max(axis=0))]
+    if expected["format"] == "nastran":  # of 16 characters
+        box = [round(x, 9) for x in box]
+        expected["box"] = [round(x, 9) for x in expected["box"]]
     yield from compare("box", box, expected["box"])
     yield from compare("volume", volume(solid.points, solid.tets),
                        math.fsum(c["volume"] for c in expected["components"]))

@@ -288,6 +288,7 @@ TEST(WriteNetgen, HasNegativeTetsAndOutwardFaces) {
     volume += test::determinant({Point3{50, 0, 0}, point(row[5]), point(row[6]), point(row[7])});
   }
   EXPECT_NEAR(volume, 6 * 0.9 + 2, 1e-9);
+  EXPECT_EQ(rows("bcnames")[1], "2 GR_E_7_BOUNDARY");
   EXPECT_EQ(rows("materials"),
             (std::vector<std::string>{"1 LEFT_LOBE_OF_IT", "2 GR_E_7", "3 LOBE_A", "4 LOBE_A_2",
                                       "5 C_7", "6 NO_COMPONENT"}));
