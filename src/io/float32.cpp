@@ -104,8 +104,8 @@ std::vector<Warning> Float32Loss::warnings() const {
                           " with others; the surface may touch itself"));
   }
   if (flattened_.number != 0) {
-    all.push_back(warning("flattens", flattened_, "triangle", "triangles",
-                          "; the surface may not be valid"));
+    all.push_back(
+        warning("flattens", flattened_, "triangle", "triangles", "; the surface may not be valid"));
   }
   return all;
 }

@@ -21,6 +21,8 @@
   FORMAT(vtp)                        \
   FORMAT(stl)                        \
   FORMAT(off)                        \
+  FORMAT(threemf)                    \
+  FORMAT(glb)                        \
   FORMAT(geojson)                    \
   FORMAT(svg)                        \
   FORMAT(dxf)                        \

@@ -49,14 +49,15 @@ void append_binary_stl(Sink& sink, const SurfaceMesh& mesh, const std::string& t
   Pieces pieces(sink);
   std::string& piece = pieces.text();
   // 80 bytes that must not begin with "solid", else readers take the file for ASCII.
-  piece = cut_text("binary STL by tetloft" + title, kStlHeadBytes - 4);
+  piece = beginning("binary STL by tetloft" + title, kStlHeadBytes - 4);
   piece.resize(kStlHeadBytes - 4, ' ');
   append_little(piece, static_cast<std::uint32_t>(mesh.triangles.size()));
   for (const auto& t : mesh.triangles) {
     const Point3& a = mesh.points[t[0]];
     const Point3& b = mesh.points[t[1]];
     const Point3& c = mesh.points[t[2]];
-    for (const FloatPoint& p : {normal_of(a, b, c), float_point(a), float_point(b), float_point(c)}) {
+    for (const FloatPoint& p :
+         {normal_of(a, b, c), float_point(a), float_point(b), float_point(c)}) {
       for (const float value : p) append_little(piece, value);
     }
     append_little(piece, std::uint16_t{0});

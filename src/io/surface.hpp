@@ -21,17 +21,30 @@ struct SurfaceMesh {
 
 /// The surface of one component.
 struct SurfacePart {
-  std::size_t component = 0;  ///< from 0
-  std::string name;
+  ComponentId component;                 ///< invalid: of tets that are of none
+  std::string name;                      ///< group_name()
   std::vector<std::uint32_t> triangles;  ///< of the mesh, in its order
 };
 
-/// The components that have triangles, in their order. Of a model that has none all is one.
+/// The components that have triangles, in their order, what is of none last.
 [[nodiscard]] std::vector<SurfacePart> surface_parts(const SurfaceMesh& mesh, const Model& model);
 
 /// Whether there is nothing to say of the surface but its triangles: one part, without names,
 /// unit or orientation.
 [[nodiscard]] bool is_nameless(const Model& model, const std::vector<SurfacePart>& parts);
+
+/// How many edges of a part are not those of one triangle on either side.
+[[nodiscard]] std::size_t unmatched_edges(const SurfaceMesh& mesh, const SurfacePart& part);
+
+/// The triangles of all parts, one part after the other.
+[[nodiscard]] std::vector<std::uint32_t> by_part(const std::vector<SurfacePart>& parts);
+
+/// What a file tells in comments whose triangles are by_part(): name, unit, orientation, and how
+/// many triangles each component has; of a nameless one nothing. Each in one line.
+[[nodiscard]] std::vector<std::string> surface_comments(const Model& model,
+                                                        const std::vector<SurfacePart>& parts);
+/// The first of these: "name: liver", "unit: mm", "orientation: LPS", as far as they are known.
+[[nodiscard]] std::vector<std::string> description_lines(const Description& about);
 
 /// A part with numbers of its own.
 struct PartMesh {

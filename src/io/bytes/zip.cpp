@@ -12,12 +12,12 @@ namespace tetloft::internal::io {
 
 namespace {
 
-constexpr std::uint32_t kLocalHeader = 0x04034B50;       // 4.3.7
-constexpr std::uint32_t kDirectoryHeader = 0x02014B50;   // 4.3.12
-constexpr std::uint32_t kEndOfDirectory = 0x06054B50;    // 4.3.16
-constexpr std::uint16_t kZipVersion = 20;                   // 4.4.3.2: folders, DEFLATE
-constexpr std::uint16_t kZipDay = 1U << 5 | 1U;        // 4.4.6: 1 January 1980, at midnight
-constexpr std::uint16_t kZipStored = 0;                     // 4.4.5
+constexpr std::uint32_t kLocalHeader = 0x04034B50;      // 4.3.7
+constexpr std::uint32_t kDirectoryHeader = 0x02014B50;  // 4.3.12
+constexpr std::uint32_t kEndOfDirectory = 0x06054B50;   // 4.3.16
+constexpr std::uint16_t kZipVersion = 20;               // 4.4.3.2: folders, DEFLATE
+constexpr std::uint16_t kZipDay = 1U << 5 | 1U;         // 4.4.6: 1 January 1980, at midnight
+constexpr std::uint16_t kZipStored = 0;                 // 4.4.5
 constexpr std::uint16_t kZipDeflated = 8;
 constexpr std::uint64_t kLocalBytes = 30;
 constexpr std::uint64_t kDirectoryBytes = 46;
