@@ -45,14 +45,16 @@ void append_triple(std::string& text, const FloatPoint& p) {
   text += '\n';
 }
 
-void append_binary_stl(Sink& sink, const SurfaceMesh& mesh, const std::string& title) {
+void append_binary_stl(Sink& sink, const SurfaceMesh& mesh, const std::string& title,
+                       const std::vector<SurfacePart>& parts) {
   Pieces pieces(sink);
   std::string& piece = pieces.text();
   // 80 bytes that must not begin with "solid", else readers take the file for ASCII.
   piece = beginning("binary STL by tetloft" + title, kStlHeadBytes - 4);
   piece.resize(kStlHeadBytes - 4, ' ');
   append_little(piece, static_cast<std::uint32_t>(mesh.triangles.size()));
-  for (const auto& t : mesh.triangles) {
+  for (const std::uint32_t triangle : by_part(parts)) {
+    const auto& t = mesh.triangles[triangle];
     const Point3& a = mesh.points[t[0]];
     const Point3& b = mesh.points[t[1]];
     const Point3& c = mesh.points[t[2]];
@@ -87,9 +89,8 @@ void append_solid(Pieces& pieces, const SurfaceMesh& mesh, const std::string& na
   piece += "endsolid " + name + '\n';
 }
 
-void append_ascii_stl(Sink& sink, const SurfaceMesh& mesh, const Model& model) {
-  const std::vector<SurfacePart> parts = surface_parts(mesh, model);
-  const bool nameless = is_nameless(model, parts);
+void append_ascii_stl(Sink& sink, const SurfaceMesh& mesh, bool nameless,
+                      const std::vector<SurfacePart>& parts) {
   Pieces pieces(sink);
   for (const SurfacePart& part : parts) {
     append_solid(pieces, mesh, nameless ? "tetloft" : printable(part.name), part.triangles);
@@ -112,10 +113,11 @@ Written write_stl(Sink& sink, const SurfaceMesh& mesh, const Model& model, const
   std::transform(mesh.points.begin(), mesh.points.end(), points.begin(), float_point);
   Float32Loss loss("STL");
   loss.add(mesh.points, mesh.triangles, points);
+  const std::vector<SurfacePart> parts = surface_parts(mesh, model);
   if (target.options.encoding == Encoding::ascii) {
-    append_ascii_stl(sink, mesh, model);
+    append_ascii_stl(sink, mesh, is_nameless(model, parts), parts);
   } else {
-    append_binary_stl(sink, mesh, binary_title(model.about));
+    append_binary_stl(sink, mesh, binary_title(model.about), parts);
   }
   return loss.warnings();
 }

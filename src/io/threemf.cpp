@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/text.hpp"
 #include "io/bytes/zip.hpp"
 #include "io/format.hpp"
 #include "io/length_unit.hpp"
@@ -58,8 +59,11 @@ std::string attribute(std::string_view name, std::string_view value) {
   return ' ' + std::string(name) + "=\"" + std::string(value) + '"';
 }
 
+// In one line: not every reader knows references to characters ("&#10;").
+std::string line_of_xml(std::string_view text) { return xml_text(printable(text)); }
+
 std::string metadata(std::string_view name, std::string_view text) {
-  return "<metadata" + attribute("name", name) + '>' + xml_text(text) + "</metadata>\n";
+  return "<metadata" + attribute("name", name) + '>' + line_of_xml(text) + "</metadata>\n";
 }
 
 // Names of metadata are the specification's (section 3.4.1); what has none is described.
@@ -83,7 +87,7 @@ std::string materials(const std::vector<SurfacePart>& parts) {
   if (parts.empty()) return {};
   std::string text = "<basematerials" + attribute("id", std::to_string(kMaterials)) + ">\n";
   for (const SurfacePart& part : parts) {
-    text += "<base" + attribute("name", xml_text(part.name)) +
+    text += "<base" + attribute("name", line_of_xml(part.name)) +
             attribute("displaycolor", display_colour(part.component)) + "/>\n";
   }
   return text + "</basematerials>\n";
@@ -127,7 +131,7 @@ std::string model_part(const SurfaceMesh& mesh, const Model& model,
   for (std::size_t k = 0; k < parts.size(); ++k) {
     const std::string id = std::to_string(kFirstObject + k);
     text += "<object" + attribute("id", id) + attribute("type", "model") +
-            attribute("name", xml_text(parts[k].name)) +
+            attribute("name", line_of_xml(parts[k].name)) +
             attribute("pid", std::to_string(kMaterials)) + attribute("pindex", std::to_string(k)) +
             ">\n";
     append_mesh(text, mesh, part_mesh(mesh, parts[k]));

@@ -153,8 +153,7 @@ TEST(Write3mf, KeepsComponentsNamesUnitAndPlace) {
   EXPECT_EQ(document.metadata.at("Description"), "unit: mm; orientation: LPS");
   ASSERT_EQ(document.objects.size(), 3U);
   EXPECT_EQ(document.objects[0].name, testing::kHardNames[1]);
-  // XML has no such character.
-  EXPECT_EQ(document.objects[1].name, "two\nlines\t\xEF\xBF\xBD #1, 100%");
+  EXPECT_EQ(document.objects[1].name, "two\\x0alines\\x09\\x01 #1, 100%");
   EXPECT_EQ(document.objects[2].name, testing::kHardNames[0] + " 4");
   EXPECT_NE(document.objects[0].colour, document.objects[1].colour);
   const std::array<double, 3> volumes{6, 24, 0.125};
