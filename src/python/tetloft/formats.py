@@ -33,7 +33,7 @@ def formats() -> list[Format]:
     """All formats, in the order in which contents are looked at.
 
     >>> [format.name for format in formats() if "surface" in format.writes]
-    ['obj', 'ply', 'vtp', 'stl', 'off']
+    ['obj', 'ply', 'vtp', 'stl', 'off', '3mf', 'glb']
     """
     found = []
     for number in range(lib.tetloft_format_count()):
@@ -46,6 +46,23 @@ def formats() -> list[Format]:
 
 def _contents(bits: int) -> frozenset[str]:
     return frozenset(name for name, bit in structs.CONTENTS.items() if bits & bit)
+
+
+class Description(NamedTuple):
+    """What a stack or a model is of, beside its geometry; each "" where the file does not say."""
+
+    name: str
+    """Of the structure (ROI, object, segment, label)."""
+    unit: str
+    """Of length: "mm"."""
+    orientation: str
+    """Where x, y and z of the file's space grow towards in a body: "LPS", "RAS"."""
+
+
+def description_of(function: Any, handle: Any) -> Description:
+    texts = [ctypes.c_char_p() for _ in Description._fields]
+    function(handle, *(ctypes.byref(each) for each in texts))
+    return Description(*(_text(each.value) for each in texts))
 
 
 def opened_file(source: Any) -> Optional[tuple[bytes, str]]:
