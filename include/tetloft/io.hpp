@@ -80,10 +80,12 @@ enum class Encoding {
 
 /// VTK XML unstructured grid: Float64 points; cell data component, slab, kind; point data
 /// section, contour, origin, each left out where the model's is empty; an invalid id is −1; links
-/// and motions as field data. All is read back bit for bit, ASCII too. Refused (invalid_input)
-/// where an array has a wrong length, a tet names a vertex that there is not, a kind or origin is
-/// none; or a link or motion has no slab or contour, no evidence or fate, or a number that is not
-/// finite.
+/// and motions, and about and component_names as UTF-8, as field data. All is read back bit for
+/// bit, ASCII too; but of names, where there are more components than tets, nothing. Compressed
+/// data would not be read back where they unpack to more than 32 times their size: they are written
+/// plain then. Refused (invalid_input) where an array has a wrong length, a tet names a vertex that
+/// there is not, a kind or origin is none; or a link or motion has no slab or contour, no evidence
+/// or fate, or a number that is not finite.
 [[nodiscard]] TETLOFT_API Result<void> write_vtu(const std::string& path, const Model& model,
                                                  Encoding encoding = Encoding::binary);
 [[nodiscard]] TETLOFT_API Result<std::string> format_vtu(const Model& model,

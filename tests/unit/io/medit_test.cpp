@@ -128,6 +128,17 @@ TEST(ReadMedit, TakesTheFormsOfOthers) {
   EXPECT_NE(cut->warnings[0].message.find("no End"), std::string::npos);
 }
 
+TEST(ReadMedit, TellsOfOtherCells) {
+  const auto read = parse_model(
+      "MeshVersionFormatted 2\nDimension 3\nHexahedra 2\n1 2 3 4 1 2 3 4 0\n1 2 3 4 1 2 3 4 0\n"
+      "Prisms 0\nTetrahedra 0\nEnd\n",
+      "a.mesh");
+  ASSERT_TRUE(read.ok()) << to_string(read.error());
+  ASSERT_EQ(read->warnings.size(), 1U);
+  EXPECT_EQ(read->warnings[0].message, "left out: 2 Hexahedra");
+  EXPECT_EQ(read->warnings[0].where.line, 3U);
+}
+
 TEST(ReadMedit, NamesWhatIsWrongAndWhere) {
   const std::string head = "MeshVersionFormatted 2\nDimension 3\n";
   const std::string points = "Vertices 4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n";
@@ -149,7 +160,6 @@ TEST(ReadMedit, NamesWhatIsWrongAndWhere) {
            Case{head + points + "Tetrahedra 99999999999999\n1 2 3 4 1\n", 10, "99999999999999"},
            Case{head + points + points + "End", 8, "twice"},
            Case{head + points + "End", 8, "no Tetrahedra"},
-           Case{head + points + "Hexahedra 1\n1 2 3 4 1 2 3 4 0\nEnd", 8, "has Hexahedra"},
            Case{head + "Vertices 1\n0 0 1e999 0\n", 4, "'1e999' is not a finite number"},
            Case{head + "Vertices 1\n0 0 nan 0\n", 4, "'nan'"},
            Case{head + "Vertices 2\n0 0 0 0\n", 5, "2 vertices are announced"},
