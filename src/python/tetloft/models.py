@@ -256,7 +256,7 @@ class Model(Owner):
 
     def write_surface(self, path: Path, *, format: Optional[str] = None,
                       ascii: bool = False) -> None:
-        """Writes the boundary alone: .stl, .obj, .ply, .vtp."""
+        """Writes the boundary alone: .stl, .3mf, .glb, .obj, .ply, .off, .vtp."""
         warnings = Warnings()
         lib.tetloft_model_write_surface(self._open(), path_bytes(path),
                                         write_options(format, ascii), warnings.out)
