@@ -9,7 +9,7 @@
 
 namespace tetloft::internal::io {
 
-ComponentId component_of(const Model& model, TetId tet) {
+ComponentId component_at(const Model& model, TetId tet) {
   return model.component.empty() ? ComponentId(0) : model.component[tet];
 }
 
@@ -20,14 +20,14 @@ std::string group_name(const Model& model, ComponentId component) {
 std::vector<ComponentGroup> component_groups(const Model& model) {
   // An invalid id is the largest.
   std::map<ComponentId, std::size_t> number;
-  for (const TetId tet : model.tets.ids()) number.emplace(component_of(model, tet), 0);
+  for (const TetId tet : model.tets.ids()) number.emplace(component_at(model, tet), 0);
   std::vector<ComponentGroup> groups;
   for (auto& [component, place] : number) {
     place = groups.size();
     groups.push_back({component, group_name(model, component), {}, {}});
   }
   const auto group = [&](TetId tet) -> ComponentGroup& {
-    return groups[number.find(component_of(model, tet))->second];
+    return groups[number.find(component_at(model, tet))->second];
   };
   for (const TetId tet : model.tets.ids()) group(tet).tets.push_back(tet);
   const Surface surface = boundary_surface(model);
@@ -37,11 +37,15 @@ std::vector<ComponentGroup> component_groups(const Model& model) {
   return groups;
 }
 
-Model GroupedSolid::take(IdVector<VertexId, Point3> points,
-                         const std::map<std::int64_t, std::string>& names, WarningList& warnings) {
-  Model model;
-  model.points = std::move(points);
-  model.tets = std::move(tets_);
+void count_components(Model& model) {
+  model.component_count = 0;
+  for (const ComponentId component : model.component) {
+    if (!component.valid()) continue;
+    model.component_count = std::max(model.component_count, component.index() + 1);
+  }
+}
+
+void turn_positive(Model& model, WarningList& warnings) {
   std::size_t turned = 0;
   std::size_t flat = 0;
   for (TetVertices& tet : model.tets) {
@@ -56,6 +60,14 @@ Model GroupedSolid::take(IdVector<VertexId, Point3> points,
   };
   tell(turned, " tet is negative: it is turned over", " tets are negative: they are turned over");
   tell(flat, " tet has no volume", " tets have no volume");
+}
+
+Model GroupedSolid::take(IdVector<VertexId, Point3> points,
+                         const std::map<std::int64_t, std::string>& names, WarningList& warnings) {
+  Model model;
+  model.points = std::move(points);
+  model.tets = std::move(tets_);
+  turn_positive(model, warnings);
 
   std::map<std::int64_t, ComponentId> component;
   for (const std::int64_t group : groups_) component.emplace(group, ComponentId());

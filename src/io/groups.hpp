@@ -15,7 +15,7 @@
 namespace tetloft::internal::io {
 
 /// Of a model that tells no components all tets are of the first.
-[[nodiscard]] ComponentId component_of(const Model& model, TetId tet);
+[[nodiscard]] ComponentId component_at(const Model& model, TetId tet);
 /// component_name(); of tets without component "no component".
 [[nodiscard]] std::string group_name(const Model& model, ComponentId component);
 
@@ -36,6 +36,13 @@ struct ComponentGroup {
 /// model. A model that tells no components is one. Requires a well formed model.
 [[nodiscard]] std::vector<ComponentGroup> component_groups(const Model& model);
 
+/// Sets component_count as the components of the tets say.
+void count_components(Model& model);
+
+/// Makes negative tets positive, which a warning counts, as another does those without volume. The
+/// points are finite.
+void turn_positive(Model& model, WarningList& warnings);
+
 /// Puts a model together from tets in groups, such as other programs write.
 class GroupedSolid {
  public:
@@ -48,8 +55,8 @@ class GroupedSolid {
 
   /// The model of `points`, which are finite. Groups become components, in the order of their
   /// numbers, with the names that `names` has for them (valid UTF-8); without any tet in a group
-  /// of a number other than `of_none` the model has no components. Negative tets are turned over,
-  /// which a warning counts, as another does those without volume.
+  /// of a number other than kNoGroup the model has no components. Tets are positive:
+  /// turn_positive().
   [[nodiscard]] Model take(IdVector<VertexId, Point3> points,
                            const std::map<std::int64_t, std::string>& names, WarningList& warnings);
 

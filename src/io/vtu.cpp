@@ -8,9 +8,12 @@
 #include <tetloft/io.hpp>
 
 #include "core/guard.hpp"
+#include "core/text.hpp"
 #include "io/arguments.hpp"
 #include "io/format.hpp"
 #include "io/stage.hpp"
+#include "io/vtk_data.hpp"
+#include "io/vtk_text.hpp"
 #include "io/vtk_write.hpp"
 #include "io/vtu_frame.hpp"
 #include "io/vtu_read.hpp"
@@ -80,19 +83,20 @@ VtkArray stack_point_array(const IdVector<VertexId, Point3>& points) {
 }
 
 // `groups` are those of the data.
-void append_grid(Sink& sink, VtkGroup tables, std::vector<VtkGroup> groups,
-                 const std::vector<Point3>& points, const std::vector<TetVertices>& tets,
-                 Encoding encoding) {
+std::vector<Warning> append_grid(Sink& sink, VtkGroup tables, std::vector<VtkGroup> groups,
+                                 const std::vector<Point3>& points,
+                                 const std::vector<TetVertices>& tets, Encoding encoding) {
   groups.push_back(
       vtk_points(points.size(), [&points](std::size_t i) -> const Point3& { return points[i]; }));
   groups.push_back(cell_group(tets));
-  append_vtk_file(sink,
-                  {.grid_type = "UnstructuredGrid",
-                   .counts = "NumberOfPoints=\"" + std::to_string(points.size()) +
-                             "\" NumberOfCells=\"" + std::to_string(tets.size()) + '"',
-                   .field_data = std::move(tables),
-                   .groups = std::move(groups)},
-                  encoding);
+  return append_vtk_file(sink,
+                         {.grid_type = "UnstructuredGrid",
+                          .counts = "NumberOfPoints=\"" + std::to_string(points.size()) +
+                                    "\" NumberOfCells=\"" + std::to_string(tets.size()) + '"',
+                          .field_data = std::move(tables),
+                          .groups = std::move(groups),
+                          .most_unpacked = kGridUnpacked},
+                         encoding);
 }
 
 Written write_grid(Sink& sink, const Model& model, const Target& target) {
@@ -103,11 +107,11 @@ Written write_grid(Sink& sink, const Model& model, const Target& target) {
     tables.arrays.push_back(frame_array(model.frame));
     if (!is_exact(model.frame)) fields[0].arrays.push_back(stack_point_array(*target.stack_points));
   }
+  add_texts(model, tables);
   // A mesh without any provenance has no element for it.
   if (fields[0].arrays.empty() && fields[1].arrays.empty()) fields.clear();
-  append_grid(sink, std::move(tables), std::move(fields), model.points.raw(), model.tets.raw(),
-              target.options.encoding);
-  return std::vector<Warning>();
+  return append_grid(sink, std::move(tables), std::move(fields), model.points.raw(),
+                     model.tets.raw(), target.options.encoding);
 }
 
 // A mesh that is no model: checked as models are.
@@ -115,8 +119,7 @@ Written write_mesh(Sink& sink, const std::vector<Point3>& points,
                    const std::vector<TetVertices>& tets, Encoding encoding) {
   if (Result<void> known = check_encoding(encoding); !known) return known.error();
   if (Result<void> formed = check_tets(points.size(), tets); !formed) return formed.error();
-  append_grid(sink, {}, {}, points, tets, encoding);
-  return std::vector<Warning>();
+  return append_grid(sink, {}, {}, points, tets, encoding);
 }
 
 bool is_grid(std::string_view bytes) { return is_vtk_file(bytes, "UnstructuredGrid"); }
