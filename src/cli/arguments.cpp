@@ -47,6 +47,7 @@ std::string see_help(const Usage& usage) {
 Result<Arguments> Arguments::parse(const Usage& usage, const std::vector<std::string>& words) {
   Arguments arguments;
   arguments.operand_words_ = usage.words;
+  arguments.line_ = words;
   bool options_ended = false;
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string& word = words[i];
@@ -88,9 +89,10 @@ Result<Arguments> Arguments::parse(const Usage& usage, const std::vector<std::st
   if (arguments.operands_.size() < expected && !arguments.has("--help")) {
     return usage_error("missing " + usage.operands[arguments.operands_.size()] + see_help(usage));
   }
-  if (arguments.operands_.size() > expected) {
+  const std::size_t most = expected + usage.optional_operands.size();
+  if (arguments.operands_.size() > most) {
     const bool writes = find_option(usage, "--output") != nullptr;
-    return usage_error("unexpected argument " + io::in_quotes(arguments.operands_[expected]) +
+    return usage_error("unexpected argument " + io::in_quotes(arguments.operands_[most]) +
                        (writes && !arguments.has("--output") ? " (an output needs -o)" : "") +
                        see_help(usage));
   }
@@ -178,10 +180,16 @@ void append_wrapped(std::string& text, std::string_view paragraph, std::size_t i
   text += '\n';
 }
 
+std::string operands_text(const Usage& usage) {
+  std::string text;
+  for (const std::string& operand : usage.operands) text += ' ' + operand;
+  for (const std::string& operand : usage.optional_operands) text += " [" + operand + ']';
+  return text;
+}
+
 std::string help_text(const Usage& usage) {
   constexpr std::size_t kHelpColumn = 30;
-  std::string text = "usage: tetloft " + std::string(usage.command);
-  for (const std::string& operand : usage.operands) text += ' ' + operand;
+  std::string text = "usage: tetloft " + std::string(usage.command) + operands_text(usage);
   text += " [options]\n\n";
   append_wrapped(text, usage.summary, 0);
   text += "\noptions:\n";

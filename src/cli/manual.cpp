@@ -39,8 +39,7 @@ std::string described(const Option& option) {
 }
 
 std::string described(const Usage& usage) {
-  std::string text = ".SS tetloft " + roff(usage.command);
-  for (const std::string& operand : usage.operands) text += ' ' + roff(operand);
+  std::string text = ".SS tetloft " + roff(usage.command) + roff(operands_text(usage));
   text += " [options]\n" + roff(usage.summary) + '\n';
   for (const Option& option : usage.options) text += described(option);
   if (!usage.notes.empty()) text += ".PP\n" + roff(usage.notes) + '\n';

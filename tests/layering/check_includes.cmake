@@ -30,8 +30,9 @@ set(may_geiger core predicates mesh delaunay2 delaunay3 sections model slab)
 set(may_check core arithmetic predicates mesh sections motion contact model)
 set(may_io core predicates sections model)
 set(may_render core mesh sections model io)
+set(may_report core mesh sections model check io render)
 set(modules core arithmetic spatial predicates mesh delaunay2 delaunay3 sections motion contact model slab correspondence between completion subdivision
-  reconstruct geiger check io render c)
+  reconstruct geiger check io render report c)
 # The C interface stands beside the command line: all of the public API, and core.
 set(may_c core model)
 
@@ -50,6 +51,7 @@ set(owner_frame core)
 set(owner_inspect io)
 set(owner_tet_mesh mesh)
 set(owner_report slab)
+set(owner_report_page report)
 set(owner_between reconstruct)
 set(owner_links reconstruct)
 set(owner_delaunay delaunay2 delaunay3)
