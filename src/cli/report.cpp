@@ -166,7 +166,11 @@ Result<int> run_report(const Arguments& arguments, Console& console) {
   if (options.title.empty() && !named) {
     options.title = std::filesystem::path(arguments.operand(0)).stem().string();
   }
+  // The page is for others: where the files lie here says nothing to them.
   options.warnings = console.warnings();
+  for (Warning& warning : options.warnings) {
+    if (!warning.where.file.empty()) warning.where.file = file_name(warning.where.file);
+  }
   const Result<Report> report = [&] {
     Progress progress(!console.quiet());
     options.execution.progress = progress.callback();

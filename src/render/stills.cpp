@@ -11,13 +11,21 @@
 
 namespace tetloft::internal::render {
 
+namespace {
+
+// Pixels between contours: nearer ones would hide the surface.
+constexpr double kLeastLineGap = 3;
+
+}  // namespace
+
 Result<std::vector<Still>> render_stills(const Model& model, const SectionStack* contours,
                                          const RenderOptions& options, std::span<const Side> sides,
                                          WatchedWork& work) {
   RenderOptions each = options;
   each.cut.reset();
-  const auto scene = scene_of(model, contours, View::toward(each), each);
+  auto scene = scene_of(model, contours, View::toward(each), each);
   if (!scene) return scene.error();
+  if (View(*scene, each).pixels(scene->line_gap) < kLeastLineGap) scene->lines.clear();
   work.step_done_go_on();
   // The steps of one picture are no steps of the whole.
   const Execution untold_steps = untold(options.execution);

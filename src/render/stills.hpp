@@ -28,8 +28,8 @@ struct Still {
 /// that is about as small as the PNG, and sharp at any size.
 inline constexpr std::size_t kMostSvgTriangles = 1200;
 
-/// Errors as render_png(); `options.cut` is not looked at. Tells `work` of one step more than there
-/// are sides.
+/// Contours that are nearer than lines can show are left out. Errors as render_png(); `options.cut`
+/// is not looked at. Tells `work` of one step more than there are sides.
 [[nodiscard]] Result<std::vector<Still>> render_stills(const Model& model,
                                                        const SectionStack* contours,
                                                        const RenderOptions& options,

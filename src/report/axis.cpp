@@ -44,6 +44,16 @@ RoundNumber round_number_below(double length) {
   return number;
 }
 
+// Narrow spaces between thousands, from five digits on.
+void group_thousands(std::string& digits) {
+  const std::size_t whole = std::min(digits.find('.'), digits.size());
+  if (whole < 5) return;
+  for (std::size_t at = whole; at > 3;) {
+    at -= 3;
+    digits.insert(at, "\xE2\x80\xAF");
+  }
+}
+
 std::string superscript(int exponent) {
   constexpr std::array<const char*, 10> kDigits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
   std::string text;
@@ -85,6 +95,7 @@ std::string number_text(double value, int digits) {
     mantissa.erase(mantissa.find_last_not_of('0') + 1);
     if (mantissa.back() == '.') mantissa.pop_back();
   }
+  group_thousands(mantissa);
   const std::string sign = value < 0 && mantissa != "0" ? "−" : "";
   return plain ? sign + mantissa : sign + mantissa + "·10" + superscript(exponent);
 }

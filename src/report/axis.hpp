@@ -40,7 +40,8 @@ class Axis {
 /// The largest of 1, 2 and 5 times a power of ten up to `length`. Requires it positive and finite.
 [[nodiscard]] double round_down(double length);
 
-/// `value` with so many significant digits, as people write it: "1234.5", "0.02", "3.1·10⁻⁹".
+/// `value` with so many significant digits, as people write it: "1234.5", "0.02", "3.1·10⁻⁹",
+/// "12 345" with narrow spaces (U+202F).
 [[nodiscard]] std::string number_text(double value, int digits = 5);
 
 }  // namespace tetloft::internal::report

@@ -39,10 +39,7 @@ std::vector<Point2> plotted(const std::vector<ReportArea>& areas) {
 class Page {
  public:
   Page(const Subject& subject, const Report& report, const ReportOptions& options)
-      : subject_(subject),
-        report_(report),
-        options_(options),
-        unit_(unit_of(subject.model, subject.stack)) {}
+      : subject_(subject), report_(report), options_(options), unit_(subject.about.unit) {}
 
   [[nodiscard]] std::string text(const std::string& pictures) const {
     std::string page =
@@ -57,7 +54,7 @@ class Page {
     page += part("Pictures", pictures);
     page += part("Guarantees", guarantees());
     page += part("Components", components());
-    page += part("Sections over the solid", section_panels(subject_, unit_, options_.sections));
+    page += part("Sections over the solid", section_panels(subject_, options_.sections));
     page += part("Area by height", areas());
     page += part("Shapes of the tetrahedra", quality());
     page += part("Decisions", decisions());
@@ -183,10 +180,7 @@ class Page {
     const auto add = [&out](const char* name, const std::string& value) {
       if (!value.empty()) out += element("dt", name) + element("dd", value);
     };
-    const auto& about = subject_.model.about;
-    const std::string orientation = about.orientation.empty() && subject_.stack != nullptr
-                                        ? subject_.stack->about.orientation
-                                        : about.orientation;
+    const std::string& orientation = subject_.about.orientation;
     add("solid", escaped(options_.model_file));
     add("sections", escaped(options_.stack_file));
     add("unit of length", unit_.empty() ? "not told by the files" : escaped(unit_));
@@ -226,10 +220,6 @@ class Page {
 };
 
 }  // namespace
-
-const std::string& unit_of(const Model& model, const SectionStack* stack) {
-  return model.about.unit.empty() && stack != nullptr ? stack->about.unit : model.about.unit;
-}
 
 std::string page_of(const Subject& subject, const Report& report, const std::string& pictures,
                     const ReportOptions& options) {

@@ -13,7 +13,4 @@ namespace tetloft::internal::report {
 [[nodiscard]] std::string page_of(const Subject& subject, const Report& report,
                                   const std::string& pictures, const ReportOptions& options);
 
-/// As the model or the stack tells it, or "".
-[[nodiscard]] const std::string& unit_of(const Model& model, const SectionStack* stack);
-
 }  // namespace tetloft::internal::report

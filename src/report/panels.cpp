@@ -134,14 +134,14 @@ std::string panel_svg(const Subject& subject, const Sheet& sheet, const Panel& p
 
 class Panels {
  public:
-  Panels(const Subject& subject, const std::string& unit)
-      : subject_(subject), unit_(unit), sheet_(subject) {}
+  explicit Panels(const Subject& subject)
+      : subject_(subject), unit_(subject.about.unit), sheet_(subject) {}
 
   std::string sections(const std::vector<std::size_t>& shown) {
     std::vector<Panel> panels;
     for (const std::size_t s : shown) {
       const double z = subject_.planes[s];
-      Panel panel{"section " + count_text(s) + ", z = " + with_unit(z, unit_, 1),
+      Panel panel{"section " + count_text(s) + ": z = " + with_unit(z, unit_, 1),
                   {z, z <= subject_.low.z},
                   {}};
       if (subject_.stack != nullptr) {
@@ -157,8 +157,7 @@ class Panels {
     for (const std::size_t s : shown) {
       if (s + 1 >= subject_.planes.size()) continue;
       const double z = subject_.planes[s] / 2 + subject_.planes[s + 1] / 2;
-      Panel panel{"between " + count_text(s) + " and " + count_text(s + 1) +
-                      ", z = " + with_unit(z, unit_, 1),
+      Panel panel{count_text(s) + "–" + count_text(s + 1) + ": z = " + with_unit(z, unit_, 1),
                   {z, false},
                   {}};
       if (subject_.stack != nullptr) {
@@ -215,8 +214,8 @@ std::vector<std::size_t> evenly(std::size_t count, std::size_t shown) {
   return positions;
 }
 
-std::string section_panels(const Subject& subject, const std::string& unit, std::size_t shown) {
-  Panels panels(subject, unit);
+std::string section_panels(const Subject& subject, std::size_t shown) {
+  Panels panels(subject);
   if (subject.planes.empty()) {
     return element("p", "The model does not tell its sections: it is cut at even heights.") +
            panels.even_cuts(shown);

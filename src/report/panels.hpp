@@ -13,8 +13,7 @@ namespace tetloft::internal::report {
 [[nodiscard]] std::vector<std::size_t> evenly(std::size_t count, std::size_t shown);
 
 /// Two figures for the page: the sections, and half way to the next ones; of a model that tells no
-/// sections, cuts at even heights. `unit` of lengths.
-[[nodiscard]] std::string section_panels(const Subject& subject, const std::string& unit,
-                                         std::size_t shown);
+/// sections, cuts at even heights.
+[[nodiscard]] std::string section_panels(const Subject& subject, std::size_t shown);
 
 }  // namespace tetloft::internal::report

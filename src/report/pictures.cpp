@@ -15,8 +15,9 @@ namespace tetloft::internal::report {
 
 namespace {
 
-constexpr int kPictureWidth = 880;
-constexpr int kPictureHeight = 660;
+constexpr int kPictureWidth = 680;
+constexpr int kPictureHeight = 510;
+constexpr double kStrip = 36;
 
 struct NamedSide {
   render::Side side;
@@ -32,20 +33,21 @@ const std::array<NamedSide, 4> kSides{{
 
 Point3 reversed(const Point3& direction) { return {-direction.x, -direction.y, -direction.z}; }
 
-// L or R, A or P, S or I at the edges of the picture.
-std::string edge_letters(const Model& model, const NamedSide& named) {
+// L or R, A or P, S or I around the picture; empty where none is known.
+std::string edge_letters(const Subject& subject, const NamedSide& named) {
   struct Edge {
     Point3 direction;
     double x, y;
   };
   const std::array<Edge, 4> edges{
-      {{named.right, kPictureWidth - 26.0, kPictureHeight / 2.0},
-       {reversed(named.right), 26, kPictureHeight / 2.0},
-       {named.up, kPictureWidth / 2.0, 34},
-       {reversed(named.up), kPictureWidth / 2.0, kPictureHeight - 16.0}}};
+      {{named.right, kPictureWidth + kStrip / 2, kPictureHeight / 2.0},
+       {reversed(named.right), -kStrip / 2, kPictureHeight / 2.0},
+       {named.up, kPictureWidth / 2.0, -kStrip / 4},
+       {reversed(named.up), kPictureWidth / 2.0, kPictureHeight + kStrip * 3 / 4}}};
   std::string out;
   for (const Edge& edge : edges) {
-    const char letter = orientation_letter(model.frame, model.about.orientation, edge.direction);
+    const char letter =
+        orientation_letter(subject.model.frame, subject.about.orientation, edge.direction);
     if (letter == 0) continue;
     out += "<text class=\"letter\" text-anchor=\"middle\" x=\"";
     append_coordinate(out, edge.x);
@@ -56,23 +58,29 @@ std::string edge_letters(const Model& model, const NamedSide& named) {
   return out;
 }
 
+std::string drawn(const render::Still& still) {
+  if (still.is_svg) return still.bytes;
+  return "<image width=\"" + std::to_string(kPictureWidth) + "\" height=\"" +
+         std::to_string(kPictureHeight) + "\" href=\"data:image/png;base64," +
+         io::encode_base64(still.bytes) + "\"/>";
+}
+
 std::string picture(const Subject& subject, const NamedSide& named, const render::Still& still,
                     const std::string& unit) {
-  const std::string size = "width=\"" + std::to_string(kPictureWidth) + "\" height=\"" +
-                           std::to_string(kPictureHeight) + '"';
-  std::string out = "<figure class=\"picture\"><svg role=\"img\" viewBox=\"0 0 " +
-                    std::to_string(kPictureWidth) + ' ' + std::to_string(kPictureHeight) +
-                    "\"><title>" + named.caption + "</title>";
-  if (still.is_svg) {
-    out += still.bytes;
-  } else {
-    out += "<image " + size + " href=\"data:image/png;base64," + io::encode_base64(still.bytes) +
-           "\"/>";
+  const std::string letters = edge_letters(subject, named);
+  // A strip below for the bar, and all around for letters.
+  const double around = letters.empty() ? 0 : kStrip;
+  std::string out = "<figure class=\"picture\"><svg role=\"img\" viewBox=\"";
+  for (const double number : {-around, -around, kPictureWidth + 2 * around}) {
+    append_coordinate(out, number);
+    out += ' ';
   }
-  out += edge_letters(subject.model, named);
-  // Lengths across the view; heights and depths of an oblique one are shortened.
-  if (subject.is_rigid)
-    out += scale_bar({28, kPictureHeight - 22.0}, kPictureWidth / 4.0, still.pixels, unit, 2);
+  append_coordinate(out, kPictureHeight + around + kStrip);
+  out += std::string("\"><title>") + named.caption + "</title>" + drawn(still) + letters;
+  if (subject.is_rigid) {
+    out +=
+        scale_bar({20, kPictureHeight + kStrip - 12}, kPictureWidth / 4.0, still.pixels, unit, 1.5);
+  }
   return out + "</svg>" + element("figcaption", named.caption) + "</figure>";
 }
 
@@ -101,7 +109,7 @@ char orientation_letter(const Frame& frame, const std::string& orientation,
   return 0;
 }
 
-std::string pictures(const Subject& subject, const std::string& unit, WatchedWork& work) {
+std::string pictures(const Subject& subject, WatchedWork& work) {
   RenderOptions options;
   options.width = kPictureWidth;
   options.height = kPictureHeight;
@@ -114,7 +122,7 @@ std::string pictures(const Subject& subject, const std::string& unit, WatchedWor
   }
   std::string out = "<div class=\"pictures\">";
   for (std::size_t k = 0; k < stills->size(); ++k) {
-    out += picture(subject, kSides[k], (*stills)[k], unit);
+    out += picture(subject, kSides[k], (*stills)[k], subject.about.unit);
   }
   return out + "</div>";
 }

@@ -11,10 +11,9 @@ namespace tetloft::internal::report {
 
 inline constexpr std::size_t kPictureSteps = 5;
 
-/// From four sides; of a model that cannot be drawn, why not. `unit` of lengths. Tells `work` of
+/// From four sides; of a model that cannot be drawn, why not. Tells `work` of
 /// kPictureSteps steps where all goes well.
-[[nodiscard]] std::string pictures(const Subject& subject, const std::string& unit,
-                                   WatchedWork& work);
+[[nodiscard]] std::string pictures(const Subject& subject, WatchedWork& work);
 
 /// Which letter of `orientation` ("LPS") a direction of the stack points to, placed by `frame`; of
 /// one that lies askew, and without orientation, none: 0.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 #include "report/markup.hpp"
 
@@ -14,15 +15,45 @@ namespace {
 // Of the drawing, in its own units; letters are 12 high.
 constexpr double kWidth = 420;
 constexpr double kHeight = 236;
-constexpr double kLeft = 64;
 constexpr double kRight = 14;
 constexpr double kTop = 12;
-constexpr double kBottom = 46;
+constexpr double kFloor = kHeight - 46;  // of the plot
+constexpr double kMiddle = (kTop + kFloor) / 2;
 constexpr std::size_t kTicksAcross = 6;
 constexpr std::size_t kTicksUp = 5;
 
-double across(double part) { return kLeft + part * (kWidth - kLeft - kRight); }
-double up(double part) { return kHeight - kBottom - part * (kHeight - kTop - kBottom); }
+// The axes, and where values stand in the drawing.
+class PlotFrame {
+ public:
+  PlotFrame(Axis x, Axis y) : x_(std::move(x)), y_(std::move(y)) {
+    std::size_t longest = 0;
+    for (const Tick& tick : y_.ticks()) longest = std::max(longest, letters(tick.label));
+    left_ = kLeast + kLetter * static_cast<double>(longest);
+  }
+  [[nodiscard]] double left() const { return left_; }
+  [[nodiscard]] double across(double value) const {
+    return left_ + x_.position(value) * (kWidth - kRight - left_);
+  }
+  [[nodiscard]] double up(double value) const {
+    return kFloor - y_.position(value) * (kFloor - kTop);
+  }
+  [[nodiscard]] double middle() const { return (left_ + kWidth - kRight) / 2; }
+  [[nodiscard]] const Axis& x() const { return x_; }
+  [[nodiscard]] const Axis& y() const { return y_; }
+
+ private:
+  static constexpr double kLeast = 32;  // for the name of the axis
+  static constexpr double kLetter = 7;
+
+  // Of UTF-8: bytes that begin one.
+  static std::size_t letters(const std::string& text) {
+    return static_cast<std::size_t>(
+        std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+  }
+
+  Axis x_, y_;
+  double left_ = 0;
+};
 
 void append_pair(std::string& out, const char* name_x, double x, const char* name_y, double y) {
   out += std::string(" ") + name_x + "=\"";
@@ -55,28 +86,28 @@ std::string opened(const PlotLabels& labels) {
 }
 
 // Grid and numbers; bars and lines go above.
-void append_axes(std::string& out, const Axis& x, const Axis& y, const PlotLabels& labels) {
-  for (const Tick& tick : y.ticks()) {
-    const double at = up(y.position(tick.value));
-    append_line(out, kLeft, at, kWidth - kRight, at, "grid");
-    append_text(out, kLeft - 7, at + 4, "end", tick.label);
+void append_axes(std::string& out, const PlotFrame& frame, const PlotLabels& labels) {
+  for (const Tick& tick : frame.y().ticks()) {
+    const double at = frame.up(tick.value);
+    append_line(out, frame.left(), at, kWidth - kRight, at, "grid");
+    append_text(out, frame.left() - 7, at + 4, "end", tick.label);
   }
-  for (const Tick& tick : x.ticks()) {
-    const double at = across(x.position(tick.value));
-    append_line(out, at, kHeight - kBottom, at, kHeight - kBottom + 4, "axis");
-    append_text(out, at, kHeight - kBottom + 17, "middle", tick.label);
+  for (const Tick& tick : frame.x().ticks()) {
+    const double at = frame.across(tick.value);
+    append_line(out, at, kFloor, at, kFloor + 4, "axis");
+    append_text(out, at, kFloor + 17, "middle", tick.label);
   }
-  append_line(out, kLeft, kHeight - kBottom, kWidth - kRight, kHeight - kBottom, "axis");
-  append_text(out, across(0.5), kHeight - 8, "middle", labels.x, " class=\"label\"");
+  append_line(out, frame.left(), kFloor, kWidth - kRight, kFloor, "axis");
+  append_text(out, frame.middle(), kHeight - 8, "middle", labels.x, " class=\"label\"");
   std::string turned = " class=\"label\" transform=\"rotate(-90 14 ";
-  append_coordinate(turned, up(0.5));
-  append_text(out, 14, up(0.5), "middle", labels.y, (turned + ")\"").c_str());
+  append_coordinate(turned, kMiddle);
+  append_text(out, 14, kMiddle, "middle", labels.y, (turned + ")\"").c_str());
 }
 
 std::string empty_plot(const PlotLabels& labels) {
   std::string out = opened(labels);
-  append_line(out, kLeft, kHeight - kBottom, kWidth - kRight, kHeight - kBottom, "axis");
-  append_text(out, across(0.5), up(0.5), "middle", "nothing to show", " class=\"label\"");
+  append_line(out, kRight, kFloor, kWidth - kRight, kFloor, "axis");
+  append_text(out, kWidth / 2, kMiddle, "middle", "nothing to show", " class=\"label\"");
   return out + "</svg>";
 }
 
@@ -92,12 +123,12 @@ struct Range {
 
 bool is_finite(const Point2& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
-void append_curve(std::string& out, const Curve& curve, const Axis& x, const Axis& y) {
+void append_curve(std::string& out, const Curve& curve, const PlotFrame& frame) {
   std::string path;
   for (const Point2& p : curve.points) {
     if (!is_finite(p)) continue;
-    const double at = across(x.position(p.x));
-    const double height = up(y.position(p.y));
+    const double at = frame.across(p.x);
+    const double height = frame.up(p.y);
     if (curve.dots) {
       out += "<circle class=\"" + std::string(curve.css_class) + '"';
       append_pair(out, "cx", at, "cy", height);
@@ -120,18 +151,19 @@ std::string histogram_svg(const ReportHistogram& histogram, Scale scale, const P
   if (counts.empty() || histogram.edges.size() != counts.size() + 1) return empty_plot(labels);
   const std::size_t most = *std::max_element(counts.begin(), counts.end());
   if (most == 0) return empty_plot(labels);
-  const Axis x(histogram.edges.front(), histogram.edges.back(), scale, kTicksAcross, false);
-  const Axis y(0, static_cast<double>(most), Scale::linear, kTicksUp, true);
+  const PlotFrame frame(
+      Axis(histogram.edges.front(), histogram.edges.back(), scale, kTicksAcross, false),
+      Axis(0, static_cast<double>(most), Scale::linear, kTicksUp, true));
   std::string out = opened(labels);
-  append_axes(out, x, y, labels);
+  append_axes(out, frame, labels);
   for (std::size_t k = 0; k < counts.size(); ++k) {
     if (counts[k] == 0) continue;
-    const double left = across(x.position(histogram.edges[k]));
-    const double right = across(x.position(histogram.edges[k + 1]));
+    const double left = frame.across(histogram.edges[k]);
+    const double right = frame.across(histogram.edges[k + 1]);
     // What is there is seen, however little it is.
-    const double height = std::max(0.7, up(0) - up(y.position(static_cast<double>(counts[k]))));
+    const double height = std::max(0.7, kFloor - frame.up(static_cast<double>(counts[k])));
     out += "<rect class=\"bar\"";
-    append_pair(out, "x", left, "y", up(0) - height);
+    append_pair(out, "x", left, "y", kFloor - height);
     append_pair(out, "width", std::max(0.5, right - left - 0.8), "height", height);
     out += "/>";
   }
@@ -148,12 +180,13 @@ std::string line_plot_svg(std::span<const Curve> curves, const PlotLabels& label
     }
   }
   if (across_range.empty()) return empty_plot(labels);
-  const Axis x(across_range.low, across_range.high, Scale::linear, kTicksAcross, false);
-  const Axis y(std::min(0.0, up_range.low), std::max(0.0, up_range.high), Scale::linear, kTicksUp,
-               true);
+  const PlotFrame frame(
+      Axis(across_range.low, across_range.high, Scale::linear, kTicksAcross, false),
+      Axis(std::min(0.0, up_range.low), std::max(0.0, up_range.high), Scale::linear, kTicksUp,
+           true));
   std::string out = opened(labels);
-  append_axes(out, x, y, labels);
-  for (const Curve& curve : curves) append_curve(out, curve, x, y);
+  append_axes(out, frame, labels);
+  for (const Curve& curve : curves) append_curve(out, curve, frame);
   return out + "</svg>";
 }
 

@@ -23,14 +23,6 @@ namespace {
 // Subject, check, measures, quality, areas, and the page.
 constexpr std::size_t kReportSteps = 6 + report::kPictureSteps;
 
-std::string report_title(const Model& model, const SectionStack* stack,
-                         const ReportOptions& options) {
-  if (!options.title.empty()) return options.title;
-  if (!model.about.name.empty()) return model.about.name;
-  if (stack != nullptr && !stack->about.name.empty()) return stack->about.name;
-  return "Solid";
-}
-
 // Fills guarantees and check.
 Result<void> check_for_report(const report::Subject& subject, const ReportOptions& options,
                               Report& report) {
@@ -80,8 +72,9 @@ Result<Report> render_report(const Model& model, const SectionStack* stack,
     if (!checked) return checked.error();
     work.step_done_go_on();
     measure_for_report(*subject, work, report.figures);
-    report.title = report_title(model, stack, options);
-    const std::string pictures = report::pictures(*subject, report::unit_of(model, stack), work);
+    report.title = options.title.empty() ? subject->about.name : options.title;
+    if (report.title.empty()) report.title = "Solid";
+    const std::string pictures = report::pictures(*subject, work);
     report.html = report::page_of(*subject, report, pictures, options);
     work.step_done();
     return report;

@@ -30,9 +30,10 @@ ul { margin: 0.3rem 0; padding-left: 1.2rem; }
 .banner.fails, .verdict.fails { background: var(--bad-paper); color: var(--bad); }
 .banner.unchecked, .verdict.unchecked { background: var(--open-paper); color: var(--open); }
 .verdict { border-radius: 99px; padding: 0.1rem 0.7rem; font-weight: 600; white-space: nowrap; }
-.tiles { display: grid; grid-template-columns: repeat(auto-fill, minmax(9.5rem, 1fr)); gap: 0.7rem;
+.tiles { display: grid; grid-template-columns: repeat(5, minmax(0, 1fr)); gap: 0.7rem;
   margin: 1rem 0; padding: 0; }
 .tiles div { background: var(--card); border-radius: 8px; padding: 0.6rem 0.8rem; }
+.tiles div:nth-child(9) { grid-column: span 2; }
 .tiles dt { color: var(--soft); font-size: 0.82rem; }
 .tiles dd { margin: 0; font-size: 1.15rem; font-weight: 600; font-variant-numeric: tabular-nums;
   overflow-wrap: anywhere; }
@@ -40,17 +41,17 @@ figure { margin: 0; break-inside: avoid; }
 figcaption { font-size: 0.82rem; line-height: 1.35; margin-top: 0.3rem; }
 svg { display: block; width: 100%; height: auto; }
 svg text { fill: currentColor; font-family: inherit; }
-.pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(18rem, 1fr)); gap: 1rem; }
+.pictures { display: grid; grid-template-columns: repeat(2, minmax(0, 1fr)); gap: 1rem; }
 .picture svg { background: var(--card); border-radius: 8px; }
 .picture svg svg { background: none; border-radius: 0; }
-.letter { font-size: 26px; font-weight: 600; fill: var(--soft); }
+.letter { font-size: 22px; font-weight: 600; fill: var(--soft); }
 .scale path { fill: none; stroke: currentColor; }
 .panels { display: grid; grid-template-columns: repeat(auto-fill, minmax(12rem, 1fr)); gap: 1rem 0.9rem;
-  margin: 0.6rem 0 1.4rem; align-items: end; }
+  margin: 0.6rem 0 1.4rem; align-items: start; }
 .panel svg { background: var(--card); border-radius: 6px; }
 .bar-panel { align-self: end; }
 .bar-panel svg { background: none; }
-.contour, .above, .below, .outline { fill: none; stroke: var(--contour); stroke-width: 12;
+.contour, .above, .below, .outline { fill: none; stroke: var(--contour); stroke-width: 10;
   stroke-linejoin: round; }
 .below { stroke: var(--lower); stroke-dasharray: 34 26; }
 .plots { display: grid; grid-template-columns: repeat(auto-fit, minmax(19rem, 1fr)); gap: 1.2rem 1.6rem;
@@ -113,7 +114,13 @@ code { font: 0.92em ui-monospace, "SF Mono", Menlo, Consolas, monospace; }
     -webkit-print-color-adjust: exact; }
   .pictures, .plots { grid-template-columns: repeat(2, minmax(0, 1fr)); }
   .panels { grid-template-columns: repeat(4, minmax(0, 1fr)); }
-  .tiles { grid-template-columns: repeat(4, minmax(0, 1fr)); }
+  .picture svg { height: 58mm; }
+  .picture svg svg { height: auto; }
+  th, td { padding-right: 0.5rem; }
+  table { font-size: 8.5pt; }
+  .tiles dd { font-size: 0.95rem; }
+  .plots { gap: 0.8rem; }
+  section p { break-after: avoid; }
   .wide { overflow: visible; } }
 )";
 

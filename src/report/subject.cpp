@@ -24,6 +24,15 @@ std::vector<double> planes_of(const Model& model, const SectionStack* stack) {
   return planes;
 }
 
+Description description_of(const Model& model, const SectionStack* stack) {
+  Description about = model.about;
+  if (stack == nullptr) return about;
+  if (about.name.empty()) about.name = stack->about.name;
+  if (about.unit.empty()) about.unit = stack->about.unit;
+  if (about.orientation.empty()) about.orientation = stack->about.orientation;
+  return about;
+}
+
 SectionStack bare_stack(const std::vector<double>& planes) {
   SectionStack stack;
   for (const double z : planes) stack.sections.push_back({z, {}});
@@ -54,8 +63,12 @@ void find_components(Subject& subject) {
                     std::all_of(view.id.begin(), view.id.end(), is_told);
   if (told) {
     for (const TetId t : view.id) subject.component.push_back(model.component[t].value());
+    Model named;
+    named.about = subject.about;
+    named.component_count = model.component_count;
+    named.component_names = model.component_names;
     for (std::size_t c = 0; c < model.component_count; ++c) {
-      subject.names.push_back(component_name(model, ComponentId(c)));
+      subject.names.push_back(component_name(named, ComponentId(c)));
     }
     return;
   }
@@ -83,7 +96,9 @@ void find_box(Subject& subject) {
 
 Result<Subject> subject_of(const Model& model, const SectionStack* stack) {
   if (Result<void> formed = check_well_formed(model); !formed) return formed.error();
-  Subject subject{model, stack, planes_of(model, stack), {}, {}, {}, {}, {}, {}, {}};
+  Subject subject{model, stack};
+  subject.about = description_of(model, stack);
+  subject.planes = planes_of(model, stack);
   subject.view = checking::look_at(model, stack != nullptr ? *stack : bare_stack(subject.planes));
   if (subject.view.tets.empty()) {
     return Error{ErrorCode::invalid_input, "the model has no tets to report on", {}};

@@ -19,13 +19,16 @@ struct Subject {
   const Model& model;
   const SectionStack* stack;  ///< null: none was given
 
-  std::vector<double> planes;  ///< z of the stack's sections, else of those that the model names
-  checking::ModelView view;
-  SurfaceComponents surface;             ///< of view.boundary
-  std::vector<std::uint32_t> behind;     ///< of each boundary face, its tet in view.tets
-  std::vector<std::uint32_t> component;  ///< of each tet of view.tets
-  std::vector<std::string> names;        ///< of the components
-  Point3 low, high;                      ///< the box of the vertices in use
+  /// The model's, and what it does not tell the stack's.
+  Description about = {};
+  std::vector<double> planes =
+      {};  ///< z of the stack's sections, else of those that the model names
+  checking::ModelView view = {};
+  SurfaceComponents surface = {};             ///< of view.boundary
+  std::vector<std::uint32_t> behind = {};     ///< of each boundary face, its tet in view.tets
+  std::vector<std::uint32_t> component = {};  ///< of each tet of view.tets
+  std::vector<std::string> names = {};        ///< of the components
+  Point3 low = {}, high = {};                 ///< the box of the vertices in use
   /// Lengths in the file are those of the stack. Else its axes are skew, or have other units.
   bool is_rigid = true;
 

@@ -17,6 +17,7 @@ namespace {
 // What a page can show of a long list; --json and the figures have all.
 constexpr std::size_t kMostRows = 100;
 constexpr std::size_t kMostLinks = 10;
+constexpr std::size_t kMostWarnings = 25;
 // Links below this are worth a look: the scale is that of overlap ratios.
 constexpr double kUnsure = 0.1;
 
@@ -80,16 +81,21 @@ std::string hole_text(ContourId contour) {
   return contour.valid() ? std::to_string(contour.index()) : "outside";
 }
 
+const char* remark_on(LinkFate fate) {
+  if (fate == LinkFate::made) return "";
+  return fate == LinkFate::forced ? "forced to be one" : name_of(fate);
+}
+
 std::string link_row(const RegionLink& link) {
   const std::string slab = std::to_string(link.slab.index());
   return element("tr", element("td", slab + "–" + std::to_string(link.slab.index() + 1)) +
                            number_cell(hole_text(link.lower)) + number_cell(hole_text(link.upper)) +
                            text_cell(link.fate == LinkFate::made ? "joined" : "parted") +
-                           text_cell(name_of(link.evidence)) +
-                           text_cell(link.fate == LinkFate::made ? "" : name_of(link.fate)) +
+                           text_cell(name_of(link.evidence)) + text_cell(remark_on(link.fate)) +
                            number_cell(number_text(link.moved, 3)) +
                            number_cell(number_text(link.distance, 3)) +
-                           number_cell(number_text(link.margin, 3)));
+                           number_cell(number_text(link.margin, 3)) +
+                           number_cell(link.lead ? number_text(*link.lead, 3) : ""));
 }
 
 template <class Link>
@@ -106,13 +112,14 @@ std::string link_table(const std::vector<Link>& links, const char* what) {
                                      count_text(links.size() - made) + " nearly made; " +
                                      (unsure.empty() ? std::string("none was a close call")
                                                      : counted_text(unsure.size(), "close call")) +
-                                     " (margin below " + number_text(kUnsure) + ").");
+                                     " (margin, or lead over the best rival, below " +
+                                     number_text(kUnsure) + ").");
   if (unsure.empty()) return out;
   std::string rows;
   for (std::size_t k = 0; k < unsure.size() && k < kMostLinks; ++k) rows += link_row(*unsure[k]);
   return out +
-         table_of(head_of({"sections", "contour below", "contour above", "decided", "by", "why not",
-                           "overlap, moved", "distance, gaps", "margin"}),
+         table_of(head_of({"sections", "contour below", "contour above", "decided", "by", "remark",
+                           "overlap, moved", "distance, gaps", "margin", "lead"}),
                   rows) +
          rest_of(unsure.size(), kMostLinks, "close call");
 }
@@ -149,7 +156,8 @@ std::string kind_table(const std::vector<std::size_t>& kinds) {
     const double share = 100 * static_cast<double>(kinds[k]) / static_cast<double>(all);
     rows += element(
         "tr", element("th", swatch(render::kind_colour(kind)) + name_of(kind), "scope=\"row\"") +
-                  number_cell(count_text(kinds[k])) + number_cell(number_text(share, 3) + " %"));
+                  number_cell(count_text(kinds[k])) +
+                  number_cell(share < 0.01 ? "below 0.01 %" : number_text(share, 3) + " %"));
   }
   if (rows.empty()) return "";
   return table_of(head_of({"kind of tet", "count", "share"}), rows);
@@ -232,13 +240,11 @@ std::string deviation_table(const std::vector<Deviation>& deviations) {
 std::string warning_table(const std::vector<Warning>& warnings) {
   if (warnings.empty()) return element("p", "None.");
   std::string items;
-  for (std::size_t k = 0; k < warnings.size() && k < kMostRows; ++k) {
-    const std::string place = to_string(warnings[k].where);
-    items += element("li", (place.empty() ? "" : element("b", escaped(place)) + ": ") +
-                               escaped(warnings[k].message));
+  for (std::size_t k = 0; k < warnings.size() && k < kMostWarnings; ++k) {
+    items += element("li", escaped(to_string(warnings[k])));
   }
   return element("ul", items, "class=\"warnings\"") +
-         rest_of(warnings.size(), kMostRows, "warning");
+         rest_of(warnings.size(), kMostWarnings, "warning");
 }
 
 }  // namespace tetloft::internal::report
