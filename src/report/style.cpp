@@ -56,7 +56,7 @@ svg text { fill: currentColor; font-family: inherit; }
 .below { stroke: var(--lower); stroke-dasharray: 34 26; }
 .plots { display: grid; grid-template-columns: repeat(auto-fit, minmax(19rem, 1fr)); gap: 1.2rem 1.6rem;
   align-items: start; }
-.plots > * { min-width: 0; }
+.plots figure, .plots div { min-width: 0; }
 .plot text { font-size: 12px; fill: var(--soft); font-variant-numeric: tabular-nums; }
 .plot .label { fill: var(--ink); }
 .plot .grid { stroke: var(--rule); }

@@ -223,8 +223,10 @@ TEST(ReportFigures, AreThoseOfTheFile) {
 
 TEST(ReportFigures, ARegularTetIsTheBest) {
   Model model;
-  model.points = {{1, 1, 1}, {-1, -1, 1}, {-1, 1, -1}, {1, -1, -1}};
-  model.tets = {{VertexId(0U), VertexId(1U), VertexId(2U), VertexId(3U)}};
+  for (const Point3& p : {Point3{1, 1, 1}, {-1, -1, 1}, {-1, 1, -1}, {1, -1, -1}}) {
+    model.points.push_back(p);
+  }
+  model.tets.push_back({VertexId(0U), VertexId(1U), VertexId(2U), VertexId(3U)});
   const auto report = render_report(model, nullptr);
   ASSERT_TRUE(report.ok()) << to_string(report.error());
   EXPECT_NEAR(report->figures.quality.mean_ratio.least, 1, 1e-12);
