@@ -89,8 +89,8 @@ Result<Arguments> Arguments::parse(const Usage& usage, const std::vector<std::st
   if (arguments.operands_.size() < expected && !arguments.has("--help")) {
     return usage_error("missing " + usage.operands[arguments.operands_.size()] + see_help(usage));
   }
-  const std::size_t most = expected + usage.optional_operands.size();
-  if (arguments.operands_.size() > most) {
+  const std::size_t most = expected + usage.further.size();
+  if (arguments.operands_.size() > most && !usage.repeats) {
     const bool writes = find_option(usage, "--output") != nullptr;
     return usage_error("unexpected argument " + io::in_quotes(arguments.operands_[most]) +
                        (writes && !arguments.has("--output") ? " (an output needs -o)" : "") +
@@ -180,17 +180,17 @@ void append_wrapped(std::string& text, std::string_view paragraph, std::size_t i
   text += '\n';
 }
 
-std::string operands_text(const Usage& usage) {
-  std::string text;
-  for (const std::string& operand : usage.operands) text += ' ' + operand;
-  for (const std::string& operand : usage.optional_operands) text += " [" + operand + ']';
-  return text;
+std::string Usage::operand_line() const {
+  std::string line;
+  for (const std::string& operand : operands) line += ' ' + operand;
+  for (const std::string& operand : further) line += " [" + operand + ']';
+  return line + (repeats ? "..." : "");
 }
 
 std::string help_text(const Usage& usage) {
   constexpr std::size_t kHelpColumn = 30;
-  std::string text = "usage: tetloft " + std::string(usage.command) + operands_text(usage);
-  text += " [options]\n\n";
+  std::string text = "usage: tetloft " + std::string(usage.command);
+  text += usage.operand_line() + " [options]\n\n";
   append_wrapped(text, usage.summary, 0);
   text += "\noptions:\n";
   for (const Option& option : usage.options) {

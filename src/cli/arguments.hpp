@@ -31,11 +31,12 @@ struct Usage {
   std::string notes;  ///< further help, one paragraph
   /// Of a command whose operand is a word: those that there are.
   std::vector<std::string> words = {};
-  std::vector<std::string> optional_operands = {};  ///< behind the others
-};
+  std::vector<std::string> further = {};  ///< operands that may follow
+  bool repeats = false;                   ///< the last operand may be given several times
 
-/// " MODEL [IN]": the operands as help writes them behind the command.
-[[nodiscard]] std::string operands_text(const Usage& usage);
+  /// All operands, for help, each behind a space: " IN [OUT]", " MODEL...".
+  [[nodiscard]] std::string operand_line() const;
+};
 
 class Arguments {
  public:

@@ -38,7 +38,7 @@ Usage report_usage() {
       "With the stack that the model was made of all guarantees are checked, as check does, "
       "with the same options; without it the two that need none. Exits with 1 if a "
       "guarantee fails: the page is written all the same, and says so."};
-  usage.optional_operands = {input_word("IN", Contents::stack)};
+  usage.further = {input_word("IN", Contents::stack)};
   for (const Option& option : stack_options()) usage.options.push_back(option);
   for (const Option& option : check_option_list()) usage.options.push_back(option);
   for (const Option& option : {kJsonOption, kQuietOption, kHelpOption}) {

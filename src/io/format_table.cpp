@@ -16,6 +16,14 @@
   FORMAT(metaimage)                  \
   FORMAT(cnt)                        \
   FORMAT(vtu)                        \
+  FORMAT(vtk)                        \
+  FORMAT(msh)                        \
+  FORMAT(msh2)                       \
+  FORMAT(medit)                      \
+  FORMAT(tetgen)                     \
+  FORMAT(abaqus)                     \
+  FORMAT(nastran)                    \
+  FORMAT(netgen)                     \
   FORMAT(obj)                        \
   FORMAT(ply)                        \
   FORMAT(vtp)                        \
