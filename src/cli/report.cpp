@@ -178,10 +178,10 @@ Result<int> run_report(const Arguments& arguments, Console& console) {
   }();
   if (!report) return in_file(report.error(), arguments.operand(0));
 
-  auto staged = io::stage_file(request->output, report->html, temporary_watcher());
-  if (!staged) return staged.error();
   StagedFiles files;
-  files.push_back(std::move(staged->file));
+  const auto staged = take_staged(
+      io::stage_file(request->output, report->html, temporary_watcher()), files, console);
+  if (!staged) return staged.error();
   std::string told;
   if (console.json()) {
     told = report_json(*report, request->output, input, console);
