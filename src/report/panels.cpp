@@ -23,6 +23,7 @@ constexpr double kMargin = 90;
 constexpr double kBarRoom = 260;
 // Vertices nearer than this to the one before are left out.
 constexpr double kFinest = 5;
+constexpr double kFarthest = 1e7;
 
 // The same for all drawings.
 class Sheet {
@@ -70,7 +71,8 @@ void append_loop(std::string& path, std::span<const Point2> points, const Sheet&
   bool begun = false;
   for (const Point2& p : points) {
     const Point2 q = sheet.at(p);
-    if (!(std::isfinite(q.x) && std::isfinite(q.y))) continue;
+    // Beyond what can be drawn at all: of coordinates whose differences are no doubles.
+    if (!(std::abs(q.x) < kFarthest && std::abs(q.y) < kFarthest)) continue;
     if (begun && std::hypot(q.x - last.x, q.y - last.y) < kFinest) continue;
     const long to_x = std::lround(q.x);
     const long to_y = std::lround(q.y);
@@ -106,8 +108,8 @@ std::string solid_paths(const Subject& subject, const CutHeight& height, const S
   std::string out;
   std::string all;
   for (const auto& [component, path] : by_component) {
-    out += path_element(
-        path, "fill-rule=\"evenodd\" fill=\"" + hex(render::component_colour(component)) + '"');
+    out += path_element(path, "class=\"area\" fill-rule=\"evenodd\" fill=\"" +
+                                  hex(render::component_colour(component)) + '"');
     if (outlined) all += path;
   }
   return out + path_element(all, "class=\"outline\"");

@@ -69,7 +69,7 @@ std::string picture(const Subject& subject, const NamedSide& named, const render
                     const std::string& unit) {
   const std::string letters = edge_letters(subject, named);
   // A strip below for the bar, and all around for letters.
-  const double around = letters.empty() ? 0 : kStrip;
+  const double around = subject.about.orientation.size() == 3 ? kStrip : 0;
   std::string out = "<figure class=\"picture\"><svg role=\"img\" viewBox=\"";
   for (const double number : {-around, -around, kPictureWidth + 2 * around}) {
     append_coordinate(out, number);

@@ -129,6 +129,8 @@ ReportHistogram logarithmic_histogram(const std::vector<double>& values, std::si
 }
 
 ReportSpread spread_of(std::vector<double>& values) {
+  // Of points that the frame throws beyond the largest double.
+  std::erase_if(values, [](double value) { return std::isnan(value); });
   if (values.empty()) return {};
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
   std::nth_element(values.begin(), middle, values.end());

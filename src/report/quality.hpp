@@ -19,7 +19,7 @@ namespace tetloft::internal::report {
 /// Empty without positive values.
 [[nodiscard]] ReportHistogram logarithmic_histogram(const std::vector<double>& values,
                                                     std::size_t bins);
-/// Reorders the values. All 0 of none.
+/// Reorders the values, and leaves out what is no number. All 0 of none.
 [[nodiscard]] ReportSpread spread_of(std::vector<double>& values);
 
 }  // namespace tetloft::internal::report

@@ -12,7 +12,8 @@ const char* const kStyle = R"(
   --paper: #14171c; --card: #1d2128; --ink: #e8e8e4; --soft: #a0a7b3; --rule: #343a44;
   --accent: #74b3d1; --contour: #f4f4f0; --lower: #ff9d86;
   --good: #8fd6ab; --good-paper: #17321f; --bad: #ff9b90; --bad-paper: #43201c;
-  --open: #e3d08a; --open-paper: #36301a; } }
+  --open: #e3d08a; --open-paper: #36301a; }
+  .area { fill-opacity: 0.5; } }
 * { box-sizing: border-box; }
 html { background: var(--paper); color: var(--ink); -webkit-text-size-adjust: 100%; }
 body { margin: 0 auto; max-width: 62rem; padding: 2.2rem 1.4rem 4rem;
@@ -118,7 +119,9 @@ code { font: 0.92em ui-monospace, "SF Mono", Menlo, Consolas, monospace; }
   .picture svg svg { height: auto; }
   th, td { padding-right: 0.5rem; }
   table { font-size: 8.5pt; }
-  .tiles dd { font-size: 0.95rem; }
+  .tiles dd { font-size: 10.5pt; }
+  .tiles dt { font-size: 8pt; }
+  .area { fill-opacity: 1; }
   .plots { gap: 0.8rem; }
   section p { break-after: avoid; }
   .wide { overflow: visible; } }

@@ -17,7 +17,7 @@ namespace {
 // What a page can show of a long list; --json and the figures have all.
 constexpr std::size_t kMostRows = 100;
 constexpr std::size_t kMostLinks = 10;
-constexpr std::size_t kMostWarnings = 25;
+constexpr std::size_t kMostWarnings = 12;
 // Links below this are worth a look: the scale is that of overlap ratios.
 constexpr double kUnsure = 0.1;
 

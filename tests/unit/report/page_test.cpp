@@ -169,6 +169,19 @@ TEST_F(ReportPage, SurvivesModelsInRuins) {
   }
 }
 
+TEST(ReportPages, TakeCoordinatesOfAnySize) {
+  for (const int exponent : {-1060, 1020}) {
+    Model model = test::boxes(2, 2);
+    for (Point3& p : model.points) {
+      p = {std::ldexp(p.x - 4, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)};
+    }
+    page_of(made(model, nullptr));
+    // And a frame that makes them larger.
+    model.frame.axes = {Point3{0x1p900, 0, 0}, Point3{0, 3, 0}, Point3{0, 0, 1}};
+    page_of(made(model, nullptr));
+  }
+}
+
 TEST_F(ReportPage, RefusesWhatCannotBeReported) {
   EXPECT_EQ(render_report(Model{}, nullptr).error().code, ErrorCode::invalid_input);
   Model uneven = model_;
