@@ -276,11 +276,15 @@ class Drawing {
     if (state.edges && layer.opacity >= 1) this.trace(parts.capLines, NEVER, [0.12, 0.14, 0.17, 0.5], none, 0.4, frame);
     // Contours that are given are the same of all models that a pane shows.
     if (state.contours && (first || !state.sameContours)) {
-      // Where sections are dense, lines are faint: they must not cover the surface.
+      // Where sections are dense, lines are faint, and at last none: they must not cover the surface.
       const gap = layer.gap * (1 + state.explode) / camera.unit;
-      const strength = Math.max(layer.opacity < 0.5 ? 0.25 : 0.04, Math.min(0.9, gap / 12));
+      const strength = Math.max(layer.opacity < 0.5 ? 0.25 : 0, Math.min(0.9, (gap - 1.5) / 10));
       const ink = layer.opacity < 0.5 ? state.ink : [0.10, 0.12, 0.16];
-      this.trace(parts.contours, parts.plane.height, [...ink, strength], [...state.ink, 0.16 * strength], 0.75, frame);
+      const {contours} = parts;
+      const lines = {array: contours.array, count: state.explode > 0 ? contours.count : contours.count / 2};
+      if (strength > 0) {
+        this.trace(lines, parts.plane.height, [...ink, strength], [...state.ink, 0.16 * strength], 0.75, frame);
+      }
     }
     this.gl.disable(this.gl.BLEND);
   }

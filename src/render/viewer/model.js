@@ -157,14 +157,15 @@ class Layer {
     return out;
   }
 
-  // a, b and slab of each piece of a contour, for the slabs on both sides.
+  // a, b and slab of each piece of a contour: all for the slabs below, then for those above, which lie in the
+  // same place unless slabs are apart.
   contourLines() {
     const {contours, contour_slabs} = this.arrays;
     const n = contour_slabs.length / 2;
     const lines = new Float32Array(14 * n);
-    for (let k = 0; k < n; ++k) {
-      for (let side = 0; side < 2; ++side) {
-        const at = 7 * (2 * k + side);
+    for (let side = 0; side < 2; ++side) {
+      for (let k = 0; k < n; ++k) {
+        const at = 7 * (n * side + k);
         for (let i = 0; i < 6; ++i) lines[at + i] = contours[6 * k + i];
         lines[at + 6] = contour_slabs[2 * k + side];
       }
