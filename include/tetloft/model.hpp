@@ -88,6 +88,12 @@ struct Model {
 /// and its number counted from 1; the model's alone if it has that one only.
 [[nodiscard]] TETLOFT_API std::string component_name(const Model& model, ComponentId component);
 
+/// One component as a model of its own: its tets and their points, in the order of the model, with
+/// all that is known of each; named as component_name() says. Links, motions and deviations, which
+/// speak of the whole, stay behind. Requires a model that is well formed, as write_vtu() asks, and
+/// a component of it; throws std::invalid_argument otherwise.
+[[nodiscard]] TETLOFT_API Model component_of(const Model& model, ComponentId component);
+
 /// Adjacency, stars and links of a model's tets; vertex and tet ids are the model's. Made anew by
 /// each call, in near-linear time: keep it. Refused as TetMesh::from_tets().
 [[nodiscard]] TETLOFT_API Result<TetMesh> half_faces(const Model& model);

@@ -179,7 +179,7 @@ TETLOFT_C_API tetloft_status tetloft_read_options_defaults(tetloft_read_options*
 #define TETLOFT_WRITE_OPTIONS_VERSION 1
 typedef struct tetloft_write_options {
   uint32_t version;
-  int32_t ascii;      /* not 0: text, where the format has both */
+  int32_t ascii;      /* 1: text, 2: compressed binary, where the format has them; 0: binary */
   const char* format; /* by name; NULL: as the extension says; required for bytes */
 } tetloft_write_options;
 TETLOFT_C_API tetloft_status tetloft_write_options_defaults(tetloft_write_options* options);
@@ -243,6 +243,12 @@ TETLOFT_C_API tetloft_status tetloft_stack_format(const tetloft_stack* stack,
                                                   tetloft_bytes** bytes,
                                                   tetloft_warnings** warnings);
 TETLOFT_C_API tetloft_status tetloft_stack_free(tetloft_stack* stack);
+/* What the stack's file says of it, each "" where it does not: the structure's name, the unit of
+ * length ("mm"), and where x, y and z grow towards in a body ("LPS", "RAS"). UTF-8; the texts live
+ * as long as the handle. */
+TETLOFT_C_API tetloft_status tetloft_stack_description(const tetloft_stack* stack,
+                                                       const char** name, const char** unit,
+                                                       const char** orientation);
 
 /* Any of the outputs may be NULL. */
 TETLOFT_C_API tetloft_status tetloft_stack_counts(const tetloft_stack* stack, size_t* sections,
@@ -534,6 +540,16 @@ TETLOFT_C_API const char* tetloft_point_origin_name(int origin);
 TETLOFT_C_API tetloft_status tetloft_model_component_count(const tetloft_model* model,
                                                            size_t* components);
 TETLOFT_C_API tetloft_status tetloft_model_volume(const tetloft_model* model, double* volume);
+/* What it is of, as tetloft_stack_description() says. */
+TETLOFT_C_API tetloft_status tetloft_model_description(const tetloft_model* model,
+                                                       const char** name, const char** unit,
+                                                       const char** orientation);
+/* What files call a component: UTF-8, without a 0 behind it. */
+TETLOFT_C_API tetloft_status tetloft_model_component_name(const tetloft_model* model,
+                                                          size_t component, tetloft_bytes** name);
+/* One component as a model of its own; links and deviations, which speak of all, stay behind. */
+TETLOFT_C_API tetloft_status tetloft_model_component(const tetloft_model* model, size_t component,
+                                                     tetloft_model** part);
 
 /* The boundary: triangles over the model's points, normals outwards. Of a model that was read or
  * created TETLOFT_INVALID_INPUT where its tets are no mesh, as tetloft_model_mesh() says it. */

@@ -73,7 +73,9 @@ WriteOptions write_options_of(const tetloft_write_options* options) {
   if (options == nullptr) return {};
   require_version(*options, TETLOFT_WRITE_OPTIONS_VERSION, "write options");
   WriteOptions result;
-  result.encoding = options->ascii != 0 ? Encoding::ascii : Encoding::binary;
+  result.encoding = options->ascii == 0   ? Encoding::binary
+                    : options->ascii == 2 ? Encoding::compressed
+                                          : Encoding::ascii;
   if (options->format != nullptr) result.format = options->format;
   return result;
 }

@@ -88,9 +88,10 @@ Result<Arguments> Arguments::parse(const Usage& usage, const std::vector<std::st
   if (arguments.operands_.size() < expected && !arguments.has("--help")) {
     return usage_error("missing " + usage.operands[arguments.operands_.size()] + see_help(usage));
   }
-  if (arguments.operands_.size() > expected) {
+  const std::size_t most = expected + usage.further.size();
+  if (arguments.operands_.size() > most && !usage.repeats) {
     const bool writes = find_option(usage, "--output") != nullptr;
-    return usage_error("unexpected argument " + io::in_quotes(arguments.operands_[expected]) +
+    return usage_error("unexpected argument " + io::in_quotes(arguments.operands_[most]) +
                        (writes && !arguments.has("--output") ? " (an output needs -o)" : "") +
                        see_help(usage));
   }
@@ -178,11 +179,17 @@ void append_wrapped(std::string& text, std::string_view paragraph, std::size_t i
   text += '\n';
 }
 
+std::string Usage::operand_line() const {
+  std::string line;
+  for (const std::string& operand : operands) line += ' ' + operand;
+  for (const std::string& operand : further) line += " [" + operand + ']';
+  return line + (repeats ? "..." : "");
+}
+
 std::string help_text(const Usage& usage) {
   constexpr std::size_t kHelpColumn = 30;
   std::string text = "usage: tetloft " + std::string(usage.command);
-  for (const std::string& operand : usage.operands) text += ' ' + operand;
-  text += " [options]\n\n";
+  text += usage.operand_line() + " [options]\n\n";
   append_wrapped(text, usage.summary, 0);
   text += "\noptions:\n";
   for (const Option& option : usage.options) {

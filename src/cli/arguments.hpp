@@ -31,6 +31,11 @@ struct Usage {
   std::string notes;  ///< further help, one paragraph
   /// Of a command whose operand is a word: those that there are.
   std::vector<std::string> words = {};
+  std::vector<std::string> further = {};  ///< operands that may follow
+  bool repeats = false;                   ///< the last operand may be given several times
+
+  /// All operands, for help, each behind a space: " IN [OUT]", " MODEL...".
+  [[nodiscard]] std::string operand_line() const;
 };
 
 class Arguments {
@@ -42,6 +47,7 @@ class Arguments {
                                                const std::vector<std::string>& words);
 
   [[nodiscard]] const std::string& operand(std::size_t i) const { return operands_[i]; }
+  [[nodiscard]] std::size_t operand_count() const { return operands_.size(); }
   /// Which of the usage's words the operand is, by index.
   [[nodiscard]] Result<std::size_t> chosen_operand() const;
   [[nodiscard]] bool has(std::string_view option) const { return find(option) != nullptr; }

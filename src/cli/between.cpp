@@ -110,16 +110,15 @@ Labels labels_of(const LongStack& made) {
 Result<StagedFiles> stage_stack_of(const BetweenRequest& request, const LongStack& made,
                                    Console& console) {
   StagedFiles files;
-  auto stack = io::stage_stack(request.output, made.stack, {}, temporary_watcher());
-  if (!stack) return stack.error();
-  for (const Warning& warning : stack->warnings) console.warn(warning);
-  files.push_back(std::move(stack->file));
+  Result<void> taken = take_staged(
+      io::stage_stack(request.output, made.stack, {}, temporary_watcher()), files, console);
+  if (!taken) return taken.error();
   if (!request.labels_out) return files;
   const auto lines = format_labels(labels_of(made));
   if (!lines) return lines.error();
-  auto labels = io::stage_file(*request.labels_out, *lines, temporary_watcher());
-  if (!labels) return labels.error();
-  files.push_back(std::move(labels->file));
+  taken =
+      take_staged(io::stage_file(*request.labels_out, *lines, temporary_watcher()), files, console);
+  if (!taken) return taken.error();
   return files;
 }
 

@@ -1,4 +1,4 @@
-// tetloft convert: the stack that a file holds, written in another format.
+// tetloft convert: what a file holds, written in another format.
 #include <optional>
 #include <string>
 #include <utility>
@@ -6,11 +6,13 @@
 #include <tetloft/tetloft.hpp>
 
 #include "cli/commands.hpp"
+#include "cli/convert_model.hpp"
 #include "cli/file_formats.hpp"
 #include "cli/outputs.hpp"
 #include "cli/signals.hpp"
 #include "cli/stack_input.hpp"
 #include "core/text.hpp"
+#include "io/numbers.hpp"
 #include "io/stage.hpp"
 
 namespace tetloft::cli {
@@ -22,15 +24,22 @@ namespace {
 Usage convert_usage() {
   Usage usage{
       "convert",
-      "From one format of stacks to another, mended on the way.",
-      {input_word("IN", Contents::stack)},
-      {{"--output", output_word("OUT", Contents::stack),
-        "the stack: " + described_outputs(Contents::stack) + "; required", "-o"},
+      "From one format to another: a stack, mended on the way, or a model, whole or by components.",
+      {"IN"},
+      {{"--output", "OUT",
+        "where it goes; a stack: " + described_outputs(Contents::stack) +
+            "; a model as a solid: " + described_outputs(Contents::model) +
+            "; its boundary: " + described_outputs(Contents::surface) + "; this or OUT is required",
+        "-o"},
        {"--labels-out", "FILE",
         "the labels that the input gives its contours, as lines that --labels takes"}},
       "Numbers are written with the digits that read back exactly. Contours and sections keep "
       "their order; planes that are not z = const are turned to it, for formats that know no "
-      "other, with a warning."};
+      "other, with a warning. Models lie in the space of the file that their stack came from; "
+      "names "
+      "of structures and components, and units, go along where a format has a place for them."};
+  usage.further = {"OUT"};
+  for (const Option& option : model_conversion_options()) usage.options.push_back(option);
   for (const Option& option : preparation_options()) usage.options.push_back(option);
   for (const Option& option : {kJsonOption, kQuietOption, kHelpOption}) {
     usage.options.push_back(option);
@@ -38,17 +47,26 @@ Usage convert_usage() {
   return usage;
 }
 
+// By -o, or as the last word.
+Result<std::string> output_of(const Arguments& arguments) {
+  const auto given = arguments.text("--output");
+  const bool as_operand = arguments.operand_count() > 1;
+  if (given && as_operand) {
+    return usage_error("the output is given twice: " + io::in_quotes(*given) + " and " +
+                       io::in_quotes(arguments.operand(1)));
+  }
+  if (given) return *given;
+  if (as_operand) return arguments.operand(1);
+  return usage_error("missing OUT, or option --output (-o) OUT");
+}
+
 struct ConvertRequest {
   std::string output;
   std::optional<std::string> labels_out;
 };
 
-Result<ConvertRequest> convert_request_of(const Arguments& arguments) {
-  const auto output = arguments.text("--output");
-  if (!output) {
-    return usage_error("missing option --output (-o) " + output_word("OUT", Contents::stack));
-  }
-  ConvertRequest request{*output, arguments.text("--labels-out")};
+Result<ConvertRequest> convert_request_of(const Arguments& arguments, const std::string& output) {
+  ConvertRequest request{output, arguments.text("--labels-out")};
   std::vector<std::string> taken{arguments.operand(0)};
   Result<void> checked =
       check_output("--output (-o)", request.output, output_extensions(Contents::stack), taken);
@@ -69,19 +87,18 @@ bool has_any(const Labels& labels) {
 Result<StagedFiles> stage_converted(const ConvertRequest& request, const StackInput& input,
                                     Console& console) {
   StagedFiles files;
-  auto stack = io::stage_stack(request.output, input.stack, {}, temporary_watcher());
-  if (!stack) return stack.error();
-  for (const Warning& warning : stack->warnings) console.warn(warning);
-  files.push_back(std::move(stack->file));
+  Result<void> taken = take_staged(
+      io::stage_stack(request.output, input.stack, {}, temporary_watcher()), files, console);
+  if (!taken) return taken.error();
   if (has_any(input.labels) && !request.labels_out) {
     console.warn({"the input has labels, which --labels-out FILE would keep", {}});
   }
   if (!request.labels_out) return files;
   const auto lines = format_labels(input.labels);
   if (!lines) return lines.error();
-  auto labels = io::stage_file(*request.labels_out, *lines, temporary_watcher());
-  if (!labels) return labels.error();
-  files.push_back(std::move(labels->file));
+  taken =
+      take_staged(io::stage_file(*request.labels_out, *lines, temporary_watcher()), files, console);
+  if (!taken) return taken.error();
   return files;
 }
 
@@ -111,7 +128,10 @@ std::string to_text(const StackInput& input, const ConvertRequest& request) {
 }
 
 Result<int> run_convert(const Arguments& arguments, Console& console) {
-  const auto request = convert_request_of(arguments);
+  const auto output = output_of(arguments);
+  if (!output) return output.error();
+  if (converts_model(arguments, *output)) return convert_model(arguments, *output, console);
+  const auto request = convert_request_of(arguments, *output);
   if (!request) return request.error();
   const auto prepared = preparation(arguments);
   if (!prepared) return prepared.error();

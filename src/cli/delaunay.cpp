@@ -38,6 +38,8 @@ Usage delaunay_usage() {
        {"--work-limit", "N",
         "tets per point that may be made before the points are refused with exit code 7 (default "
         "1000; under 2^15 points as for 2^15)"},
+       kAsciiOption,
+       kCompressOption,
        kJsonOption,
        kQuietOption,
        kHelpOption},
@@ -79,6 +81,8 @@ Result<int> run_delaunay(const Arguments& arguments, Console& console) {
   if (!limit) return limit.error();
   const auto engine = engine_option(arguments, "--engine");
   if (!engine) return engine.error();
+  const Result<Encoding> encoding = encoding_of(arguments);
+  if (!encoding) return encoding.error();
   const auto output = arguments.text("--output");
   if (output) {
     Result<void> checked = check_output("--output (-o)", *output,
@@ -106,10 +110,9 @@ Result<int> run_delaunay(const Arguments& arguments, Console& console) {
     Model mesh;
     mesh.points = IdVector<VertexId, Point3>(std::move(read->points));
     mesh.tets = tets_of(delaunay->mesh);
-    auto staged = io::stage_model(*output, mesh, {}, temporary_watcher());
+    Result<void> staged = take_staged(
+        io::stage_model(*output, mesh, {*encoding, {}}, temporary_watcher()), files, console);
     if (!staged) return staged.error();
-    for (const Warning& warning : staged->warnings) console.warn(warning);
-    files.push_back(std::move(staged->file));
   }
   std::string told;
   if (console.json()) {

@@ -122,12 +122,14 @@ std::string to_json(const LinkListing& listing, const StackInput& input, const C
   return json.text();
 }
 
-Result<StagedFiles> stage_lines_of(const LinksRequest& request, const LinkListing& listing) {
+Result<StagedFiles> stage_lines_of(const LinksRequest& request, const LinkListing& listing,
+                                   Console& console) {
   StagedFiles files;
   if (!request.output) return files;
-  auto staged = io::stage_file(*request.output, link_lines(listing, true), temporary_watcher());
+  Result<void> staged =
+      take_staged(io::stage_file(*request.output, link_lines(listing, true), temporary_watcher()),
+                  files, console);
   if (!staged) return staged.error();
-  files.push_back(std::move(staged->file));
   return files;
 }
 
@@ -149,7 +151,7 @@ Result<int> run_links(const Arguments& arguments, Console& console) {
   const CorrespondenceOptions& asked = request->options.correspondence;
   const LinkListing listing{input->stack.sections.size(), asked.labels, asked.voids.labels,
                             *std::move(found), request->first};
-  auto files = stage_lines_of(*request, listing);
+  auto files = stage_lines_of(*request, listing, console);
   if (!files) return files.error();
   const Result<void> mended = stage_repaired(request->repaired, input->stack, *files, console);
   if (!mended) return mended.error();

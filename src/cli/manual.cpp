@@ -39,9 +39,8 @@ std::string described(const Option& option) {
 }
 
 std::string described(const Usage& usage) {
-  std::string text = ".SS tetloft " + roff(usage.command);
-  for (const std::string& operand : usage.operands) text += ' ' + roff(operand);
-  text += " [options]\n" + roff(usage.summary) + '\n';
+  std::string text = ".SS tetloft " + roff(usage.command) + roff(usage.operand_line()) +
+                     " [options]\n" + roff(usage.summary) + '\n';
   for (const Option& option : usage.options) text += described(option);
   if (!usage.notes.empty()) text += ".PP\n" + roff(usage.notes) + '\n';
   return text;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
+#include <iterator>
 #include <system_error>
 #include <utility>
 
@@ -16,8 +17,8 @@
 #include "core/spelling.hpp"
 #include "core/text.hpp"
 #include "io/files.hpp"
+#include "io/formats.hpp"
 #include "io/numbers.hpp"
-#include "io/stage.hpp"
 
 namespace tetloft::cli {
 
@@ -36,20 +37,33 @@ bool same_file(const std::string& a, const std::string& b) {
   return !full_a.empty() && full_a == full_b;
 }
 
+// The file, and what a model of its format has beside it.
+std::vector<std::string> written_with(const std::string& path) {
+  std::vector<std::string> all{path};
+  const auto format = io::choose_writer(io::format_table(), Contents::model, path, {});
+  if (!format) return all;
+  const std::vector<std::string> companions = io::companion_paths(**format, path);
+  all.insert(all.end(), companions.begin(), companions.end());
+  return all;
+}
+
 }  // namespace
 
 Result<void> check_output(std::string_view option, const std::string& path,
                           const std::vector<std::string_view>& extensions,
                           const std::vector<std::string>& taken) {
   const std::string extension = io::extension_of(path);
-  if (std::find(extensions.begin(), extensions.end(), extension) == extensions.end()) {
+  if (!extensions.empty() &&
+      std::find(extensions.begin(), extensions.end(), extension) == extensions.end()) {
     return usage_error("option " + std::string(option) + ": " + io::in_quotes(path) +
                        " must end in " + list_of(extensions) + did_you_mean(extension, extensions));
   }
-  for (const std::string& other : taken) {
-    if (!same_file(path, other)) continue;
-    return usage_error("option " + std::string(option) + ": " + io::in_quotes(path) +
-                       " would overwrite another file of this command, " + io::in_quotes(other));
+  for (const std::string& written : written_with(path)) {
+    for (const std::string& other : taken) {
+      if (!same_file(written, other)) continue;
+      return usage_error("option " + std::string(option) + ": " + io::in_quotes(written) +
+                         " would overwrite another file of this command, " + io::in_quotes(other));
+    }
   }
   fs::path folder = fs::path(path).parent_path();
   if (folder.empty()) folder = ".";
@@ -71,6 +85,13 @@ Result<void> check_output(std::string_view option, const std::string& path,
   return {};
 }
 
+Result<Encoding> encoding_of(const Arguments& arguments) {
+  const bool ascii = arguments.has("--ascii");
+  const bool compress = arguments.has("--compress");
+  if (ascii && compress) return usage_error("options --ascii and --compress exclude each other");
+  return ascii ? Encoding::ascii : compress ? Encoding::compressed : Encoding::binary;
+}
+
 Result<ModelOutputs> model_outputs(const Arguments& arguments) {
   ModelOutputs outputs;
   outputs.solid = arguments.text("--output");
@@ -79,7 +100,9 @@ Result<ModelOutputs> model_outputs(const Arguments& arguments) {
     return usage_error("missing option --output (-o) " + output_word("OUT", Contents::model) +
                        ", or --surface FILE");
   }
-  if (arguments.has("--ascii")) outputs.encoding = Encoding::ascii;
+  const Result<Encoding> encoding = encoding_of(arguments);
+  if (!encoding) return encoding.error();
+  outputs.encoding = *encoding;
   std::vector<std::string> taken{arguments.operand(0)};
   if (const auto labels = arguments.text("--labels")) taken.push_back(*labels);
   Result<void> checked;
@@ -123,16 +146,21 @@ void warn_of_turned(const Model& model, Console& console) {
 
 }  // namespace
 
+Result<void> take_staged(Result<io::Staged> staged, StagedFiles& files, Console& console) {
+  if (!staged) return staged.error();
+  for (const Warning& warning : staged->warnings) console.warn(warning);
+  std::move(staged->files.begin(), staged->files.end(), std::back_inserter(files));
+  return {};
+}
+
 Result<StagedFiles> stage_model(const Model& model, const ModelOutputs& outputs, Console& console) {
   warn_of_turned(model, console);
   StagedFiles files;
   const auto stage = [&](const std::optional<std::string>& path, auto writer) -> Result<void> {
     if (!path) return {};
-    auto staged = writer(*path, model, WriteOptions{outputs.encoding, {}}, temporary_watcher());
-    if (!staged) return staged.error();
-    for (const Warning& warning : staged->warnings) console.warn(warning);
-    files.push_back(std::move(staged->file));
-    return {};
+    return take_staged(
+        writer(*path, model, WriteOptions{outputs.encoding, outputs.format}, temporary_watcher()),
+        files, console);
   };
   Result<void> staged = stage(outputs.surface, io::stage_surface);
   if (staged) staged = stage(outputs.solid, io::stage_model);

@@ -13,14 +13,23 @@
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
 #include "io/pending_file.hpp"
+#include "io/stage.hpp"
 
 namespace tetloft::cli {
 
-/// Usage error where `path` (the value of `option`) has none of the extensions, or is one of
+/// Usage error where `path` (the value of `option`) has none of the extensions, if there are any,
+/// or is one of
 /// the files `taken`; io error where its folder does not take files.
 [[nodiscard]] Result<void> check_output(std::string_view option, const std::string& path,
                                         const std::vector<std::string_view>& extensions,
                                         const std::vector<std::string>& taken);
+
+/// How outputs are written.
+inline const Option kAsciiOption{"--ascii", "", "write numbers as text that reads back exactly"};
+inline const Option kCompressOption{"--compress", "",
+                                    "write numbers compressed (zlib), where the format can"};
+/// Usage error for both.
+[[nodiscard]] Result<Encoding> encoding_of(const Arguments& arguments);
 
 /// Where a model goes: one of the first two, or both.
 struct ModelOutputs {
@@ -28,14 +37,19 @@ struct ModelOutputs {
   std::optional<std::string> surface;
   std::optional<std::string> repaired;  ///< the stack (repaired_output.hpp)
   Encoding encoding = Encoding::binary;
+  std::string format = {};  ///< by name; empty: as the extensions say
 };
 
-/// --output, --surface and --ascii, checked; one of the first two is required, none may be an
-/// input.
+/// --output, --surface, --ascii and --compress, checked; one of the first two is required, none may
+/// be an input.
 [[nodiscard]] Result<ModelOutputs> model_outputs(const Arguments& arguments);
 
 /// Files that are complete and have not appeared yet.
 using StagedFiles = std::vector<internal::io::PendingFile>;
+
+/// Takes the files, and tells the warnings of their writer.
+[[nodiscard]] Result<void> take_staged(Result<internal::io::Staged> staged, StagedFiles& files,
+                                       Console& console);
 
 /// The surface and the solid, up to the last step.
 [[nodiscard]] Result<StagedFiles> stage_model(const Model& model, const ModelOutputs& outputs,

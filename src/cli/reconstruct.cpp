@@ -58,8 +58,7 @@ Usage reconstruct_usage() {
                engine_words()},
         kWorkLimitOption, kThreadsOption,
         Option{"--verify", "", "check the result; write nothing and exit with 70 if it fails"},
-        Option{"--ascii", "", "write numbers as text that reads back exactly"}, kJsonOption,
-        kQuietOption, kHelpOption}) {
+        kAsciiOption, kCompressOption, kJsonOption, kQuietOption, kHelpOption}) {
     usage.options.push_back(option);
   }
   return usage;

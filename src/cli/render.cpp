@@ -178,9 +178,9 @@ Result<int> run_render(const Arguments& arguments, Console& console) {
     return error;
   }
   StagedFiles files;
-  auto staged = io::stage_file(*output, *picture, temporary_watcher());
+  Result<void> staged =
+      take_staged(io::stage_file(*output, *picture, temporary_watcher()), files, console);
   if (!staged) return staged.error();
-  files.push_back(std::move(staged->file));
   std::string told;
   if (console.json()) {
     JsonWriter json;

@@ -30,11 +30,7 @@ Result<std::optional<std::string>> repaired_output(const Arguments& arguments,
 Result<void> stage_repaired(const std::optional<std::string>& path, const SectionStack& stack,
                             StagedFiles& files, Console& console) {
   if (!path) return {};
-  auto staged = io::stage_stack(*path, stack, {}, temporary_watcher());
-  if (!staged) return staged.error();
-  for (const Warning& warning : staged->warnings) console.warn(warning);
-  files.push_back(std::move(staged->file));
-  return {};
+  return take_staged(io::stage_stack(*path, stack, {}, temporary_watcher()), files, console);
 }
 
 }  // namespace tetloft::cli

@@ -48,8 +48,7 @@ Usage skeleton_usage() {
       "proper is false where skeletons only touch, which decides nothing."};
   for (const Option& option : preparation_options()) usage.options.push_back(option);
   for (const Option& option :
-       {Option{"--ascii", "", "write numbers as text that reads back exactly"}, kJsonOption,
-        kQuietOption, kHelpOption}) {
+       {kAsciiOption, kCompressOption, kJsonOption, kQuietOption, kHelpOption}) {
     usage.options.push_back(option);
   }
   return usage;
@@ -182,6 +181,8 @@ Result<int> run_skeleton(const Arguments& arguments, Console& console) {
     return usage_error("missing option --output (-o) " + output_word("OUT", Contents::lines));
   const auto kind = arguments.choice("--kind");
   if (!kind) return kind.error();
+  const Result<Encoding> encoding = encoding_of(arguments);
+  if (!encoding) return encoding.error();
   const auto prepared = preparation(arguments);
   if (!prepared) return prepared.error();
   Result<void> checked = check_output("--output (-o)", *output, output_extensions(Contents::lines),
@@ -203,12 +204,9 @@ Result<int> run_skeleton(const Arguments& arguments, Console& console) {
     }
   }
   StagedFiles files;
-  auto staged = io::stage_lines(
-      *output, lines, {.encoding = arguments.has("--ascii") ? Encoding::ascii : Encoding::binary},
-      temporary_watcher());
+  Result<void> staged = take_staged(
+      io::stage_lines(*output, lines, {*encoding, {}}, temporary_watcher()), files, console);
   if (!staged) return staged.error();
-  for (const Warning& warning : staged->warnings) console.warn(warning);
-  files.push_back(std::move(staged->file));
   std::string told;
   const auto positions = all_well_positioned(*sections);
   if (console.json()) {

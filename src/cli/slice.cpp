@@ -147,11 +147,10 @@ Result<int> run_slice(const Arguments& arguments, Console& console) {
   if (!request) return request.error();
   const auto sliced = sliced_input(input_path(arguments.operand(0)), *request, console);
   if (!sliced) return sliced.error();
-  auto staged = io::stage_stack(request->output, sliced->stack, {}, temporary_watcher());
-  if (!staged) return staged.error();
-  for (const Warning& warning : staged->warnings) console.warn(warning);
   StagedFiles files;
-  files.push_back(std::move(staged->file));
+  Result<void> staged = take_staged(
+      io::stage_stack(request->output, sliced->stack, {}, temporary_watcher()), files, console);
+  if (!staged) return staged.error();
   std::string told;
   if (console.json()) {
     told = to_json(*sliced, *request, console);

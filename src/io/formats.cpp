@@ -57,6 +57,17 @@ std::string_view extension_in(const Format& format, const std::string& path) {
   return longest;
 }
 
+std::vector<std::string> companion_paths(const Format& format, const std::string& path) {
+  const std::string_view extension = extension_in(format, path);
+  std::vector<std::string> paths;
+  for (const Companion& companion : format.companions) {
+    if (companion.write == nullptr || extension.empty()) break;
+    paths.push_back(path.substr(0, path.size() - extension.size()) +
+                    std::string(companion.extension));
+  }
+  return paths;
+}
+
 std::vector<std::string_view> extensions_of(FormatTable table, Contents contents,
                                             Direction direction) {
   std::vector<std::string_view> all;

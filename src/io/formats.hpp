@@ -36,6 +36,11 @@ using FormatTable = std::span<const Format* const>;
                                                   const std::string& path,
                                                   const std::string& named);
 
+/// Where the companions of a model's file stand: `path` with another ending each; none where the
+/// path has no extension of the format.
+[[nodiscard]] std::vector<std::string> companion_paths(const Format& format,
+                                                       const std::string& path);
+
 /// The extensions of formats that read, or write, `contents`, each once.
 enum class Direction : std::uint8_t { reading, writing };
 [[nodiscard]] std::vector<std::string_view> extensions_of(FormatTable table, Contents contents,

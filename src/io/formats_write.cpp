@@ -64,16 +64,54 @@ Body stack_body(const SectionStack& stack) {
   };
 }
 
+/// Writes a model as it lies in its file.
+using ModelWriter = Written (*)(Sink&, const Model&, const Target&);
+
+Written write_placed(Sink& sink, const Model& model, const Target& target, ModelWriter write) {
+  if (Result<void> formed = check_well_formed(model); !formed) return formed.error();
+  if (model.frame == Frame{}) return write(sink, model, target);
+  Model placed = model;
+  for (Point3& p : placed.points) p = place(model.frame, p);
+  Target told = target;
+  told.stack_points = &model.points;
+  return write(sink, placed, told);
+}
+
+bool has_companions(const Format& format) { return format.companions.front().write != nullptr; }
+
+// Where there is but one file, there is no place for companions.
 Body model_body(const Model& model) {
   return [&model](const Format& format, Sink& sink, const Target& target) -> Written {
-    if (Result<void> formed = check_well_formed(model); !formed) return formed.error();
-    if (model.frame == Frame{}) return format.write_model(sink, model, target);
-    Model placed = model;
-    for (Point3& p : placed.points) p = place(model.frame, p);
-    Target told = target;
-    told.stack_points = &model.points;
-    return format.write_model(sink, placed, told);
+    if (has_companions(format) && io::companion_paths(format, target.name).empty()) {
+      return Error{ErrorCode::usage,
+                   "a model of format " + std::string(format.name) +
+                       " is several files: it needs a name that ends in " +
+                       std::string(format.extensions.front()),
+                   {}};
+    }
+    return write_placed(sink, model, target, format.write_model);
   };
+}
+
+// The files beside one that was staged, with what their writers tell.
+Result<void> stage_companions(io::Staged& staged, const Model& model, const std::string& path,
+                              const WriteOptions& options, io::TemporaryWatcher* watcher) {
+  const Result<const Format*> format =
+      io::choose_writer(io::format_table(), Contents::model, path, options.format);
+  if (!format) return format.error();
+  const std::vector<std::string> paths = io::companion_paths(**format, path);
+  for (std::size_t k = 0; k < paths.size(); ++k) {
+    Result<io::Staged> beside = io::stage(paths[k], watcher, [&](Sink& sink) -> Written {
+      Written written =
+          write_placed(sink, model, {paths[k], options}, (*format)->companions[k].write);
+      if (!written) return io::at_file(paths[k], written.error());
+      return written;
+    });
+    if (!beside) return beside.error();
+    staged.files.push_back(std::move(beside->files.front()));
+    staged.warnings.insert(staged.warnings.end(), beside->warnings.begin(), beside->warnings.end());
+  }
+  return {};
 }
 
 Body surface_body(const Model& model) {
@@ -128,7 +166,12 @@ Result<io::Staged> io::stage_stack(const std::string& path, const SectionStack& 
 }
 Result<io::Staged> io::stage_model(const std::string& path, const Model& model,
                                    const WriteOptions& options, TemporaryWatcher* watcher) {
-  return stage_as(Contents::model, path, options, watcher, model_body(model));
+  return guard_internal([&] {
+    Result<Staged> staged = stage_as(Contents::model, path, options, watcher, model_body(model));
+    if (!staged) return staged;
+    Result<void> beside = stage_companions(*staged, model, path, options, watcher);
+    return beside ? std::move(staged) : Result<Staged>(beside.error());
+  });
 }
 Result<io::Staged> io::stage_surface(const std::string& path, const Model& model,
                                      const WriteOptions& options, TemporaryWatcher* watcher) {

@@ -36,13 +36,15 @@ Result<Staged> stage(const std::string& path, TemporaryWatcher* watcher,
   Written warnings = write(late);
   if (!warnings) return warnings.error();
   if (Result<void> finished = late.file().finish(); !finished) return finished.error();
-  return Staged{std::move(late.file()), *std::move(warnings)};
+  Staged staged{{}, *std::move(warnings)};
+  staged.files.push_back(std::move(late.file()));
+  return staged;
 }
 
 Written committed(Result<Staged> staged) {
   return guard_internal([&]() -> Written {
     if (!staged) return staged.error();
-    if (Result<void> done = staged->file.commit(); !done) return done.error();
+    if (Result<void> done = commit_all(staged->files); !done) return done.error();
     return std::move(staged->warnings);
   });
 }

@@ -18,7 +18,8 @@
 namespace tetloft::internal::io {
 
 struct Staged {
-  PendingFile file;
+  /// The file that was asked for, then its companions.
+  std::vector<PendingFile> files;
   std::vector<Warning> warnings;
 };
 

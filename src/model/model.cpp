@@ -105,12 +105,4 @@ double volume(const Model& model) {
   return std::ldexp(sum + lost, -3 * exponent) * volume_factor(model.frame);
 }
 
-std::string component_name(const Model& model, ComponentId component) {
-  const auto& names = model.component_names;
-  if (component.index() < names.size() && !names[component].empty()) return names[component];
-  const std::string& of_all = model.about.name;
-  if (model.component_count == 1 && !of_all.empty()) return of_all;
-  return (of_all.empty() ? "component" : of_all) + ' ' + std::to_string(component.index() + 1);
-}
-
 }  // namespace tetloft

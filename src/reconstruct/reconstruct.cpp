@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "reconstruct/hints.hpp"
+#include "reconstruct/label_names.hpp"
 #include "reconstruct/phases.hpp"
 
 namespace tetloft {
@@ -66,6 +67,7 @@ Result<std::optional<Reconstruction>> reconstruct_in(Unit unit, const SectionSta
   result.model = std::move(*model);
   result.model.frame = stack.frame;
   result.model.about = stack.about;
+  result.model.component_names = names_by_labels(result.model, options.correspondence.labels);
   result.warnings = std::move(built->warnings);
   if (const auto hint = hint_of_many_tets(built->prepared, result.model)) {
     result.warnings.push_back(*hint);

@@ -121,6 +121,30 @@ class Models(unittest.TestCase):
         self.assertNotEqual(solid.surface_to_bytes("stl", ascii=True), solid.surface_to_bytes())
         self.same(tetloft.parse_model(solid.to_bytes(), "tube.vtu"), solid)
 
+    def test_know_what_they_are_of(self):
+        square = "\\".join("%g\\%g\\{z:g}" % corner for corner in SQUARE)
+        lines = "".join("1||4|%d||%s\n" % (z, square.format(z=z)) for z in (0, 1))
+        stack = tetloft.parse_stack(
+            ("ROI_NAMES\n1|255\\0\\0|left lung\nEND_OF_ROI_NAMES\n" + lines).encode(), "a.cxt")
+        self.assertEqual(stack.description, ("left lung", "mm", "LPS"))
+        solid = tetloft.reconstruct(stack)
+        self.assertEqual(solid.description, stack.description)
+        self.assertEqual(solid.component_names, ["left lung"])
+        nothing = tetloft.reconstruct(tube())
+        self.assertEqual(nothing.description, ("", "", ""))
+        self.assertEqual(nothing.component_names, ["component 1"])
+
+    def test_have_components_that_are_models(self):
+        two = tetloft.Stack([(z, [SQUARE, [(x + 50, y) for x, y in SQUARE]]) for z in (0, 1)])
+        solid = tetloft.reconstruct(two)
+        parts = [solid.component(k) for k in range(2)]
+        self.assertEqual(sum(len(part) for part in parts), len(solid))
+        self.assertAlmostEqual(sum(part.volume for part in parts), solid.volume)
+        self.assertEqual([part.component_names for part in parts],
+                         [["component 1"], ["component 2"]])
+        with self.assertRaises(IndexError):
+            solid.component(2)
+
     def test_warn_of_what_a_format_loses(self):
         thin = tetloft.Model([(x + 1e9, y, z) for x, y, z in CORNER[0]], CORNER[1])
         with self.assertWarnsRegex(tetloft.TetloftWarning, "float32") as told:

@@ -27,7 +27,9 @@ from .errors import (
     BadHandle, Cancelled, Error, FileError, InternalError, InvalidInput, OutOfMemory, Place,
     TetloftWarning, TooSmall, UnfitArithmetic, Unrepresentable, UsageError, WorkLimit
 )
-from .formats import Format, format_points, formats, parse_points, read_points, write_points
+from .formats import (
+    Description, Format, format_points, formats, parse_points, read_points, write_points
+)
 from .meshes import Delaunay, Mesh, Triangulation, delaunay
 from .models import (
     POINT_ORIGINS, TET_KINDS, Model, Report, Surface, Topology, parse_model, read_model
@@ -36,7 +38,7 @@ from .reconstructing import LongStack, between, reconstruct
 from .stacks import Nesting, Repair, Section, Stack, parse_stack, read_stack
 
 __all__ = [
-    "BadHandle", "Cancelled", "Correspondence", "Delaunay", "Error", "Failure", "Figures",
+    "BadHandle", "Cancelled", "Correspondence", "Delaunay", "Description", "Error", "Failure", "Figures",
     "FileError", "Format", "Guarantee", "InternalError", "InvalidInput", "Labels", "Link", "Links",
     "LongStack", "Mesh", "Model", "NO_ID", "Nesting", "OutOfMemory", "POINT_ORIGINS", "Place",
     "Repair", "Report", "Section", "Stack", "Stop", "Surface", "TET_KINDS", "TetloftWarning", "TooSmall",

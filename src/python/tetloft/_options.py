@@ -67,9 +67,11 @@ def read_options(format: Optional[str], validate: bool = True) -> Any:
     return ctypes.byref(options)
 
 
-def write_options(format: Optional[str], ascii: bool) -> Any:
+def write_options(format: Optional[str], ascii: bool, compress: bool = False) -> Any:
+    if ascii and compress:
+        raise ValueError("ascii, compress: one or the other")
     options = defaults(structs.WriteOptions, "write_options")
-    options.ascii = bool(ascii)
+    options.ascii = 2 if compress else bool(ascii)
     if format is not None:
         options.format = text(format, "format")
     return ctypes.byref(options)

@@ -48,6 +48,23 @@ def _contents(bits: int) -> frozenset[str]:
     return frozenset(name for name, bit in structs.CONTENTS.items() if bits & bit)
 
 
+class Description(NamedTuple):
+    """What a stack or a model is of, beside its geometry; each "" where the file does not say."""
+
+    name: str
+    """Of the structure (ROI, object, segment, label)."""
+    unit: str
+    """Of length: "mm"."""
+    orientation: str
+    """Where x, y and z of the file's space grow towards in a body: "LPS", "RAS"."""
+
+
+def description_of(function: Any, handle: Any) -> Description:
+    texts = [ctypes.c_char_p() for _ in Description._fields]
+    function(handle, *(ctypes.byref(each) for each in texts))
+    return Description(*(_text(each.value) for each in texts))
+
+
 def opened_file(source: Any) -> Optional[tuple[bytes, str]]:
     """Of an open file its bytes, and a name for messages; of a path None."""
     if isinstance(source, (str, bytes, os.PathLike)) or not hasattr(source, "read"):

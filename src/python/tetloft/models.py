@@ -15,7 +15,9 @@ from ._options import (
 )
 from ._running import Progress, Run, Stop
 from .errors import UsageError
-from .formats import Data, Source, as_bytes, format_bytes, opened_file
+from .formats import (
+    Data, Description, Source, as_bytes, bytes_of, description_of, format_bytes, opened_file
+)
 from .meshes import Mesh
 from .stacks import Stack
 
@@ -203,6 +205,28 @@ class Model(Owner):
         return count.value
 
     @property
+    def description(self) -> Description:
+        """What it is of, as its stack's file says."""
+        return description_of(lib.tetloft_model_description, self._open())
+
+    @property
+    def component_names(self) -> list[str]:
+        """What files call the components."""
+        names = []
+        for component in range(self.component_count):
+            name = Handle("bytes")
+            lib.tetloft_model_component_name(self._open(), component, name.out)
+            names.append(bytes_of(name).decode("utf-8", "replace"))
+        return names
+
+    def component(self, number: int) -> Model:
+        """One component as a model of its own; without links, which speak of all."""
+        part = Handle("model")
+        lib.tetloft_model_component(self._open(), index(number, self.component_count, "component"),
+                                    part.out)
+        return Model._of(part)
+
+    @property
     def volume(self) -> float:
         """In cubed units of the stack; summed anew each time."""
         volume = c_double()
@@ -242,30 +266,35 @@ class Model(Owner):
 
     # --- files and pictures ----------------------------------------------------------------------
 
-    def write(self, path: Path, *, format: Optional[str] = None, ascii: bool = False) -> None:
-        """Writes points, tets and all that is known about them, in the format of the extension
-        (.vtu), or the one named."""
+    def write(self, path: Path, *, format: Optional[str] = None, ascii: bool = False,
+              compress: bool = False) -> None:
+        """Writes points, tets and what the format can hold of all that is known about them, in the
+        format of the extension (formats() lists them), or the one named. ``ascii``: numbers as
+        text; ``compress``: as zlib streams; where the format has that."""
         warnings = Warnings()
-        lib.tetloft_model_write(self._open(), path_bytes(path), write_options(format, ascii),
-                                warnings.out)
+        lib.tetloft_model_write(self._open(), path_bytes(path),
+                                write_options(format, ascii, compress), warnings.out)
         warnings.tell()
 
-    def to_bytes(self, format: str = "vtu", *, ascii: bool = False) -> bytes:
+    def to_bytes(self, format: str = "vtu", *, ascii: bool = False,
+                 compress: bool = False) -> bytes:
         """The bytes of such a file."""
-        return format_bytes(lib.tetloft_model_format, self._open(), write_options(format, ascii))
+        return format_bytes(lib.tetloft_model_format, self._open(),
+                            write_options(format, ascii, compress))
 
-    def write_surface(self, path: Path, *, format: Optional[str] = None,
-                      ascii: bool = False) -> None:
-        """Writes the boundary alone: .stl, .obj, .ply, .vtp."""
+    def write_surface(self, path: Path, *, format: Optional[str] = None, ascii: bool = False,
+                      compress: bool = False) -> None:
+        """Writes the boundary alone: .stl, .obj, .glb and what else formats() lists."""
         warnings = Warnings()
         lib.tetloft_model_write_surface(self._open(), path_bytes(path),
-                                        write_options(format, ascii), warnings.out)
+                                        write_options(format, ascii, compress), warnings.out)
         warnings.tell()
 
-    def surface_to_bytes(self, format: str = "stl", *, ascii: bool = False) -> bytes:
+    def surface_to_bytes(self, format: str = "stl", *, ascii: bool = False,
+                         compress: bool = False) -> bytes:
         """The bytes of such a file."""
         return format_bytes(lib.tetloft_model_format_surface, self._open(),
-                            write_options(format, ascii))
+                            write_options(format, ascii, compress))
 
     def render(self, path: Path, stack: Optional[Stack] = None, *, colour: str = "component",
                azimuth: Optional[float] = None, elevation: Optional[float] = None,

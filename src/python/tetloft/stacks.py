@@ -14,7 +14,9 @@ from ._options import (
     Path, choice, defaults, index, path_bytes, text, whole, write_options
 )
 from ._running import Progress, Run, Stop
-from .formats import Data, Source, as_bytes, format_bytes, opened_file
+from .formats import (
+    Data, Description, Source, as_bytes, description_of, format_bytes, opened_file
+)
 from .meshes import Triangulation
 
 if TYPE_CHECKING:
@@ -260,6 +262,11 @@ class Stack(Owner):
         return Stack._of(made)
 
     # --- files -----------------------------------------------------------------------------------
+
+    @property
+    def description(self) -> Description:
+        """What the file that it came from says of it."""
+        return description_of(lib.tetloft_stack_description, self._open())
 
     def write(self, path: Path, *, format: Optional[str] = None, ascii: bool = False) -> None:
         """Writes a file in the format of the extension, or the one named."""

@@ -108,8 +108,8 @@ void* new_handle(Kind kind) {
       });
     case Kind::model: {
       tetloft_model* made = nullptr;
-      return handle_or_null(tetloft_model_create(kTetPoints.data(), kTetPoints.size() / 3,
-                                                 kTets.data(), kTets.size() / 4, &made),
+      return handle_or_null(tetloft_model_parse(kModelText.data(), kModelText.size(), "two.vtu",
+                                                nullptr, &made, nullptr),
                             made);
     }
     case Kind::surface: return made_of_model<tetloft_surface>(tetloft_model_boundary);

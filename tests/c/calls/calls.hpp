@@ -38,4 +38,14 @@ struct Call {
   return text != nullptr ? TETLOFT_OK : TETLOFT_INTERNAL;
 }
 
+/// Of a stack or a model.
+template <class Handle>
+tetloft_status description(Arguments& a, tetloft_status (*get)(const Handle*, const char**,
+                                                               const char**, const char**)) {
+  auto* const handle = a.handle<Handle>();
+  const char** const name = a.optional_output<const char*>();
+  const char** const unit = a.optional_output<const char*>();
+  return get(handle, name, unit, a.optional_output<const char*>());
+}
+
 }  // namespace tetloft::c_test

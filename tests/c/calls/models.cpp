@@ -176,6 +176,20 @@ constexpr auto kCalls = std::to_array<Call>({
        auto* const model = a.handle<tetloft_model>();
        return tetloft_model_component_count(model, a.output<std::size_t>());
      }},
+    {"tetloft_model_description",
+     [](A& a) { return description<tetloft_model>(a, tetloft_model_description); }},
+    {"tetloft_model_component_name",
+     [](A& a) {
+       auto* const model = a.handle<tetloft_model>();
+       const auto component = static_cast<std::size_t>(a.integer(0));
+       return tetloft_model_component_name(model, component, a.handle_output<tetloft_bytes>());
+     }},
+    {"tetloft_model_component",
+     [](A& a) {
+       auto* const model = a.handle<tetloft_model>();
+       const auto component = static_cast<std::size_t>(a.integer(0));
+       return tetloft_model_component(model, component, a.handle_output<tetloft_model>());
+     }},
     {"tetloft_model_volume",
      [](A& a) {
        auto* const model = a.handle<tetloft_model>();

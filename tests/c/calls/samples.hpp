@@ -21,6 +21,19 @@ inline constexpr std::string_view kPointText = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
 inline const std::vector<double> kTetPoints{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1};
 inline const std::vector<std::uint32_t> kTets{0, 1, 2, 3, 4, 1, 3, 2};
 
+/// The same as a file, which tells that they are one component.
+inline constexpr std::string_view kModelText =
+    "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\">"
+    "<UnstructuredGrid><Piece NumberOfPoints=\"5\" NumberOfCells=\"2\">"
+    "<CellData><DataArray type=\"Int32\" Name=\"component\" format=\"ascii\">0 "
+    "0</DataArray></CellData>"
+    "<Points><DataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\" format=\"ascii\">"
+    "0 0 0 1 0 0 0 1 0 0 0 1 1 1 1</DataArray></Points>"
+    "<Cells><DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">0 1 2 3 4 1 3 2"
+    "</DataArray><DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">4 8</DataArray>"
+    "<DataArray type=\"UInt8\" Name=\"types\" format=\"ascii\">10 10</DataArray></Cells>"
+    "</Piece></UnstructuredGrid></VTKFile>\n";
+
 /// A square with a segment along a diagonal.
 inline const std::vector<double> kPlanePoints{0, 0, 2, 0, 2, 2, 0, 2, 1, 0.5};
 inline const std::vector<std::uint32_t> kSegments{0, 2};

@@ -142,6 +142,8 @@ constexpr auto kCalls = std::to_array<Call>({
                                    a.optional_handle_output<tetloft_warnings>());
      }},
     {"tetloft_stack_free", [](A& a) { return tetloft_stack_free(a.own_handle<tetloft_stack>()); }},
+    {"tetloft_stack_description",
+     [](A& a) { return description<tetloft_stack>(a, tetloft_stack_description); }},
     {"tetloft_stack_counts",
      [](A& a) {
        auto* const stack = a.handle<tetloft_stack>();

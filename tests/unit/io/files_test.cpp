@@ -275,7 +275,7 @@ TEST(StagedWriters, ShowNothingBeforeTheyAreCommitted) {
   std::vector<PendingFile> files;
   const auto keep = [&files](Result<Staged> staged) {
     ASSERT_TRUE(staged.ok());
-    files.push_back(std::move(staged->file));
+    files.push_back(std::move(staged->files.front()));
   };
   keep(stage_model(folder.file("a.vtu"), model, {}));
   keep(stage_lines(folder.file("c.vtp"), lines, {}));

@@ -1,0 +1,217 @@
+// See convert_model.hpp.
+#include "cli/convert_model.hpp"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+#include <tetloft/tetloft.hpp>
+
+#include "cli/file_formats.hpp"
+#include "cli/outputs.hpp"
+#include "cli/stack_input.hpp"
+#include "cli/structures.hpp"
+#include "core/text.hpp"
+#include "io/files.hpp"
+#include "io/formats.hpp"
+
+namespace tetloft::cli {
+
+using namespace internal;
+
+namespace {
+
+constexpr std::array kOfModels{Contents::model, Contents::surface};
+
+// Names of formats that write solids or boundaries, each once.
+std::vector<std::string_view> target_names() {
+  std::vector<std::string_view> names;
+  for (const FormatInfo& format : formats()) {
+    const bool writes = std::any_of(kOfModels.begin(), kOfModels.end(),
+                                    [&](Contents c) { return format.writes.has(c); });
+    if (writes) names.push_back(format.name);
+  }
+  return names;
+}
+
+std::vector<std::string_view> target_extensions() {
+  std::vector<std::string_view> all = output_extensions(Contents::model);
+  for (const std::string_view extension : output_extensions(Contents::surface)) {
+    if (std::find(all.begin(), all.end(), extension) == all.end()) all.push_back(extension);
+  }
+  return all;
+}
+
+bool among(std::string_view extension, const std::vector<std::string_view>& extensions) {
+  return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
+}
+
+struct ModelConversion {
+  std::string input;
+  std::string output;
+  std::string model_format;
+  std::string to;
+  bool solid = true;  ///< or its boundary
+  bool per_component = false;
+  Encoding encoding = Encoding::binary;
+};
+
+// A format that writes solids is taken for those.
+bool writes_solid(const std::string& output, const std::string& to) {
+  return io::choose_writer(io::format_table(), Contents::model, output, to).ok();
+}
+
+Result<void> check_no_stack_options(const Arguments& arguments) {
+  for (const Option& option : preparation_options()) {
+    if (!arguments.has(option.name)) continue;
+    return usage_error("option " + option.name + " is of stacks, and a model is converted");
+  }
+  if (!arguments.has("--labels-out")) return {};
+  return usage_error("option --labels-out is of stacks, and a model is converted");
+}
+
+Result<ModelConversion> conversion_of(const Arguments& arguments, const std::string& output) {
+  if (Result<void> apt = check_no_stack_options(arguments); !apt) return apt.error();
+  ModelConversion conversion;
+  conversion.input = arguments.operand(0);
+  conversion.output = output;
+  const auto model_format = chosen_model_format(arguments);
+  if (!model_format) return model_format.error();
+  conversion.model_format = *model_format;
+  const auto to = arguments.choice("--to");
+  if (!to) return to.error();
+  if (*to) conversion.to = std::string(target_names()[**to]);
+  const Result<Encoding> encoding = encoding_of(arguments);
+  if (!encoding) return encoding.error();
+  conversion.encoding = *encoding;
+  conversion.per_component = arguments.has("--per-component");
+  conversion.solid = writes_solid(output, conversion.to);
+  const std::vector<std::string_view> extensions =
+      conversion.to.empty() ? target_extensions() : std::vector<std::string_view>();
+  Result<void> checked = check_output("--output (-o)", output, extensions, {conversion.input});
+  if (!checked) return checked.error();
+  return conversion;
+}
+
+// Of the whole, or of each component.
+std::vector<std::string> outputs_for(const ModelConversion& conversion, const Model& model) {
+  if (!conversion.per_component) return {conversion.output};
+  std::vector<Structure> components;
+  for (std::size_t c = 0; c < model.component_count; ++c) {
+    components.push_back({{}, component_name(model, ComponentId(c)), std::to_string(c + 1), 0});
+  }
+  return outputs_of(conversion.output, components);
+}
+
+Result<StagedFiles> stage_parts(const ModelConversion& conversion, const Model& model,
+                                const std::vector<std::string>& paths, Console& console) {
+  StagedFiles files;
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    ModelOutputs outputs;
+    (conversion.solid ? outputs.solid : outputs.surface) = paths[i];
+    outputs.encoding = conversion.encoding;
+    outputs.format = conversion.to;
+    auto staged = conversion.per_component
+                      ? stage_model(component_of(model, ComponentId(i)), outputs, console)
+                      : stage_model(model, outputs, console);
+    if (!staged) return staged.error();
+    std::move(staged->begin(), staged->end(), std::back_inserter(files));
+  }
+  return files;
+}
+
+std::string to_json(const Model& model, const std::vector<std::string>& paths,
+                    const Console& console) {
+  JsonWriter json;
+  json.begin_object();
+  json.member("vertices", model.points.size());
+  json.member("tets", model.tets.size());
+  json.member("name", model.about.name);
+  json.member("unit", model.about.unit);
+  json.key("components");
+  json.begin_array();
+  for (std::size_t c = 0; c < model.component_count; ++c) {
+    json.value(component_name(model, ComponentId(c)));
+  }
+  json.end_array();
+  json.key("written");
+  json.begin_array();
+  for (const std::string& path : paths) json.value(path);
+  json.end_array();
+  write_warnings(json, console.warnings());
+  json.end_object();
+  return json.text();
+}
+
+std::string to_text(const Model& model, const std::vector<std::string>& paths) {
+  std::string text = counted(model.tets.size(), "tet") + ", " +
+                     counted(model.component_count, "component") + "\nwritten: ";
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    text += (i == 0 ? "" : ", ") + printable(paths[i]);
+  }
+  return text + '\n';
+}
+
+// Who has a stack, and wants a solid, is told how.
+Error with_way_out(Error error, const std::string& path) {
+  const bool of_stack = has_input_extension(path, Contents::stack);
+  if (error.code != ErrorCode::invalid_input || !of_stack) return error;
+  error.message += "; reconstruct makes a model of a stack";
+  return error;
+}
+
+}  // namespace
+
+std::vector<Option> model_conversion_options() {
+  const auto names = target_names();
+  return {model_format_option(),
+          {"--to",
+           "NAME",
+           "of a model: write this format, whatever the extension of OUT",
+           {},
+           {names.begin(), names.end()}},
+          {"--per-component", "",
+           "of a model: a file for each component, OUT-NAME, by its name or number"},
+          kAsciiOption,
+          kCompressOption};
+}
+
+bool converts_model(const Arguments& arguments, const std::string& output) {
+  for (const char* option : {"--model-format", "--to", "--per-component"}) {
+    if (arguments.has(option)) return true;
+  }
+  const std::string extension = io::extension_of(output);
+  const bool of_model = among(extension, target_extensions());
+  const bool of_stack = among(extension, output_extensions(Contents::stack));
+  if (of_model != of_stack) return of_model;
+  const std::string& input = arguments.operand(0);
+  return has_input_extension(input, Contents::model) &&
+         !has_input_extension(input, Contents::stack);
+}
+
+Result<int> convert_model(const Arguments& arguments, const std::string& output, Console& console) {
+  const auto conversion = conversion_of(arguments, output);
+  if (!conversion) return conversion.error();
+  const auto model =
+      read_model_input(input_path(conversion->input), conversion->model_format, console);
+  if (!model) return with_way_out(model.error(), conversion->input);
+  if (conversion->per_component && model->component_count == 0) {
+    return Error{ErrorCode::invalid_input, "the model does not tell of components", {}};
+  }
+  const std::vector<std::string> paths = outputs_for(*conversion, *model);
+  auto files = stage_parts(*conversion, *model, paths, console);
+  if (!files) return files.error();
+  std::string told;
+  if (console.json()) {
+    told = to_json(*model, paths, console);
+  } else if (!console.quiet()) {
+    told = to_text(*model, paths);
+  }
+  const Result<void> done = deliver_with(*files, told, console);
+  if (!done) return done.error();
+  return 0;
+}
+
+}  // namespace tetloft::cli

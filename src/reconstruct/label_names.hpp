@@ -1,0 +1,16 @@
+// Names of components after the labels of their contours.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <tetloft/model.hpp>
+
+namespace tetloft::internal {
+
+/// "label 7" of each component with a contour that has label 7: of several labels the least, since
+/// different ones are in different components. None where there are no labels.
+[[nodiscard]] IdVector<ComponentId, std::string> names_by_labels(const Model& model,
+                                                                 const std::vector<Label>& labels);
+
+}  // namespace tetloft::internal

@@ -1,0 +1,127 @@
+// tetloft convert of models: to solids and surfaces of other formats, whole and by components.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <tetloft/tetloft.hpp>
+
+#include "cli/runner.hpp"
+
+namespace tetloft {
+namespace {
+
+namespace fs = std::filesystem;
+using test::expect_failure;
+using test::JsonValue;
+using test::run;
+using test::run_json;
+using test::TempFolder;
+
+// Two tubes apart, of 1 and 4 cubic units.
+const std::string kTwoTubes =
+    "S 2\nv 8 z 0\n{ 0 0 1 0 1 1 0 1 }\n{ 10 0 12 0 12 2 10 2 }\n"
+    "v 8 z 1\n{ 0 0 1 0 1 1 0 1 }\n{ 10 0 12 0 12 2 10 2 }\n";
+
+class ConvertModel : public ::testing::Test {
+ protected:
+  ConvertModel() {
+    test::put(stack_, kTwoTubes);
+    EXPECT_EQ(run({"reconstruct", stack_, "-o", model_, "--quiet"}).code, 0);
+  }
+  [[nodiscard]] std::string file(const std::string& name) const { return folder_.file(name); }
+
+  TempFolder folder_;
+  std::string stack_ = folder_.file("two.cnt");
+  std::string model_ = folder_.file("two.vtu");
+};
+
+TEST_F(ConvertModel, WritesTheBoundaryThatReconstructWrites) {
+  for (const std::string ending : {"obj", "ply", "stl", "off", "vtp"}) {
+    const std::string direct = file("direct." + ending);
+    const std::string converted = file("converted." + ending);
+    ASSERT_EQ(run({"reconstruct", stack_, "--surface", direct, "--quiet"}).code, 0);
+    const JsonValue told = run_json({"convert", model_, converted});
+    EXPECT_EQ(told.at("components").array.size(), 2U);
+    EXPECT_EQ(test::get(converted), test::get(direct)) << ending;
+  }
+}
+
+TEST_F(ConvertModel, KeepsASolidBitForBit) {
+  for (const std::string encoding : {"--ascii", "--compress"}) {
+    const std::string there = file("there.vtu");
+    const std::string back = file("back.vtu");
+    ASSERT_EQ(run({"convert", model_, "-o", there, encoding}).code, 0);
+    EXPECT_NE(test::get(there), test::get(model_)) << encoding;
+    ASSERT_EQ(run({"convert", there, back}).code, 0);
+    EXPECT_EQ(test::get(back), test::get(model_)) << encoding;
+    EXPECT_EQ(run({"check", there, stack_}).code, 0) << encoding;
+  }
+}
+
+TEST_F(ConvertModel, MakesAFileOfEachComponent) {
+  const JsonValue told = run_json({"convert", model_, file("part.vtu"), "--per-component"});
+  ASSERT_EQ(told.at("written").array.size(), 2U);
+  double volumes = 0;
+  std::size_t tets = 0;
+  for (const JsonValue& written : told.at("written").array) {
+    const auto part = read_vtu(written.string);
+    ASSERT_TRUE(part.ok()) << written.string;
+    EXPECT_EQ(part->component_count, 1U);
+    volumes += volume(*part);
+    tets += part->tets.size();
+  }
+  EXPECT_DOUBLE_EQ(volumes, 5);
+  EXPECT_EQ(static_cast<double>(tets), told.at("tets").number);
+  EXPECT_EQ(told.at("written").array[0].string, file("part-component_1.vtu"));
+}
+
+TEST_F(ConvertModel, TakesTheFormatByName) {
+  const std::string odd = file("surface.txt");
+  ASSERT_EQ(run({"convert", model_, odd, "--to", "ply"}).code, 0);
+  EXPECT_EQ(test::get(odd).substr(0, 4), "ply\n");
+}
+
+TEST_F(ConvertModel, RefusesWhatDoesNotFit) {
+  const auto fails = [&](std::vector<std::string> words, int code, const std::string& in_message) {
+    words.insert(words.begin(), "convert");
+    expect_failure(words, code,
+                   code == 2   ? "usage"
+                   : code == 3 ? "io"
+                               : "invalid_input",
+                   in_message, {file("x.obj"), file("x.vtu")});
+  };
+  fails({model_}, 2, "missing OUT");
+  fails({model_, file("x.obj"), "-o", file("x.vtu")}, 2, "given twice");
+  fails({model_, file("x.obj"), "--roi", "1"}, 2, "--roi");
+  fails({model_, file("x.obj"), "--labels-out", file("l")}, 2, "--labels-out");
+  fails({model_, file("x.obj"), "--ascii", "--compress"}, 2, "exclude");
+  fails({model_, model_}, 2, "overwrite");
+  fails({model_, file("x.xyz")}, 2, ".vtu");
+  fails({model_, file("x.obj"), "--to", "foo"}, 2, "foo");
+  fails({stack_, file("x.obj")}, 3, "reconstruct makes a model");
+  fails({model_, file("none/x.obj")}, 4, "folder");
+}
+
+// Nothing of several files appears where one of them cannot be written.
+TEST_F(ConvertModel, LeavesNothingWhereOnePartCannotBeWritten) {
+  fs::create_directory(file("part-component_2.stl"));
+  expect_failure({"convert", model_, file("part.stl"), "--per-component"}, 4, "io",
+                 "part-component_2.stl", {file("part-component_1.stl")});
+}
+
+TEST_F(ConvertModel, NamesComponentsAfterLabels) {
+  const std::string labels = file("labels");
+  test::put(labels, "0 0 7\n0 1 3\n1 0 7\n1 1 3\n");
+  const std::string model = file("labelled.vtu");
+  ASSERT_EQ(run({"reconstruct", stack_, "-o", model, "--labels", labels}).code, 0);
+  const JsonValue told = run_json({"convert", model, file("part.stl"), "--per-component"});
+  std::vector<std::string> names;
+  for (const JsonValue& name : told.at("components").array) names.push_back(name.string);
+  EXPECT_EQ(names, (std::vector<std::string>{"label 7", "label 3"}));
+  EXPECT_TRUE(fs::exists(file("part-label_7.stl")));
+}
+
+}  // namespace
+}  // namespace tetloft
