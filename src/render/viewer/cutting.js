@@ -116,15 +116,20 @@ class Cut {
     if (this.mode !== 'sections') {
       return `${page.number((this.at - (this.low + this.high) / 2) * page.length)}${page.unitText} from the middle`;
     }
-    const stops = this.along.sections;
     const z = sign * height;
-    const below = stops.filter((s) => s <= z + 1e-6).length - 1;
-    const exactly = below >= 0 && Math.abs(stops[below] - z) < 1e-6;
-    const place = exactly ? `section ${below}` : below < 0 ? 'below section 0'
-      : below + 1 === stops.length ? `above section ${below}` : `sections ${below} to ${below + 1}`;
     const stack = page.number(stackHeight(this.along, z));
-    return stops.length === 0 ? `z = ${stack}${page.unitText}` : `z = ${stack}${page.unitText} · ${place}`;
+    return [`z = ${stack}${page.unitText}`, sectionText(this.along, z)].filter((text) => text !== '').join(' · ');
   }
+}
+
+// Where a height of a layer's own lies among its sections; empty for a model that does not tell of any.
+function sectionText(layer, z) {
+  const {sections} = layer;
+  if (sections.length === 0) return '';
+  const below = sections.filter((at) => at <= z + 1e-6).length - 1;
+  if (below < 0) return 'below section 0';
+  if (Math.abs(sections[below] - z) < 2e-6) return `section ${below}`;
+  return below + 1 === sections.length ? `above section ${below}` : `sections ${below} to ${below + 1}`;
 }
 
 // The z of the stack's own coordinates, which sections are told by, for a height of the layer's own.

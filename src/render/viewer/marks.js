@@ -140,6 +140,19 @@ class Marks {
     ctx.stroke();
   }
 
+  // Above the middle of a line, and clear of it.
+  writeBeside(a, b, words) {
+    const {ctx} = this;
+    const style = {align: 'center', weight: 650, size: 14};
+    ctx.font = `${style.weight} ${style.size}px ${MARK_FONT}`;
+    const half = ctx.measureText(words).width / 2;
+    const length = Math.hypot(b[0] - a[0], b[1] - a[1]) || 1;
+    const across = [(b[1] - a[1]) / length, (a[0] - b[0]) / length];
+    const sign = across[1] > 0 ? -1 : 1;
+    const clear = sign * (Math.abs(across[0]) * half + Math.abs(across[1]) * 7 + 9);
+    this.text(words, (a[0] + b[0]) / 2 + clear * across[0], (a[1] + b[1]) / 2 + clear * across[1], style);
+  }
+
   paintPicked(pane) {
     const {ctx} = this;
     const here = (picked) => picked && picked.layer.visible && pane.layers.includes(picked.layer);
@@ -154,8 +167,7 @@ class Marks {
       this.stroke([a, b], this.accent, 2);
       this.dot(a, this.accent);
       this.dot(b, this.accent);
-      this.text(this.page.lengthText(distanceOf(ends)), (a[0] + b[0]) / 2, (a[1] + b[1]) / 2 - 13,
-                {align: 'center', weight: 650, size: 14});
+      this.writeBeside(a, b, this.page.lengthText(distanceOf(ends)));
     } else if (ends.length === 1 && here(ends[0])) {
       this.dot(this.at(pane, ends[0]), this.accent);
     }

@@ -23,6 +23,7 @@ class Layer {
     this.visible = true;
     this.opacity = 1;
     this.colour = page.colour;
+    this.firstColour = 0;
     if (page.models.length > 1) this.colourings = [...this.colourings, 'model'];
   }
 
@@ -135,12 +136,15 @@ class Layer {
     if (this.colour === 'dihedral') return [arrays.dihedral, page.dihedralColours];
     if (this.colour === 'evidence') return [arrays.evidence, page.evidenceColours];
     if (this.colour === 'model') return [null, [this.ownColour()]];
-    return [arrays.component, page.componentColours];
+    return [arrays.component, page.componentColours.map((_, c) => this.componentColour(c))];
   }
 
   ownColour() { return this.page.componentColours[this.number % this.page.componentColours.length]; }
 
-  componentColour(c) { return this.page.componentColours[c % this.page.componentColours.length]; }
+  componentColour(c) {
+    const {componentColours} = this.page;
+    return componentColours[(this.firstColour + c) % componentColours.length];
+  }
 
   // For each of three corners of a face r, g, b, and 255 where its tet is shown.
   colours(count, tetOf) {

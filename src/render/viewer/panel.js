@@ -133,14 +133,15 @@ class Panel {
 
   // On small screens the controls are folded at first.
   connectFold() {
-    const button = document.getElementById('fold');
-    const fold = (folded) => {
-      document.querySelector('main').classList.toggle('folded', folded);
-      button.textContent = folded ? 'Controls' : 'Hide';
-      button.setAttribute('aria-expanded', String(!folded));
-      this.viewer.placeCard(folded || SMALL.matches);
-    };
-    button.addEventListener('click', () => fold(button.getAttribute('aria-expanded') === 'true'));
-    fold(SMALL.matches);
+    this.foldButton = document.getElementById('fold');
+    this.foldButton.addEventListener('click', () => this.fold(this.foldButton.getAttribute('aria-expanded') === 'true'));
+    this.fold(SMALL.matches);
+  }
+
+  fold(folded) {
+    document.querySelector('main').classList.toggle('folded', folded);
+    this.foldButton.textContent = folded ? 'Controls' : 'Hide';
+    this.foldButton.setAttribute('aria-expanded', String(!folded));
+    this.viewer.placeCard(folded || SMALL.matches);
   }
 }

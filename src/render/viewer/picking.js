@@ -102,12 +102,11 @@ function describe(page, picked, several) {
   const rows = [];
   if (several) rows.push(['Model', layer.name]);
   rows.push(['Component', layer.components[layer.arrays.component[tet]]]);
-  const section = layer.sections.findIndex((z) => Math.abs(z - own[2]) < 2e-6);
-  const number = layer.slabNumbers[slab];
-  rows.push(['Slab', section >= 0 ? `${number}, in section ${section}` : `${number}`]);
+  const place = sectionText(layer, own[2]);
+  rows.push(['Slab', layer.slabNumbers[slab] + (place === '' ? '' : ', ' + place)]);
   const file = mapped(layer.file, own);
   rows.push(['Point', file.map((x) => page.number(x)).join(', ') + page.unitText]);
-  rows.push(['Smallest dihedral', smallestDihedral(layer, tet).toFixed(1) + '°']);
+  rows.push(['Dihedral', smallestDihedral(layer, tet).toFixed(1) + '° at least']);
   const {kind, evidence} = layer.arrays;
   if (kind && kind.length > 0) rows.push(['Kind', page.kindNames[kind[tet]]]);
   if (evidence && evidence.length > 0) rows.push(['Evidence', page.evidenceNames[evidence[tet]] || 'no link']);

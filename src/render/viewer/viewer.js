@@ -20,6 +20,10 @@ class Viewer {
     this.ends = [];
     this.measuring = false;
     this.layout = firstLayout(layers);
+    // What lies in one space is told apart; what is compared has the same colours.
+    if (this.layout === 'over') {
+      layers.forEach((layer, k) => { layer.firstColour = k === 0 ? 0 : layers[k - 1].firstColour + layers[k - 1].components.length; });
+    }
     this.marks = new Marks(page);
     this.drawing = new Drawing(this.canvas, layers);
     this.theme = new Theme(() => this.refresh());
@@ -189,6 +193,8 @@ class Viewer {
     this.state.picked = null;
     document.getElementById('measure').setAttribute('aria-pressed', String(on));
     document.getElementById('stage').classList.toggle('measuring', on);
+    // Where the controls take the room of the picture, they make way.
+    if (on && SMALL.matches) this.panel.fold(true);
     this.showCard();
     this.refresh();
   }
@@ -209,9 +215,12 @@ class Viewer {
       if (this.ends.length === 2) facts.unshift(['Distance', this.page.lengthText(distanceOf(this.ends))]);
       else facts.push(['Distance', this.ends.length === 0 ? 'pick the first point' : 'pick the second point']);
     }
-    rows.replaceChildren(...facts.flatMap(([what, value]) => [
-      Object.assign(document.createElement('dt'), {textContent: what}),
-      Object.assign(document.createElement('dd'), {textContent: value})]));
+    rows.replaceChildren(...facts.map(([what, value]) => {
+      const pair = document.createElement('div');
+      pair.append(Object.assign(document.createElement('dt'), {textContent: what}),
+                  Object.assign(document.createElement('dd'), {textContent: value}));
+      return pair;
+    }));
     document.getElementById('card').hidden = facts.length === 0;
     if (picked && picked.layer === this.current) this.components.point(picked.layer.arrays.component[picked.tet]);
   }
