@@ -115,7 +115,7 @@ TEST_P(ViewerCut, FlatFacesHaveNoHolesWholeOrCutInAnySectionInAnySpace) {
   options.elevation = 40;
   const std::array left{0.0, 1.0 / 3, 0.0, 1.0}, right{2.0 / 3, 1.0, 0.0, 1.0};
   for (const Frame& frame : {Frame{}, test::oblique_frame()}) {
-    Model model = solid_of(two_heights());
+    Model model = test::solid_of(two_heights());
     model.frame = frame;
     show(model, options);
     if (ended()) return;
@@ -136,7 +136,7 @@ TEST_P(ViewerCut, IsClosedInEveryDirection) {
   if (ended()) return;
   for (const Frame& frame :
        {Frame{}, Frame{{Point3{0, 1, 0}, Point3{0, 0, 1}, Point3{1, 0, 0}}, {}}}) {
-    Model model = solid_of(test::one_box());
+    Model model = test::solid_of(test::one_box());
     model.frame = frame;
     show(model);
     if (ended()) return;

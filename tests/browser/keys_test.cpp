@@ -35,10 +35,13 @@ TEST_P(ViewerKeys, EveryKeyDoesWhatTheHelpSays) {
   EXPECT_NE(cut, whole.hash);
   EXPECT_NE(pressed("["), cut);
   EXPECT_NE(pressed("]"), whole.hash);
-  for (const char* key : {"x", "y", "z", "n", "v", "r"}) {
-    const double before = pixels().hash;
-    EXPECT_NE(pressed(key), key == std::string("z") ? whole.hash : before) << key;
+  for (const auto& [key, mode] : {std::pair{"x", "x"}, std::pair{"y", "y"}, std::pair{"z", "z"},
+                                  std::pair{"n", "sections"}, std::pair{"v", "facing"}}) {
+    EXPECT_NE(pressed(key), whole.hash) << key;
+    EXPECT_EQ(text("tetloft.cut.mode"), mode);
   }
+  const double facing = pixels().hash;
+  EXPECT_NE(pressed("r"), facing);
   EXPECT_EQ(pressed("c"), whole.hash);
   press("m");
   EXPECT_TRUE(holds("tetloft.measuring"));

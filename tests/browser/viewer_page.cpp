@@ -97,8 +97,8 @@ void ViewerPage::expect_no_errors() {
 }
 
 std::string ViewerPage::slide(const std::string& selector, double value) {
-  return "const s = document.querySelector(" + json_quoted(selector) +
-         "); s.value = " + std::to_string(value) + "; s.dispatchEvent(new Event('input'));";
+  return "{ const s = document.querySelector(" + json_quoted(selector) +
+         "); s.value = " + std::to_string(value) + "; s.dispatchEvent(new Event('input')); }";
 }
 
 std::string ViewerPage::click(const std::string& selector) {

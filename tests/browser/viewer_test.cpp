@@ -156,7 +156,9 @@ TEST_P(Viewer, TurnsAndMovesWithThePointer) {
   EXPECT_NE(moved.hash, turned.hash);
   EXPECT_GT(moved.covered, 0.02);
   const Pixels nearer = after(
-      "document.getElementById('picture').dispatchEvent(new WheelEvent('wheel', {deltaY: -300}));");
+      "const c = document.getElementById('picture'), b = c.getBoundingClientRect();"
+      "c.dispatchEvent(new WheelEvent('wheel', {deltaY: -300, clientX: (b.left + b.right) / 2, "
+      "clientY: (b.top + b.bottom) / 2}));");
   EXPECT_GT(nearer.covered, moved.covered);
   EXPECT_EQ(
       after("document.getElementById('picture').dispatchEvent(new MouseEvent('dblclick'));").hash,
