@@ -37,7 +37,10 @@ class ViewerPage : public ::testing::TestWithParam<const char*> {
   /// Does something in the page; the picture that follows.
   Pixels after(const std::string& action);
   void act(const std::string& action);
-  JsonValue evaluate(const std::string& expression) { return browser_->evaluate(expression); }
+  /// Where the page's own scripts would: its constants and classes are no members of the window.
+  JsonValue evaluate(const std::string& expression) {
+    return browser_->evaluate("window.eval(" + json_quoted(expression) + ')');
+  }
   double number(const std::string& expression) { return evaluate(expression).number; }
   std::string text(const std::string& expression) { return evaluate(expression).string; }
   bool holds(const std::string& expression) { return evaluate(expression).boolean; }
