@@ -16,11 +16,21 @@
   FORMAT(metaimage)                  \
   FORMAT(cnt)                        \
   FORMAT(vtu)                        \
+  FORMAT(vtk)                        \
+  FORMAT(msh)                        \
+  FORMAT(msh2)                       \
+  FORMAT(medit)                      \
+  FORMAT(tetgen)                     \
+  FORMAT(abaqus)                     \
+  FORMAT(nastran)                    \
+  FORMAT(netgen)                     \
   FORMAT(obj)                        \
   FORMAT(ply)                        \
   FORMAT(vtp)                        \
   FORMAT(stl)                        \
   FORMAT(off)                        \
+  FORMAT(threemf)                    \
+  FORMAT(glb)                        \
   FORMAT(geojson)                    \
   FORMAT(svg)                        \
   FORMAT(dxf)                        \

@@ -1,9 +1,11 @@
 // Points of TetGen's .node files: "count 3 attributes markers", then "number x y z …" for each.
+#include "io/node.hpp"
+
 #include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "io/format.hpp"
 #include "io/numbers.hpp"
 #include "io/rows.hpp"
 #include "io/table_rows.hpp"
@@ -39,14 +41,15 @@ Result<std::array<std::size_t, 4>> read_head(const Source& source, const TableRo
   return head;
 }
 
-Result<ReadPoints> read_node(const Source& source, const ReadOptions& /*options*/) {
+}  // namespace
+
+Result<NodePoints> read_node_points(const Source& source) {
   TableRows rows(source.bytes);
   if (!rows.next()) return node_error(source, rows.line(), "the file is empty");
   const auto head = read_head(source, rows);
   if (!head) return head.error();
   const auto [count, dimension, attributes, markers] = *head;
-  ReadPoints read;
-  std::int64_t first = 0;
+  NodePoints read;
   while (rows.next()) {
     const std::vector<std::string_view>& fields = rows.fields();
     const std::size_t k = read.points.size();
@@ -62,8 +65,9 @@ Result<ReadPoints> read_node(const Source& source, const ReadOptions& /*options*
                             " attributes, got " + std::to_string(fields.size()) + " fields");
     }
     const auto number = parse_integer(fields[0]);
-    if (k == 0) first = number.value_or(-1);
-    if (!number || first < 0 || first > 1 || *number != first + static_cast<std::int64_t>(k)) {
+    if (k == 0) read.first = number.value_or(-1);
+    if (!number || read.first < 0 || read.first > 1 ||
+        *number != read.first + static_cast<std::int64_t>(k)) {
       return node_error(source, rows.line(),
                         "points are numbered in order from 0 or 1, not " + in_quotes(fields[0]));
     }
@@ -82,7 +86,17 @@ Result<ReadPoints> read_node(const Source& source, const ReadOptions& /*options*
                       std::to_string(count) + " points are announced, here are " +
                           std::to_string(read.points.size()));
   }
-  if (attributes > 0 || markers > 0) {
+  read.has_attributes = attributes > 0 || markers > 0;
+  return read;
+}
+
+namespace {
+
+Result<ReadPoints> read_node(const Source& source, const ReadOptions& /*options*/) {
+  Result<NodePoints> nodes = read_node_points(source);
+  if (!nodes) return nodes.error();
+  ReadPoints read{std::move(nodes->points), {}};
+  if (nodes->has_attributes) {
     Warning warning{"left out: attributes and markers of points", {}};
     warning.where.file = source.name;
     read.warnings.push_back(std::move(warning));

@@ -286,23 +286,25 @@ std::optional<AppendedExtent> appended_extent(const DataArray& array, const Data
 }
 
 Result<void> check_unpacking(const std::vector<const DataArray*>& arrays, const DataSource& source,
-                             const XmlScanner& scanner) {
+                             std::size_t multiple, const XmlScanner& scanner) {
   if (!source.packed) return {};
-  std::size_t left = kUnpackedMultiple * scanner.size() + kUnpackedBytes;
+  std::size_t left = multiple * scanner.size() + kUnpackedBytes;
   for (const DataArray* array : arrays) {
     const bool inside = array->format == DataArray::Format::binary;
     if (!inside && (array->format == DataArray::Format::ascii || !source.appended)) continue;
     BlockHeader header;
     // What is wrong is told by who reads it.
     if (read_header(EncodedBytes(*array, source), source, header) != HeaderFault::none) continue;
-    const std::uint64_t values = header.unpacked / size_of(array->type);
-    if (header.unpacked > left || values > left / 8 || header.unpacked + 8 * values > left) {
+    // Above the limit the cost, nine times this at most, is not asked for: it might overflow.
+    const std::uint64_t cost =
+        header.unpacked > left ? 0 : unpacked_cost(header.unpacked, size_of(array->type));
+    if (header.unpacked > left || cost > left) {
       return scanner.complain(array->position, array_name(*array) +
                                                    ": the file unpacks to more than " +
-                                                   std::to_string(kUnpackedMultiple) +
+                                                   std::to_string(multiple) +
                                                    " times its size; write it without compression");
     }
-    left -= static_cast<std::size_t>(header.unpacked + 8 * values);
+    left -= static_cast<std::size_t>(cost);
   }
   return {};
 }

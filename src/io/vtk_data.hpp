@@ -64,12 +64,21 @@ struct AppendedExtent {
                                                             const DataSource& source);
 
 /// What the arrays unpack to, and their values take, is bounded by the file's size: error
-/// invalid_input above kUnpackedMultiple times that and kUnpackedBytes. To be asked before any is
-/// read, of all that are.
-inline constexpr std::size_t kUnpackedMultiple = 16;
+/// invalid_input above kUnpackedBytes and a multiple of that. To be asked before any is read, of
+/// all that are.
 inline constexpr std::size_t kUnpackedBytes = std::size_t{1} << 20;
+/// Of a grid, whose arrays are packed by a factor of up to twenty; its model takes less than half
+/// of what is counted here.
+inline constexpr std::size_t kGridUnpacked = 32;
+/// Of poly data, of whose points and ids a stack may be made that takes far more.
+inline constexpr std::size_t kPolyDataUnpacked = 16;
 [[nodiscard]] Result<void> check_unpacking(const std::vector<const DataArray*>& arrays,
-                                           const DataSource& source, const XmlScanner& scanner);
+                                           const DataSource& source, std::size_t multiple,
+                                           const XmlScanner& scanner);
+/// What an array of so many bytes counts for, each of its values being of `value` bytes.
+[[nodiscard]] constexpr std::uint64_t unpacked_cost(std::uint64_t bytes, std::size_t value) {
+  return bytes + 8 * (bytes / value);
+}
 
 /// All values, converted. Integer arrays may be read as double (inexactly above 2^53);
 /// floating arrays are refused as integers.

@@ -1,35 +1,24 @@
 // VTK XML files of one piece (VTK File Formats, "XML File Formats").
 #include "io/vtk_write.hpp"
 
+#include <algorithm>
+#include <optional>
 #include <string_view>
+#include <utility>
 
 #include "core/text.hpp"
+#include "io/bytes/deflate.hpp"
+#include "io/vtk_data.hpp"
+#include "io/xml_text.hpp"
 
 namespace tetloft::internal::io {
 
 namespace {
 
-// Names of arrays are the caller's.
-std::string attribute_value(std::string_view text) {
-  std::string value;
-  for (const char c : valid_utf8(text)) {
-    if (c == '&') {
-      value += "&amp;";
-    } else if (c == '<') {
-      value += "&lt;";
-    } else if (c == '"') {
-      value += "&quot;";
-    } else {
-      value += c;
-    }
-  }
-  return value;
-}
-
 // The data of the whole have a count of their own: nothing else says how many they are.
 std::string array_head(const VtkArray& array, bool of_whole) {
   std::string text =
-      "<DataArray type=\"" + array.type + "\" Name=\"" + attribute_value(array.name) + '"';
+      "<DataArray type=\"" + array.type + "\" Name=\"" + xml_text(array.name) + '"';
   if (array.components != 1) {
     text += " NumberOfComponents=\"" + std::to_string(array.components) + '"';
   }
@@ -37,22 +26,95 @@ std::string array_head(const VtkArray& array, bool of_whole) {
   return text;
 }
 
+// Data in blocks, each a zlib stream of its own.
+class BlockSink final : public Sink {
+ public:
+  void append(std::string_view bytes) override {
+    while (!bytes.empty()) {
+      const std::size_t taken = std::min(bytes.size(), kBlock - open_.size());
+      open_ += bytes.substr(0, taken);
+      bytes.remove_prefix(taken);
+      if (open_.size() == kBlock) close();
+    }
+  }
+
+  // Behind the number of blocks, their size, that of the last if it is less, and each one's packed.
+  [[nodiscard]] std::string take() {
+    const std::size_t last = open_.size();
+    if (last != 0) close();
+    std::string all;
+    for (const std::uint64_t word :
+         {std::uint64_t{packed_.size()}, std::uint64_t{kBlock}, std::uint64_t{last}}) {
+      append_little(all, word);
+    }
+    for (const std::uint64_t size : packed_) append_little(all, size);
+    return all + bytes_;
+  }
+
+ private:
+  // As VTK has it: a window of DEFLATE.
+  static constexpr std::size_t kBlock = std::size_t{1} << 15;
+
+  void close() {
+    const std::string packed = zlib_compressed(open_);
+    packed_.push_back(packed.size());
+    bytes_ += packed;
+    open_.clear();
+  }
+
+  std::string open_;
+  std::vector<std::uint64_t> packed_;
+  std::string bytes_;
+};
+
+std::string packed_bytes(const VtkArray& array) {
+  BlockSink sink;
+  array.append_bytes(sink);
+  return sink.take();
+}
+
+// visit(array), in the order of the file.
+template <class Visit>
+void for_each_array(const VtkFile& file, Visit&& visit) {
+  for (const VtkArray& array : file.field_data.arrays) visit(array);
+  for (const VtkGroup& group : file.groups) {
+    for (const VtkArray& array : group.arrays) visit(array);
+  }
+}
+
+// All arrays, in order; nothing where the reader would not take what they unpack to.
+std::optional<std::vector<std::string>> packed_arrays(const VtkFile& file) {
+  std::vector<std::string> packed;
+  std::uint64_t size = 0;
+  std::uint64_t cost = 0;
+  for_each_array(file, [&](const VtkArray& array) {
+    packed.push_back(packed_bytes(array));
+    size += packed.back().size();
+    cost += unpacked_cost(array.bytes, array.value_bytes);
+  });
+  if (cost > file.most_unpacked * size + kUnpackedBytes) return std::nullopt;
+  return packed;
+}
+
 // The elements of groups, one after the other: arrays as text, or where they are appended.
 class HeadWriter {
  public:
-  HeadWriter(Sink& sink, Encoding encoding) : sink_(sink), ascii_(encoding == Encoding::ascii) {}
+  // Of packed arrays, `packed` are the bytes of all, in order.
+  HeadWriter(Sink& sink, Encoding encoding, const std::vector<std::string>& packed)
+      : sink_(sink), encoding_(encoding), packed_(packed) {}
 
   void append(const VtkGroup& group, bool of_whole = false) {
     sink_.append('<' + group.element + ">\n");
     for (const VtkArray& array : group.arrays) {
-      if (ascii_) {
+      if (encoding_ == Encoding::ascii) {
         sink_.append(array_head(array, of_whole) + " format=\"ascii\">\n");
         array.append_text(sink_);
         sink_.append("</DataArray>\n");
       } else {
         sink_.append(array_head(array, of_whole) + " format=\"appended\" offset=\"" +
                      std::to_string(offset_) + "\"/>\n");
-        offset_ += sizeof(std::uint64_t) + array.bytes;
+        offset_ += encoding_ == Encoding::compressed ? packed_[number_++].size()
+                                                     : sizeof(std::uint64_t) + array.bytes;
       }
     }
     sink_.append("</" + group.element + ">\n");
@@ -60,18 +122,18 @@ class HeadWriter {
 
  private:
   Sink& sink_;
-  bool ascii_;
+  Encoding encoding_;
+  const std::vector<std::string>& packed_;
+  std::size_t number_ = 0;  // of the next array
   std::uint64_t offset_ = 0;
 };
 
-void append_bytes(Sink& sink, const VtkGroup& group) {
-  for (const VtkArray& array : group.arrays) {
-    if (!sink.ok()) return;
-    std::string count;
-    append_little(count, static_cast<std::uint64_t>(array.bytes));
-    sink.append(count);
-    array.append_bytes(sink);
-  }
+void append_plain(Sink& sink, const VtkArray& array) {
+  if (!sink.ok()) return;
+  std::string count;
+  append_little(count, static_cast<std::uint64_t>(array.bytes));
+  sink.append(count);
+  array.append_bytes(sink);
 }
 
 }  // namespace
@@ -86,23 +148,43 @@ bool is_vtk_file(std::string_view bytes, std::string_view grid_type) {
          attributes.find('\'' + std::string(grid_type) + '\'') != std::string_view::npos;
 }
 
-void append_vtk_file(Sink& sink, const VtkFile& file, Encoding encoding) {
+std::vector<Warning> append_vtk_file(Sink& sink, const VtkFile& file, Encoding encoding) {
+  std::vector<Warning> warnings;
+  std::vector<std::string> packed;
+  if (encoding == Encoding::compressed) {
+    // Where an array begins is told before any of them, and depends on what those before it take.
+    if (auto arrays = packed_arrays(file)) {
+      packed = *std::move(arrays);
+    } else {
+      encoding = Encoding::binary;
+      warnings.push_back({"written without compression: it would unpack to more than " +
+                              std::to_string(file.most_unpacked) +
+                              " times its size, which is refused when it is read",
+                          {}});
+    }
+  }
+  const bool is_packed = encoding == Encoding::compressed;
   sink.append("<?xml version=\"1.0\"?>\n<VTKFile type=\"" + file.grid_type +
-              "\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<" +
-              file.grid_type + ">\n");
-  HeadWriter head(sink, encoding);
+              "\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\"" +
+              (is_packed ? " compressor=\"vtkZLibDataCompressor\"" : "") + ">\n<" + file.grid_type +
+              ">\n");
+  HeadWriter head(sink, encoding, packed);
   if (!file.field_data.arrays.empty()) head.append(file.field_data, true);
   sink.append("<Piece " + file.counts + ">\n");
   for (const VtkGroup& group : file.groups) head.append(group);
   sink.append("</Piece>\n</" + file.grid_type + ">\n");
   if (encoding != Encoding::ascii) {
     sink.append("<AppendedData encoding=\"raw\">\n_");
-    append_bytes(sink, file.field_data);
-    for (const VtkGroup& group : file.groups) append_bytes(sink, group);
-    if (!sink.ok()) return;
+    if (is_packed) {
+      for (const std::string& bytes : packed) sink.append(bytes);
+    } else {
+      for_each_array(file, [&](const VtkArray& array) { append_plain(sink, array); });
+    }
+    if (!sink.ok()) return warnings;
     sink.append("\n</AppendedData>\n");
   }
   sink.append("</VTKFile>\n");
+  return warnings;
 }
 
 }  // namespace tetloft::internal::io

@@ -1,5 +1,6 @@
 // The part that all VTK XML files share: a head of DataArray elements, and their values as
-// text inside them or as bytes in one appended block (raw, UInt64 byte counts).
+// text inside them or as bytes in one appended block (raw, UInt64 byte counts), plain or packed by
+// zlib in blocks.
 #pragma once
 
 #include <concepts>
@@ -34,7 +35,8 @@ struct VtkArray {
   std::string type;
   std::size_t components = 1;
   std::size_t tuples = 0;
-  std::size_t bytes = 0;
+  std::size_t value_bytes = 1;  ///< of each value
+  std::size_t bytes = 0;        ///< of all
   std::function<void(Sink&)> append_text;
   std::function<void(Sink&)> append_bytes;
 };
@@ -43,8 +45,8 @@ struct VtkArray {
 template <class T, class Get>
 VtkArray vtk_array(std::string name, std::size_t components, std::size_t n, Get get) {
   static_assert(std::same_as<T, std::remove_cvref_t<decltype(get(std::size_t{0}))>>);
-  VtkArray array{
-      std::move(name), vtk_type_name<T>(), components, n / components, n * sizeof(T), {}, {}};
+  VtkArray array{std::move(name), vtk_type_name<T>(), components, n / components,
+                 sizeof(T),       n * sizeof(T),      {},         {}};
   array.append_text = [n, components, get](Sink& sink) {
     Pieces pieces(sink);
     std::string& piece = pieces.text();
@@ -96,8 +98,13 @@ struct VtkFile {
   std::string counts;                    ///< the attributes of Piece
   VtkGroup field_data{"FieldData", {}};  ///< about the whole; left out where empty
   std::vector<VtkGroup> groups;          ///< of the piece
+  /// How many times the file's size the reader takes when packed data are unpacked.
+  std::size_t most_unpacked = 0;
 };
 
-void append_vtk_file(Sink& sink, const VtkFile& file, Encoding encoding);
+/// Packed data are in memory, as a whole, before the first byte is written. A file whose reader
+/// would not take what it unpacks to is written plain, with a warning.
+[[nodiscard]] std::vector<Warning> append_vtk_file(Sink& sink, const VtkFile& file,
+                                                   Encoding encoding);
 
 }  // namespace tetloft::internal::io

@@ -6,6 +6,7 @@
 #include "io/drawing/written_stack.hpp"
 #include "io/format.hpp"
 #include "io/numbers.hpp"
+#include "io/vtk_data.hpp"
 #include "io/vtk_write.hpp"
 #include "io/vtp_read.hpp"
 #include "model/fields.hpp"
@@ -55,7 +56,7 @@ Written write_surface_vtp(Sink& sink, const SurfaceMesh& mesh, const Model& mode
       "connectivity", 1, 3 * triangles,
       [&](std::size_t i) { return static_cast<std::int64_t>(mesh.triangles[i / 3][i % 3]); }));
   polys.arrays.push_back(offset_array(triangles, 3));
-  append_vtk_file(
+  return append_vtk_file(
       sink,
       {.grid_type = "PolyData",
        .counts = poly_counts(mesh.points.size(), 0, triangles),
@@ -63,9 +64,9 @@ Written write_surface_vtp(Sink& sink, const SurfaceMesh& mesh, const Model& mode
                   surface_fields<false>("CellData", model, mesh.tet),
                   vtk_points(mesh.points.size(),
                              [&](std::size_t i) -> const Point3& { return mesh.points[i]; }),
-                  polys}},
+                  polys},
+       .most_unpacked = kPolyDataUnpacked},
       target.options.encoding);
-  return std::vector<Warning>();
 }
 
 Written write_lines_vtp(Sink& sink, const LineSet& lines, const Target& target) {
@@ -85,17 +86,17 @@ Written write_lines_vtp(Sink& sink, const LineSet& lines, const Target& target) 
   cells.arrays.push_back(vtk_array<std::int64_t>(
       "connectivity", 1, 2 * n, [](std::size_t i) { return static_cast<std::int64_t>(i); }));
   cells.arrays.push_back(offset_array(n, 2));
-  append_vtk_file(sink,
-                  {.grid_type = "PolyData",
-                   .counts = poly_counts(2 * n, n, 0),
-                   .groups = {cell_data,
-                              vtk_points(2 * n,
-                                         [&](std::size_t i) -> const Point3& {
-                                           return lines.lines[i / 2][i % 2];
-                                         }),
-                              cells}},
-                  target.options.encoding);
-  return std::vector<Warning>();
+  return append_vtk_file(sink,
+                         {.grid_type = "PolyData",
+                          .counts = poly_counts(2 * n, n, 0),
+                          .groups = {cell_data,
+                                     vtk_points(2 * n,
+                                                [&](std::size_t i) -> const Point3& {
+                                                  return lines.lines[i / 2][i % 2];
+                                                }),
+                                     cells},
+                          .most_unpacked = kPolyDataUnpacked},
+                         target.options.encoding);
 }
 
 // Closed polylines: of each contour its points, and the first id once more.
@@ -129,15 +130,18 @@ Written write_stack_vtp(Sink& sink, const SectionStack& stack, const Target& tar
                                                  [&](std::size_t i) { return ids[i]; }));
   cells.arrays.push_back(
       vtk_array<std::int64_t>("offsets", 1, ends.size(), [&](std::size_t i) { return ends[i]; }));
-  append_vtk_file(sink,
-                  {.grid_type = "PolyData",
-                   .counts = poly_counts(points.size(), ends.size(), 0),
-                   .groups = {cell_data,
-                              vtk_points(points.size(),
-                                         [&](std::size_t i) -> const Point3& { return points[i]; }),
-                              cells}},
-                  target.options.encoding);
-  return *fit;
+  std::vector<Warning> warnings = append_vtk_file(
+      sink,
+      {.grid_type = "PolyData",
+       .counts = poly_counts(points.size(), ends.size(), 0),
+       .groups = {cell_data,
+                  vtk_points(points.size(),
+                             [&](std::size_t i) -> const Point3& { return points[i]; }),
+                  cells},
+       .most_unpacked = kPolyDataUnpacked},
+      target.options.encoding);
+  warnings.insert(warnings.begin(), fit->begin(), fit->end());
+  return warnings;
 }
 
 }  // namespace

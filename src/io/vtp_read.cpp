@@ -185,7 +185,7 @@ class VtpReader {
       if (read) arrays.push_back(&array.data);
     }
     if (Result<void> apart = check_apart(arrays); !apart) return apart;
-    return check_unpacking(arrays, file_.source, scanner_);
+    return check_unpacking(arrays, file_.source, kPolyDataUnpacked, scanner_);
   }
 
   [[nodiscard]] bool has(ElementKind kind) const {

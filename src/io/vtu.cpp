@@ -8,9 +8,12 @@
 #include <tetloft/io.hpp>
 
 #include "core/guard.hpp"
+#include "core/text.hpp"
 #include "io/arguments.hpp"
 #include "io/format.hpp"
 #include "io/stage.hpp"
+#include "io/vtk_data.hpp"
+#include "io/vtk_text.hpp"
 #include "io/vtk_write.hpp"
 #include "io/vtu_frame.hpp"
 #include "io/vtu_read.hpp"
@@ -66,6 +69,22 @@ VtkGroup table_group(const Model& model) {
   return group;
 }
 
+VtkArray text_array(std::string_view name, const std::string& text) {
+  return vtk_array<std::uint8_t>(std::string(name), 1, text.size(), [text](std::size_t i) {
+    return static_cast<std::uint8_t>(text[i]);
+  });
+}
+
+// What is not said has no array.
+void add_texts(const Model& model, VtkGroup& group) {
+  for_each_text([&](const VtkText& text) {
+    const std::string& value = model.about.*text.text;
+    if (!value.empty()) group.arrays.push_back(text_array(text.array, valid_utf8(value)));
+  });
+  const std::string names = joined_names(model);
+  if (!names.empty()) group.arrays.push_back(text_array(kComponentNames, names));
+}
+
 VtkArray frame_array(const Frame& frame) {
   return vtk_array<double>(std::string(kFrameArray), kFrameNumbers, kFrameNumbers,
                            [numbers = numbers_of(frame)](std::size_t i) { return numbers[i]; });
@@ -80,19 +99,20 @@ VtkArray stack_point_array(const IdVector<VertexId, Point3>& points) {
 }
 
 // `groups` are those of the data.
-void append_grid(Sink& sink, VtkGroup tables, std::vector<VtkGroup> groups,
-                 const std::vector<Point3>& points, const std::vector<TetVertices>& tets,
-                 Encoding encoding) {
+std::vector<Warning> append_grid(Sink& sink, VtkGroup tables, std::vector<VtkGroup> groups,
+                                 const std::vector<Point3>& points,
+                                 const std::vector<TetVertices>& tets, Encoding encoding) {
   groups.push_back(
       vtk_points(points.size(), [&points](std::size_t i) -> const Point3& { return points[i]; }));
   groups.push_back(cell_group(tets));
-  append_vtk_file(sink,
-                  {.grid_type = "UnstructuredGrid",
-                   .counts = "NumberOfPoints=\"" + std::to_string(points.size()) +
-                             "\" NumberOfCells=\"" + std::to_string(tets.size()) + '"',
-                   .field_data = std::move(tables),
-                   .groups = std::move(groups)},
-                  encoding);
+  return append_vtk_file(sink,
+                         {.grid_type = "UnstructuredGrid",
+                          .counts = "NumberOfPoints=\"" + std::to_string(points.size()) +
+                                    "\" NumberOfCells=\"" + std::to_string(tets.size()) + '"',
+                          .field_data = std::move(tables),
+                          .groups = std::move(groups),
+                          .most_unpacked = kGridUnpacked},
+                         encoding);
 }
 
 Written write_grid(Sink& sink, const Model& model, const Target& target) {
@@ -103,11 +123,11 @@ Written write_grid(Sink& sink, const Model& model, const Target& target) {
     tables.arrays.push_back(frame_array(model.frame));
     if (!is_exact(model.frame)) fields[0].arrays.push_back(stack_point_array(*target.stack_points));
   }
+  add_texts(model, tables);
   // A mesh without any provenance has no element for it.
   if (fields[0].arrays.empty() && fields[1].arrays.empty()) fields.clear();
-  append_grid(sink, std::move(tables), std::move(fields), model.points.raw(), model.tets.raw(),
-              target.options.encoding);
-  return std::vector<Warning>();
+  return append_grid(sink, std::move(tables), std::move(fields), model.points.raw(),
+                     model.tets.raw(), target.options.encoding);
 }
 
 // A mesh that is no model: checked as models are.
@@ -115,8 +135,7 @@ Written write_mesh(Sink& sink, const std::vector<Point3>& points,
                    const std::vector<TetVertices>& tets, Encoding encoding) {
   if (Result<void> known = check_encoding(encoding); !known) return known.error();
   if (Result<void> formed = check_tets(points.size(), tets); !formed) return formed.error();
-  append_grid(sink, {}, {}, points, tets, encoding);
-  return std::vector<Warning>();
+  return append_grid(sink, {}, {}, points, tets, encoding);
 }
 
 bool is_grid(std::string_view bytes) { return is_vtk_file(bytes, "UnstructuredGrid"); }

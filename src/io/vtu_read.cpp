@@ -10,7 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "io/groups.hpp"
 #include "io/vtk_data.hpp"
+#include "io/vtk_text.hpp"
 #include "io/vtu_frame.hpp"
 #include "io/vtu_scan.hpp"
 #include "io/xml.hpp"
@@ -34,7 +36,7 @@ class GridDecoder {
     std::vector<const DataArray*> arrays;
     for (const VtuArray& array : grid_.arrays) arrays.push_back(&array.data);
     for (const DataArray& array : grid_.columns) arrays.push_back(&array);
-    Result<void> unpacked = check_unpacking(arrays, grid_.source, scanner_);
+    Result<void> unpacked = check_unpacking(arrays, grid_.source, kGridUnpacked, scanner_);
     if (!unpacked) return unpacked.error();
     for (std::size_t piece = 0; piece < grid_.pieces.size(); ++piece) {
       const std::size_t first_point = model_.points.size();
@@ -47,6 +49,7 @@ class GridDecoder {
       if (tables) tables = read_table(table);
     });
     if (!tables) return tables.error();
+    if (Result<void> texts = read_texts(); !texts) return texts.error();
     if (Result<void> frame = read_frame(); !frame) return frame.error();
     return std::move(model_);
   }
@@ -164,6 +167,30 @@ class GridDecoder {
     return {};
   }
 
+  Result<void> read_text(std::string_view name) {
+    const DataArray* const array = grid_.find_column(name);
+    // Another writer's?
+    if (array == nullptr || array->type != ScalarType::uint8 || array->components != 1) return {};
+    const auto values = read_integers(*array, grid_.source, scanner_);
+    if (!values) return values.error();
+    std::string bytes;
+    bytes.reserve(values->size());
+    for (const std::int64_t value : *values) {
+      if (value < 0 || value > 255) return {};
+      bytes += static_cast<char>(static_cast<unsigned char>(value));
+    }
+    set_text(model_, name, bytes);
+    return {};
+  }
+
+  Result<void> read_texts() {
+    Result<void> done;
+    for_each_text([&](const VtkText& text) {
+      if (done) done = read_text(text.array);
+    });
+    return done ? read_text(kComponentNames) : done;
+  }
+
   // Where the points are no longer those that were placed, the model stays as it lies.
   Result<void> read_frame() {
     const DataArray* const array = grid_.find_column(kFrameArray);
@@ -233,10 +260,7 @@ class GridDecoder {
     for_each_field([&](const auto& field) {
       if (done) done = read_field(field);
     });
-    for (const ComponentId component : model_.component) {
-      if (!component.valid()) continue;
-      model_.component_count = std::max(model_.component_count, component.index() + 1);
-    }
+    count_components(model_);
     return done;
   }
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "io/numbers.hpp"
+#include "io/vtk_text.hpp"
 #include "io/vtu_frame.hpp"
 #include "model/fields.hpp"
 #include "model/tables.hpp"
@@ -49,6 +50,10 @@ std::optional<KnownArray> known_array(std::string_view group, std::string_view n
     }
   });
   if (group != "FieldData") return found;
+  for_each_text([&](const VtkText& text) {
+    if (name == text.array) found = KnownArray{group, text.array, VtuRole::column};
+  });
+  if (name == kComponentNames) found = KnownArray{group, kComponentNames, VtuRole::column};
   for_each_table([&](const auto& table) {
     for_each_column(table, [&](const auto& column) {
       if (name == column.name) found = KnownArray{group, column.name, VtuRole::column};

@@ -43,7 +43,7 @@ struct VtuDeclaration {
   DataSource source;
   std::vector<VtuPiece> pieces;
   std::vector<VtuArray> arrays;
-  std::vector<DataArray> columns;  ///< of the model's tables: data of the whole grid
+  std::vector<DataArray> columns;  ///< of the model's tables, and its texts: data of all
 
   /// The array of a piece, or null.
   [[nodiscard]] const DataArray* find(std::size_t piece, VtuRole role,

@@ -10,36 +10,18 @@
 #include <vector>
 
 #include "io/bytes/checksum.hpp"
+#include "io/bytes/deflate_codes.hpp"
 
 namespace tetloft::internal::io {
 
 namespace {
 
-constexpr std::size_t kWindow = 32768;
 constexpr std::size_t kLeastMatch = 3;
-constexpr std::size_t kLongestMatch = 258;
-constexpr std::size_t kLongestChain = 48;
+constexpr std::size_t kMostTries = 48;
 constexpr std::size_t kLongEnough = 32;
 // Short matches from farther away take more bits than literals.
 constexpr std::size_t kNear = 4096;
 constexpr std::size_t kBlockSymbols = std::size_t{1} << 16;
-constexpr std::size_t kEndOfBlock = 256;
-
-// RFC 1951, section 3.2.5: the least length or distance of each code, and its extra bits.
-constexpr std::array<std::uint16_t, 29> kLengthBase{3,  4,  5,  6,   7,   8,   9,   10,  11, 13,
-                                                    15, 17, 19, 23,  27,  31,  35,  43,  51, 59,
-                                                    67, 83, 99, 115, 131, 163, 195, 227, 258};
-constexpr std::array<std::uint8_t, 29> kLengthBits{0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2,
-                                                   2, 3, 3, 3, 3, 4, 4, 4, 4, 5, 5, 5, 5, 0};
-constexpr std::array<std::uint16_t, 30> kDistanceBase{
-    1,   2,   3,   4,   5,   7,    9,    13,   17,   25,   33,   49,   65,    97,    129,
-    193, 257, 385, 513, 769, 1025, 1537, 2049, 3073, 4097, 6145, 8193, 12289, 16385, 24577};
-constexpr std::array<std::uint8_t, 30> kDistanceBits{0, 0, 0,  0,  1,  1,  2,  2,  3,  3,
-                                                     4, 4, 5,  5,  6,  6,  7,  7,  8,  8,
-                                                     9, 9, 10, 10, 11, 11, 12, 12, 13, 13};
-// Section 3.2.7: the order in which lengths of the code-length code are sent.
-constexpr std::array<std::uint8_t, 19> kCodeLengthOrder{16, 17, 18, 0, 8,  7, 9,  6, 10, 5,
-                                                        11, 4,  12, 3, 13, 2, 14, 1, 15};
 
 // A literal (distance 0), or a match.
 struct Symbol {
@@ -145,10 +127,11 @@ Code code_for(std::vector<std::uint32_t> count, std::uint8_t limit) {
 }
 
 template <std::size_t n>
-std::size_t code_of(const std::array<std::uint16_t, n>& base, std::size_t value) {
-  return static_cast<std::size_t>(std::upper_bound(base.begin(), base.end(), value) -
-                                  base.begin()) -
-         1;
+std::size_t code_of(const std::array<CodedRange, n>& ranges, std::size_t value) {
+  const auto behind = std::upper_bound(
+      ranges.begin(), ranges.end(), value,
+      [](std::size_t sought, const CodedRange& range) { return sought < range.base; });
+  return static_cast<std::size_t>(behind - ranges.begin()) - 1;
 }
 
 void write_code_lengths(const std::vector<std::uint8_t>& lengths, BitWriter& out) {
@@ -190,8 +173,8 @@ void write_block(const std::vector<Symbol>& symbols, bool last, BitWriter& out) 
     if (s.distance == 0) {
       ++literals[s.value];
     } else {
-      ++literals[257 + code_of(kLengthBase, s.value)];
-      ++distances[code_of(kDistanceBase, s.distance)];
+      ++literals[257 + code_of(kMatchLengths, s.value)];
+      ++distances[code_of(kMatchDistances, s.distance)];
     }
   }
   // A distance code must have at least one length.
@@ -211,12 +194,13 @@ void write_block(const std::vector<Symbol>& symbols, bool last, BitWriter& out) 
       out.put(literal.bits[s.value], literal.length[s.value]);
       continue;
     }
-    const std::size_t l = code_of(kLengthBase, s.value);
+    const std::size_t l = code_of(kMatchLengths, s.value);
     out.put(literal.bits[257 + l], literal.length[257 + l]);
-    out.put(s.value - kLengthBase[l], kLengthBits[l]);
-    const std::size_t d = code_of(kDistanceBase, s.distance);
+    out.put(s.value - kMatchLengths[l].base, kMatchLengths[l].extra);
+    const std::size_t d = code_of(kMatchDistances, s.distance);
     out.put(distance.bits[d], distance.length[d]);
-    out.put(static_cast<std::uint32_t>(s.distance) - kDistanceBase[d], kDistanceBits[d]);
+    out.put(static_cast<std::uint32_t>(s.distance) - kMatchDistances[d].base,
+            kMatchDistances[d].extra);
   }
   out.put(literal.bits[kEndOfBlock], literal.length[kEndOfBlock]);
 }
@@ -241,7 +225,7 @@ class Chains {
     if (at + kLeastMatch > bytes_.size()) return best;
     const std::size_t most = std::min(kLongestMatch, bytes_.size() - at);
     std::uint32_t place = head_[hash(at)];
-    for (std::size_t k = 0; k < kLongestChain && place != kNone; ++k) {
+    for (std::size_t k = 0; k < kMostTries && place != kNone; ++k) {
       if (at - place > kWindow) break;
       std::size_t length = 0;
       while (length < most && bytes_[place + length] == bytes_[at + length]) ++length;

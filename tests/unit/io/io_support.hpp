@@ -170,6 +170,8 @@ inline void expect_same(const Model& a, const Model& b) {
   EXPECT_EQ(a.contour, b.contour);
   EXPECT_EQ(a.origin, b.origin);
   EXPECT_EQ(a.component_count, b.component_count);
+  EXPECT_EQ(a.about, b.about);
+  EXPECT_EQ(a.component_names, b.component_names);
   EXPECT_TRUE(same_rows(a.links, b.links));
   EXPECT_TRUE(same_rows(a.motions, b.motions));
   EXPECT_TRUE(same_rows(a.void_links, b.void_links));

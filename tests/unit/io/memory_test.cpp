@@ -2,13 +2,17 @@
 // allocation functions.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
 #include <tetloft/formats.hpp>
 #include <tetloft/inspect.hpp>
 
+#include "core/little_endian.hpp"
 #include "io/bytes/deflate.hpp"
 #include "io/files.hpp"
 #include "support/counted_memory.hpp"
@@ -189,6 +193,83 @@ std::string shared_blocks(std::size_t count, std::size_t shift) {
   return text + "</AppendedData></VTKFile>";
 }
 
+// Grids of kSize bytes that unpack to as much as is taken: arrays of the same bytes all over, or of
+// numbers in order, but for what must fill the file up.
+class PackedGrid {
+ public:
+  PackedGrid(std::size_t points, std::size_t cells) : points_(points), cells_(cells) {}
+
+  PackedGrid& add(const std::string& group, const std::string& name, const std::string& type,
+                  const std::string& bytes, const std::string& more = "") {
+    std::string& text = groups_[group];
+    text += "<DataArray Name=\"" + name + "\" type=\"" + type + "\" " + more +
+            " format=\"appended\" offset=\"" + std::to_string(data_.size()) + "\"/>";
+    const std::string packed = io::zlib_compressed(bytes);
+    for (const std::size_t word : {std::size_t{1}, bytes.size(), std::size_t{0}, packed.size()}) {
+      append_little(data_, std::uint64_t{word});
+    }
+    data_ += packed;
+    return *this;
+  }
+  [[nodiscard]] std::string file() const {
+    std::string inside, of_all;
+    for (const auto& [group, arrays] : groups_) {
+      (group == "FieldData" ? of_all : inside) += '<' + group + '>' + arrays + "</" + group + '>';
+    }
+    return "<VTKFile type=\"UnstructuredGrid\" header_type=\"UInt64\" "
+           "compressor=\"vtkZLibDataCompressor\"><UnstructuredGrid>" +
+           of_all + piece(points_, cells_, inside) +
+           "</UnstructuredGrid><AppendedData encoding=\"raw\">_" + data_ +
+           std::string(kSize - std::min(kSize, data_.size()), '\0') + "</AppendedData></VTKFile>";
+  }
+
+ private:
+  std::size_t points_, cells_;
+  std::map<std::string, std::string> groups_;
+  std::string data_;
+};
+
+std::vector<Family> packed_grids() {
+  constexpr std::size_t kCost = 32 * kSize;
+  const std::string three = "NumberOfComponents=\"3\"";
+  const auto zeros = [](std::size_t n) { return std::string(n, '\0'); };
+  std::vector<Family> families;
+  const std::size_t floats = kCost / 36;
+  families.push_back(
+      {"packed floats",
+       PackedGrid(floats, 0).add("Points", "P", "Float32", zeros(12 * floats), three).file()});
+  const std::size_t bytes = kCost / (27 + 27);
+  families.push_back({"packed bytes", PackedGrid(bytes, 0)
+                                          .add("Points", "P", "Int8", zeros(3 * bytes), three)
+                                          .add("PointData", "section", "Int8", zeros(bytes))
+                                          .add("PointData", "contour", "Int8", zeros(bytes))
+                                          .add("PointData", "origin", "UInt8", zeros(bytes))
+                                          .file()});
+  // Cells, each of a component of its own, which has a name.
+  const std::size_t cells = kCost / (36 + 16 + 9 + 12 + 18 + 9);
+  std::string offsets, components;
+  for (std::size_t i = 0; i < cells; ++i) {
+    append_little(offsets, std::uint64_t{4 * (i + 1)});
+    append_little(components, static_cast<std::uint32_t>(i));
+  }
+  families.push_back(
+      {"packed cells", PackedGrid(1, cells)
+                           .add("Points", "P", "Int8", zeros(3), three)
+                           .add("Cells", "connectivity", "Int8", zeros(4 * cells))
+                           .add("Cells", "offsets", "Int64", offsets)
+                           .add("Cells", "types", "Int8", std::string(cells, '\x0A'))
+                           .add("CellData", "component", "Int32", components)
+                           .add("CellData", "slab", "Int8", zeros(cells))
+                           .add("CellData", "kind", "Int8", zeros(cells))
+                           .add("FieldData", "component_names", "UInt8", zeros(cells - 1))
+                           .file()});
+  const std::size_t name = kCost / 9;
+  families.push_back(
+      {"packed name",
+       PackedGrid(0, 0).add("FieldData", "name", "UInt8", std::string(name, 'a')).file()});
+  return families;
+}
+
 template <class Parse>
 void expect_bounded(const std::vector<Family>& families, Parse&& parse,
                     std::size_t multiple = kReaderMultiple) {
@@ -214,6 +295,12 @@ TEST(Memory, OfGridsIsBounded) {
   families.push_back({"overlapping", shared_blocks(20'000, 8)});
   expect_bounded(families,
                  [](const std::string& bytes) { static_cast<void>(parse_vtu(bytes, "a.vtu")); });
+}
+
+TEST(Memory, OfPackedGridsIsBounded) {
+  expect_bounded(packed_grids(), [](const std::string& bytes) {
+    EXPECT_TRUE(parse_vtu(bytes, "a.vtu").ok());  // it is as large as can be, but not larger
+  });
 }
 
 TEST(Memory, OfLabelsAndPointsIsBounded) {

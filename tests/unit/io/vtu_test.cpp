@@ -11,9 +11,12 @@ namespace {
 using test::TempFolder;
 
 class VtuEncoding : public testing::TestWithParam<Encoding> {};
-INSTANTIATE_TEST_SUITE_P(Both, VtuEncoding, testing::Values(Encoding::binary, Encoding::ascii),
+INSTANTIATE_TEST_SUITE_P(All, VtuEncoding,
+                         testing::Values(Encoding::binary, Encoding::ascii, Encoding::compressed),
                          [](const auto& param) {
-                           return param.param == Encoding::binary ? "Binary" : "Ascii";
+                           return param.param == Encoding::binary  ? "Binary"
+                                  : param.param == Encoding::ascii ? "Ascii"
+                                                                   : "Compressed";
                          });
 
 TEST_P(VtuEncoding, ReadsBackBitForBit) {

@@ -1,0 +1,89 @@
+#include "io/fitted_number.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+#include "io/numbers.hpp"
+
+namespace tetloft::internal::io {
+
+namespace {
+
+// 0.d1d2d3… · 10^exponent, without zeros at the end.
+struct DecimalDigits {
+  std::string digits;
+  int exponent = 0;
+};
+
+// Of a number above 0: rounded to so many digits, or the shortest that read back (0).
+DecimalDigits digits_of(double value, int count) {
+  char buffer[40];
+  const std::to_chars_result end =
+      count == 0
+          ? std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific)
+          : std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific,
+                          count - 1);
+  const std::string_view text(buffer, static_cast<std::size_t>(end.ptr - buffer));
+  const std::size_t mark = text.find('e');
+  DecimalDigits decimal;
+  for (const char c : text.substr(0, mark)) {
+    if (c != '.') decimal.digits += c;
+  }
+  while (decimal.digits.size() > 1 && decimal.digits.back() == '0') decimal.digits.pop_back();
+  decimal.exponent = static_cast<int>(parse_integer(text.substr(mark + 1)).value_or(0)) + 1;
+  return decimal;
+}
+
+// The shorter of "123.45" or ".0012345" and "1.2345E-3".
+std::string written_digits(const DecimalDigits& decimal) {
+  const std::string& digits = decimal.digits;
+  const int exponent = decimal.exponent;
+  const auto count = static_cast<int>(digits.size());
+  const std::string scientific =
+      digits.substr(0, 1) + '.' + digits.substr(1) + 'E' + std::to_string(exponent - 1);
+  const int fixed_size = 1 + std::max({count, exponent, count - exponent});
+  if (fixed_size > static_cast<int>(scientific.size())) return scientific;
+  std::string fixed = digits;
+  if (exponent <= 0) return '.' + std::string(static_cast<std::size_t>(-exponent), '0') + fixed;
+  const auto point = static_cast<std::size_t>(exponent);
+  if (fixed.size() < point) fixed.resize(point, '0');
+  return fixed.insert(point, 1, '.');
+}
+
+}  // namespace
+
+std::string fitted_number(double value, std::size_t width) {
+  const std::string sign = std::signbit(value) ? "-" : "";
+  if (value == 0) return sign + "0.";
+  const double size = std::fabs(value);
+  std::string text = sign + written_digits(digits_of(size, 0));
+  // Rounded up, the largest doubles can be beyond all: then with a digit less.
+  for (int count = 16; text.size() > width || !parse_number(text).ok(); --count) {
+    text = sign + written_digits(digits_of(size, count));
+  }
+  return text;
+}
+
+std::vector<Warning> fitting_warnings(const Model& model, std::size_t width) {
+  std::size_t count = 0;
+  double largest = 0;
+  for (const Point3& p : model.points) {
+    for (const double c : {p.x, p.y, p.z}) {
+      const double read = parse_number(fitted_number(c, width)).value;
+      if (read == c) continue;
+      ++count;
+      largest = std::max(largest, std::fabs(read - c));
+    }
+  }
+  if (count == 0) return {};
+  std::string difference;
+  append_number(difference, static_cast<float>(largest));
+  return {{std::to_string(count) + " of " + std::to_string(3 * model.points.size()) +
+               " coordinates have more digits than fit into the " + std::to_string(width) +
+               " characters of a field: they are rounded, by " + difference + " at most",
+           {}}};
+}
+
+}  // namespace tetloft::internal::io

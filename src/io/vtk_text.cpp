@@ -1,0 +1,61 @@
+#include "io/vtk_text.hpp"
+
+#include <algorithm>
+
+#include "core/text.hpp"
+
+namespace tetloft::internal::io {
+
+namespace {
+
+bool is_utf8(std::string_view text) {
+  while (!text.empty()) {
+    const TextUnit unit = first_unit(text);
+    if (!unit.valid) return false;
+    text.remove_prefix(unit.length);
+  }
+  return true;
+}
+
+void set_names(Model& model, std::string_view joined) {
+  const auto zeros = static_cast<std::size_t>(std::count(joined.begin(), joined.end(), '\0'));
+  if (joined.empty() || zeros + 1 != model.component_count || zeros >= model.tets.size()) return;
+  model.component_names.clear();
+  model.component_names.reserve(model.component_count);
+  for (std::size_t i = 0; i <= zeros; ++i) {
+    const std::size_t end = std::min(joined.find('\0'), joined.size());
+    model.component_names.push_back(valid_utf8(joined.substr(0, end)));
+    joined.remove_prefix(std::min(end + 1, joined.size()));
+  }
+}
+
+}  // namespace
+
+std::string joined_names(const Model& model) {
+  const auto& names = model.component_names;
+  std::string joined;
+  if (std::all_of(names.begin(), names.end(), [](const auto& name) { return name.empty(); })) {
+    return joined;
+  }
+  for (const ComponentId c : names.ids()) {
+    if (c.index() != 0) joined += '\0';
+    joined += valid_utf8(names[c]);  // which holds no zero byte
+  }
+  return joined;
+}
+
+bool is_text_array(std::string_view array) {
+  bool found = array == kComponentNames;
+  for_each_text([&](const VtkText& text) { found = found || text.array == array; });
+  return found;
+}
+
+void set_text(Model& model, std::string_view array, std::string_view bytes) {
+  if (!is_utf8(bytes)) return;
+  for_each_text([&](const VtkText& text) {
+    if (text.array == array) model.about.*text.text = valid_utf8(bytes);
+  });
+  if (array == kComponentNames) set_names(model, bytes);
+}
+
+}  // namespace tetloft::internal::io
