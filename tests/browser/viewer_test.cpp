@@ -101,6 +101,23 @@ TEST_P(Viewer, DrawsWhileSomethingChangesAndAtNoOtherTime) {
   expect_no_errors();
 }
 
+TEST_P(Viewer, GoesOnWhenTheGraphicsProcessorWasLost) {
+  start();
+  if (ended()) return;
+  show(test::one_box(), Ends::flat);
+  if (ended()) return;
+  const Pixels before = after(slide("#cut", 400));
+  act("window.lost = tetloft.drawing.gl.getExtension('WEBGL_lose_context'); lost.loseContext();");
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  act("window.lost.restoreContext();");
+  Pixels again;
+  for (int waited = 0; waited < 50 && again.hash != before.hash; ++waited) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    again = pixels();
+  }
+  EXPECT_EQ(again.hash, before.hash);
+}
+
 // A box through all sections, and beside it a small one in the middle, which nothing overlaps.
 SectionStack with_a_lone_box() {
   SectionStack stack;

@@ -71,14 +71,16 @@ class CutBar {
     this.viewer.refresh();
   }
 
-  // Where the sections are.
+  // Where the sections are; of very many some.
   showTicks() {
     const {cut} = this;
     const key = `${cut.mode} ${cut.normal} ${cut.along.number}`;
     if (key === this.ticked) return;
     this.ticked = key;
     const range = cut.high - cut.low || 1;
-    document.getElementById('ticks').replaceChildren(...cut.sectionsAt().map((at) => {
+    const all = cut.sectionsAt();
+    const shown = all.filter((_, k) => k % Math.ceil(all.length / 100) === 0);
+    document.getElementById('ticks').replaceChildren(...shown.map((at) => {
       const line = document.createElementNS('http://www.w3.org/2000/svg', 'line');
       const x = 1000 * (at - cut.low) / range;
       for (const [name, value] of [['x1', x], ['x2', x], ['y1', 0], ['y2', 10]]) line.setAttribute(name, value);

@@ -66,6 +66,13 @@ class Viewer {
     document.getElementById('measure').addEventListener('click', () => this.setMeasuring(!this.measuring));
     document.getElementById('forget').addEventListener('click', () => this.forget());
     document.getElementById('ask').addEventListener('click', () => this.help());
+    // Phones take the graphics processor away from pages in the background, and give it back.
+    this.canvas.addEventListener('webglcontextlost', (event) => event.preventDefault());
+    this.canvas.addEventListener('webglcontextrestored', () => {
+      this.drawing = new Drawing(this.canvas, this.layers);
+      this.drawing.mark(this.state.picked);
+      this.refresh();
+    });
     new ResizeObserver(() => {
       if (this.camera.fitted) this.fit();
       this.refresh();
@@ -73,6 +80,14 @@ class Viewer {
   }
 
   size() { return {width: Math.max(1, this.canvas.clientWidth), height: Math.max(1, this.canvas.clientHeight)}; }
+
+  // Of the stage what the folded panel lies over; none where it lies beside.
+  titleCorner() {
+    const panel = document.getElementById('panel').getBoundingClientRect();
+    const stage = this.canvas.getBoundingClientRect();
+    const over = panel.right > stage.left + 1 && panel.bottom > stage.top + 1;
+    return over ? {right: panel.right - stage.left + 8, bottom: panel.bottom - stage.top + 8} : {right: 0, bottom: 0};
+  }
 
   // All that is shown in the free part of the stage, from where the eye looks.
   fit() {
@@ -83,8 +98,16 @@ class Viewer {
       layer.outermost.map((p) => layer.placed(p, p[3], explode)));
     const [top, bottom] = pane.height > 320 ? [this.layout === 'side' ? 44 : 28, 76] : [12, 40];
     const side = pane.width > 320 ? 32 : 16;
+    const into = (above) => this.camera.fit(points, {
+      width: pane.width - 2 * side, height: pane.height - above - bottom, lift: (bottom - above) / 2});
     if (points.length > 0) {
-      this.camera.fit(points, {width: pane.width - 2 * side, height: pane.height - top - bottom, lift: (bottom - top) / 2});
+      into(top);
+      const title = this.titleCorner();
+      const hidden = (p) => {
+        const [x, y] = this.camera.project(p);
+        return x + pane.width / 2 < title.right && pane.height / 2 - y < title.bottom;
+      };
+      if (title.bottom > 0 && points.some(hidden)) into(Math.max(top, title.bottom));
     }
     this.state.reach = points.reduce((most, p) => Math.max(most, Math.hypot(...p)), 1);
   }
