@@ -71,6 +71,16 @@ std::string printable(std::string_view text) {
   return shown;
 }
 
+std::string_view beginning(std::string_view text, std::size_t most) {
+  std::size_t end = 0;
+  while (end < text.size()) {
+    const std::size_t next = end + first_unit(text.substr(end)).length;
+    if (next > most) break;
+    end = next;
+  }
+  return text.substr(0, end);
+}
+
 std::string lower_case(std::string_view text) {
   std::string lower(text);
   for (char& c : lower) c = lower_case(c);

@@ -28,6 +28,9 @@ struct TextUnit {
 /// printable(printable(t)) == printable(t).
 [[nodiscard]] std::string printable(std::string_view text);
 
+/// The first characters of `text`, as many as `most` bytes hold.
+[[nodiscard]] std::string_view beginning(std::string_view text, std::size_t most);
+
 /// Letters of ASCII in lower case; what is beyond it stays.
 [[nodiscard]] constexpr char lower_case(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;

@@ -29,6 +29,8 @@
   FORMAT(vtp)                        \
   FORMAT(stl)                        \
   FORMAT(off)                        \
+  FORMAT(threemf)                    \
+  FORMAT(glb)                        \
   FORMAT(geojson)                    \
   FORMAT(svg)                        \
   FORMAT(dxf)                        \

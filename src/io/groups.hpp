@@ -14,9 +14,14 @@
 
 namespace tetloft::internal::io {
 
+/// Of a model that tells no components all tets are of the first.
+[[nodiscard]] ComponentId component_at(const Model& model, TetId tet);
+/// component_name(); of tets without component "no component".
+[[nodiscard]] std::string group_name(const Model& model, ComponentId component);
+
 struct ComponentGroup {
   ComponentId component;  ///< invalid: the tets that are of none
-  std::string name;       ///< component_name(); of tets without component "no component"
+  std::string name;       ///< group_name()
   std::vector<TetId> tets;
   /// Faces of its tets that no other tet has, outward. A face between two components is of neither.
   std::vector<TriangleVertices> triangles;

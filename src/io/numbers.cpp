@@ -149,13 +149,8 @@ std::optional<std::int64_t> parse_integer(std::string_view token) {
 
 std::string in_quotes(std::string_view token) {
   constexpr std::size_t kLongest = 40;
-  std::size_t shown = 0;
-  while (shown < token.size()) {
-    const std::size_t next = shown + first_unit(token.substr(shown)).length;
-    if (next > kLongest) break;  // not within a character
-    shown = next;
-  }
-  return '\'' + printable(token.substr(0, shown)) + (shown < token.size() ? "…'" : "'");
+  const std::string_view shown = beginning(token, kLongest);
+  return '\'' + printable(shown) + (shown.size() < token.size() ? "…'" : "'");
 }
 
 std::string complaint(std::string_view token, NumberStatus status) {

@@ -1,9 +1,11 @@
-// Surfaces as Wavefront .obj: text, all digits.
+// Surfaces as Wavefront .obj: text, all digits, an object and a group for each component.
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string>
+#include <vector>
 
+#include "core/text.hpp"
 #include "io/cursor.hpp"
 #include "io/format.hpp"
 #include "io/numbers.hpp"
@@ -37,23 +39,45 @@ bool is_obj(std::string_view bytes) {
   return true;
 }
 
-Written write_obj(Sink& sink, const SurfaceMesh& mesh, const Model& /*model*/,
+// A line goes on behind a backslash at its end.
+std::string obj_text(std::string text) {
+  if (text.ends_with('\\')) text.back() = '/';
+  return text;
+}
+
+// Some readers tell objects apart, some groups. The name of a group is one word: those behind a
+// blank are further groups.
+std::string part_head(const SurfacePart& part) {
+  const std::string name = obj_text(printable(part.name));
+  std::string group = name;
+  std::replace(group.begin(), group.end(), ' ', '_');
+  return "o " + name + "\ng " + group + '\n';
+}
+
+Written write_obj(Sink& sink, const SurfaceMesh& mesh, const Model& model,
                   const Target& /*target*/) {
+  const std::vector<SurfacePart> parts = surface_parts(mesh, model);
   Pieces pieces(sink);
+  for (const std::string& line : description_lines(model.about)) {
+    pieces.text() += "# " + obj_text(line) + '\n';
+  }
   for (const Point3& p : mesh.points) {
     pieces.text() += "v ";
     append_point(pieces.text(), p);
     pieces.text() += '\n';
     pieces.next();
   }
-  for (const auto& triangle : mesh.triangles) {
-    pieces.text() += 'f';
-    for (const std::uint32_t v : triangle) {
-      pieces.text() += ' ';
-      append_number(pieces.text(), std::uint64_t{v} + 1);  // OBJ counts from 1
+  for (const SurfacePart& part : parts) {
+    if (!is_nameless(model, parts)) pieces.text() += part_head(part);
+    for (const std::uint32_t triangle : part.triangles) {
+      pieces.text() += 'f';
+      for (const std::uint32_t v : mesh.triangles[triangle]) {
+        pieces.text() += ' ';
+        append_number(pieces.text(), std::uint64_t{v} + 1);  // OBJ counts from 1
+      }
+      pieces.text() += '\n';
+      pieces.next();
     }
-    pieces.text() += '\n';
-    pieces.next();
   }
   pieces.finish();
   return std::vector<Warning>();

@@ -149,19 +149,24 @@ Result<ReadTriangles> read_off(const Source& source, const ReadOptions& /*option
   return OffReader(source).read();
 }
 
-Written write_off(Sink& sink, const SurfaceMesh& mesh, const Model& /*model*/,
+Written write_off(Sink& sink, const SurfaceMesh& mesh, const Model& model,
                   const Target& /*target*/) {
+  const std::vector<SurfacePart> parts = surface_parts(mesh, model);
   Pieces pieces(sink);
-  pieces.text() = "OFF\n" + std::to_string(mesh.points.size()) + ' ' +
-                  std::to_string(mesh.triangles.size()) + " 0\n";
+  pieces.text() = "OFF\n";
+  for (const std::string& line : surface_comments(model, parts)) {
+    pieces.text() += "# " + line + '\n';
+  }
+  pieces.text() +=
+      std::to_string(mesh.points.size()) + ' ' + std::to_string(mesh.triangles.size()) + " 0\n";
   for (const Point3& p : mesh.points) {
     append_point(pieces.text(), p);
     pieces.text() += '\n';
     pieces.next();
   }
-  for (const auto& triangle : mesh.triangles) {
+  for (const std::uint32_t triangle : by_part(parts)) {
     pieces.text() += '3';
-    for (const std::uint32_t v : triangle) {
+    for (const std::uint32_t v : mesh.triangles[triangle]) {
       pieces.text() += ' ';
       append_number(pieces.text(), v);
     }

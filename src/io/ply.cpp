@@ -16,14 +16,18 @@ bool is_ply(std::string_view bytes) {
   return bytes.substr(0, 4) == "ply\n" || bytes.substr(0, 4) == "ply\r";
 }
 
-Written write_ply(Sink& sink, const SurfaceMesh& mesh, const Model& /*model*/,
-                  const Target& target) {
+Written write_ply(Sink& sink, const SurfaceMesh& mesh, const Model& model, const Target& target) {
   const bool ascii = target.options.encoding == Encoding::ascii;
+  const std::vector<SurfacePart> parts = surface_parts(mesh, model);
   Pieces pieces(sink);
   std::string& text = pieces.text();
   text = "ply\nformat ";
   text += ascii ? "ascii" : "binary_little_endian";
-  text += " 1.0\nelement vertex " + std::to_string(mesh.points.size()) +
+  text += " 1.0\n";
+  // A property of faces would tell components, too, but not every reader passes over those that
+  // follow a list.
+  for (const std::string& line : surface_comments(model, parts)) text += "comment " + line + '\n';
+  text += "element vertex " + std::to_string(mesh.points.size()) +
           "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
           std::to_string(mesh.triangles.size()) +
           "\nproperty list uchar int vertex_indices\nend_header\n";
@@ -36,7 +40,8 @@ Written write_ply(Sink& sink, const SurfaceMesh& mesh, const Model& /*model*/,
     }
     pieces.next();
   }
-  for (const auto& triangle : mesh.triangles) {
+  for (const std::uint32_t number : by_part(parts)) {
+    const auto& triangle = mesh.triangles[number];
     if (ascii) {
       text += '3';
       for (const std::uint32_t v : triangle) {

@@ -1,14 +1,17 @@
-// Boundary surfaces as binary and ASCII .stl. It holds float32 only: vertices that differ as
-// doubles may coincide there, and triangles lose their area.
+// Boundary surfaces as binary .stl, or ASCII with a solid for each component. It holds float32
+// only (float32.hpp).
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
-#include <numeric>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "core/little_endian.hpp"
+#include "core/text.hpp"
 #include "io/cursor.hpp"
+#include "io/float32.hpp"
 #include "io/format.hpp"
 #include "io/numbers.hpp"
 #include "io/stl_read.hpp"
@@ -16,58 +19,6 @@
 namespace tetloft::internal::io {
 
 namespace {
-
-using FloatPoint = std::array<float, 3>;
-
-FloatPoint rounded(const Point3& p) {
-  // Adding zero turns −0 into 0: STL readers merge vertices by their bits.
-  return {static_cast<float>(p.x) + 0.0F, static_cast<float>(p.y) + 0.0F,
-          static_cast<float>(p.z) + 0.0F};
-}
-
-bool fits(const Point3& p) {
-  constexpr double kLargest = std::numeric_limits<float>::max();
-  return std::fabs(p.x) <= kLargest && std::fabs(p.y) <= kLargest && std::fabs(p.z) <= kLargest;
-}
-
-// Whether the sum of six doubles is zero, exactly: they are collected in a non-overlapping
-// expansion (Shewchuk 1997, Grow-Expansion), which is zero iff its components are.
-bool sums_to_zero(const std::array<double, 6>& terms) {
-  std::array<double, 6> expansion{};
-  std::size_t size = 0;
-  for (const double term : terms) {
-    double carry = term;
-    for (std::size_t i = 0; i < size; ++i) {
-      const double sum = carry + expansion[i];
-      const double virtual_part = sum - carry;
-      expansion[i] = (carry - (sum - virtual_part)) + (expansion[i] - virtual_part);
-      carry = sum;
-    }
-    expansion[size++] = carry;
-  }
-  return std::all_of(expansion.begin(), expansion.end(), [](double e) { return e == 0; });
-}
-
-// Whether the projection of a, b, c to two axes is collinear. Products of two floats are
-// exact as doubles: 48 bits, exponents between −298 and 256.
-bool collinear_in(const FloatPoint& a, const FloatPoint& b, const FloatPoint& c, std::size_t u,
-                  std::size_t v) {
-  const auto product = [](float x, float y) {
-    return static_cast<double>(x) * static_cast<double>(y);
-  };
-  return sums_to_zero({product(a[u], b[v]), -product(a[v], b[u]), product(b[u], c[v]),
-                       -product(b[v], c[u]), product(c[u], a[v]), -product(c[v], a[u])});
-}
-
-bool flat(const FloatPoint& a, const FloatPoint& b, const FloatPoint& c) {
-  return collinear_in(a, b, c, 0, 1) && collinear_in(a, b, c, 1, 2) && collinear_in(a, b, c, 2, 0);
-}
-
-Warning float32_warning(const Point3& p, const std::string& message) {
-  Warning warning{message + "; .ply and .vtp keep double precision", {}};
-  warning.where.point = p;
-  return warning;
-}
 
 // Unit normal by the right-hand rule, or zero for a flat triangle: readers compute their own.
 FloatPoint normal_of(const Point3& a, const Point3& b, const Point3& c) {
@@ -94,98 +45,81 @@ void append_triple(std::string& text, const FloatPoint& p) {
   text += '\n';
 }
 
-// What rounding to float32 breaks, decided exactly: one warning if distinct vertices merge and one
-// if triangles become flat, each naming the first place. An error where a coordinate is beyond
-// float32.
-Written check_float32(const SurfaceMesh& mesh) {
-  for (const Point3& p : mesh.points) {
-    if (fits(p)) continue;
-    Error error{ErrorCode::invalid_input,
-                "a coordinate is beyond the float32 of STL; write .ply or .vtp",
-                {}};
-    error.where.point = p;
-    return error;
-  }
-  std::vector<FloatPoint> points(mesh.points.size());
-  std::transform(mesh.points.begin(), mesh.points.end(), points.begin(), rounded);
-
-  std::vector<Warning> warnings;
-  std::vector<std::uint32_t> order(points.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
-    return points[i] != points[j] ? points[i] < points[j] : i < j;
-  });
-  std::size_t merged = 0;
-  std::uint32_t first = 0;
-  for (std::size_t i = 1; i < order.size(); ++i) {
-    if (points[order[i]] != points[order[i - 1]]) continue;
-    first = merged == 0 ? order[i] : std::min(first, order[i]);
-    ++merged;
-  }
-  if (merged != 0) {
-    warnings.push_back(float32_warning(
-        mesh.points[first], "rounding to the float32 of STL merges " + std::to_string(merged) +
-                                (merged == 1 ? " vertex" : " vertices") +
-                                " with others; the surface may touch itself"));
-  }
-
-  std::size_t flattened = 0;
-  Point3 place;
-  for (const auto& t : mesh.triangles) {
-    if (!flat(points[t[0]], points[t[1]], points[t[2]])) continue;
-    if (flattened++ == 0) place = mesh.points[t[0]];
-  }
-  if (flattened != 0) {
-    warnings.push_back(float32_warning(place, "rounding to the float32 of STL flattens " +
-                                                  std::to_string(flattened) +
-                                                  (flattened == 1 ? " triangle" : " triangles") +
-                                                  "; the surface may not be valid"));
-  }
-  return warnings;
-}
-
-void append_stl(Sink& sink, const SurfaceMesh& mesh, Encoding encoding) {
+void append_binary_stl(Sink& sink, const SurfaceMesh& mesh, const std::string& title,
+                       const std::vector<SurfacePart>& parts) {
   Pieces pieces(sink);
   std::string& piece = pieces.text();
-  if (encoding == Encoding::binary) {
-    // 80 bytes that must not begin with "solid", else readers take the file for ASCII.
-    piece = "binary STL by tetloft";
-    piece.resize(kStlHeadBytes - 4, ' ');
-    append_little(piece, static_cast<std::uint32_t>(mesh.triangles.size()));
-  } else {
-    piece = "solid tetloft\n";
-  }
-  for (const auto& t : mesh.triangles) {
+  // 80 bytes that must not begin with "solid", else readers take the file for ASCII.
+  piece = beginning("binary STL by tetloft" + title, kStlHeadBytes - 4);
+  piece.resize(kStlHeadBytes - 4, ' ');
+  append_little(piece, static_cast<std::uint32_t>(mesh.triangles.size()));
+  for (const std::uint32_t triangle : by_part(parts)) {
+    const auto& t = mesh.triangles[triangle];
     const Point3& a = mesh.points[t[0]];
     const Point3& b = mesh.points[t[1]];
     const Point3& c = mesh.points[t[2]];
-    const FloatPoint normal = normal_of(a, b, c);
-    if (encoding == Encoding::binary) {
-      for (const FloatPoint& p : {normal, rounded(a), rounded(b), rounded(c)}) {
-        for (const float value : p) append_little(piece, value);
-      }
-      append_little(piece, std::uint16_t{0});
-    } else {
-      piece += "facet normal";
-      append_triple(piece, normal);
-      piece += "outer loop\n";
-      for (const Point3* p : {&a, &b, &c}) {
-        piece += "vertex";
-        append_triple(piece, rounded(*p));
-      }
-      piece += "endloop\nendfacet\n";
+    for (const FloatPoint& p :
+         {normal_of(a, b, c), float_point(a), float_point(b), float_point(c)}) {
+      for (const float value : p) append_little(piece, value);
     }
+    append_little(piece, std::uint16_t{0});
     pieces.next();
   }
-  if (encoding == Encoding::ascii) piece += "endsolid tetloft\n";
   pieces.finish();
 }
 
-Written write_stl(Sink& sink, const SurfaceMesh& mesh, const Model& /*model*/,
-                  const Target& target) {
-  Written warnings = check_float32(mesh);
-  if (warnings) append_stl(sink, mesh, target.options.encoding);
-  return warnings;
+void append_solid(Pieces& pieces, const SurfaceMesh& mesh, const std::string& name,
+                  std::span<const std::uint32_t> triangles) {
+  std::string& piece = pieces.text();
+  piece += "solid " + name + '\n';
+  for (const std::uint32_t triangle : triangles) {
+    const auto& t = mesh.triangles[triangle];
+    const std::array<const Point3*, 3> corners{&mesh.points[t[0]], &mesh.points[t[1]],
+                                               &mesh.points[t[2]]};
+    piece += "facet normal";
+    append_triple(piece, normal_of(*corners[0], *corners[1], *corners[2]));
+    piece += "outer loop\n";
+    for (const Point3* p : corners) {
+      piece += "vertex";
+      append_triple(piece, float_point(*p));
+    }
+    piece += "endloop\nendfacet\n";
+    pieces.next();
+  }
+  piece += "endsolid " + name + '\n';
+}
+
+void append_ascii_stl(Sink& sink, const SurfaceMesh& mesh, bool nameless,
+                      const std::vector<SurfacePart>& parts) {
+  Pieces pieces(sink);
+  for (const SurfacePart& part : parts) {
+    append_solid(pieces, mesh, nameless ? "tetloft" : printable(part.name), part.triangles);
+  }
+  if (parts.empty()) append_solid(pieces, mesh, "tetloft", {});
+  pieces.finish();
+}
+
+// What the head of a binary file has room for.
+std::string binary_title(const Description& about) {
+  std::string title;
+  if (!about.name.empty()) title += ": " + printable(about.name);
+  if (!about.unit.empty()) title += ", in " + printable(about.unit);
+  return title;
+}
+
+Written write_stl(Sink& sink, const SurfaceMesh& mesh, const Model& model, const Target& target) {
+  if (const auto error = beyond_float32(mesh.points, "STL")) return *error;
+  std::vector<FloatPoint> points(mesh.points.size());
+  std::transform(mesh.points.begin(), mesh.points.end(), points.begin(), float_point);
+  Float32Loss loss("STL");
+  loss.add(mesh.points, mesh.triangles, points);
+  const std::vector<SurfacePart> parts = surface_parts(mesh, model);
+  if (target.options.encoding == Encoding::ascii) {
+    append_ascii_stl(sink, mesh, is_nameless(model, parts), parts);
+  } else {
+    append_binary_stl(sink, mesh, binary_title(model.about), parts);
+  }
+  return loss.warnings();
 }
 
 bool is_stl(std::string_view bytes) {

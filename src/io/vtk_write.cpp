@@ -6,35 +6,17 @@
 #include <string_view>
 #include <utility>
 
-#include "core/text.hpp"
 #include "io/bytes/deflate.hpp"
 #include "io/vtk_data.hpp"
+#include "io/xml_text.hpp"
 
 namespace tetloft::internal::io {
 
 namespace {
 
-// Names of arrays are the caller's.
-std::string attribute_value(std::string_view text) {
-  std::string value;
-  for (const char c : valid_utf8(text)) {
-    if (c == '&') {
-      value += "&amp;";
-    } else if (c == '<') {
-      value += "&lt;";
-    } else if (c == '"') {
-      value += "&quot;";
-    } else {
-      value += c;
-    }
-  }
-  return value;
-}
-
 // The data of the whole have a count of their own: nothing else says how many they are.
 std::string array_head(const VtkArray& array, bool of_whole) {
-  std::string text =
-      "<DataArray type=\"" + array.type + "\" Name=\"" + attribute_value(array.name) + '"';
+  std::string text = "<DataArray type=\"" + array.type + "\" Name=\"" + xml_text(array.name) + '"';
   if (array.components != 1) {
     text += " NumberOfComponents=\"" + std::to_string(array.components) + '"';
   }

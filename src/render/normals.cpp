@@ -1,60 +1,20 @@
 #include "render/normals.hpp"
 
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-
+#include "model/corner_normals.hpp"
 #include "render/subject.hpp"
-#include "render/vector.hpp"
 
 namespace tetloft::internal::render {
 
-namespace {
-
-// A vertex of more faces than this is smoothed over its first faces only: fans around one vertex
-// would take quadratic time.
-constexpr std::uint32_t kMostFaces = 512;
-
-}  // namespace
-
 std::vector<std::array<Point3, 3>> smooth_normals(const Subject& subject) {
-  const std::size_t n = subject.boundary.size();
-  const auto vertex = [&](std::size_t k, std::size_t i) {
+  std::vector<std::array<std::uint32_t, 3>> triangles(subject.boundary.size());
+  for (std::size_t k = 0; k < triangles.size(); ++k) {
     const HalfFaceId h = subject.boundary[k];
-    const auto local = static_cast<std::size_t>(kFaceVertex[h.value() & 3U][i]);
-    return subject.tets[h.value() >> 2][local].index();
-  };
-  // Corners 3 k + i by vertex: corner[first[v]] …
-  std::vector<std::uint32_t> first(subject.points.size() + 1, 0);
-  for (std::size_t k = 0; k < n; ++k) {
-    for (std::size_t i = 0; i < 3; ++i) ++first[vertex(k, i) + 1];
-  }
-  for (std::size_t v = 1; v < first.size(); ++v) first[v] += first[v - 1];
-  std::vector<std::uint32_t> corner(3 * n);
-  std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
-  std::vector<Point3> area(n), own(n);
-  for (std::size_t k = 0; k < n; ++k) {
-    const auto p = subject.corners(subject.boundary[k]);
-    area[k] = cross(p[1] - p[0], p[2] - p[0]);
-    own[k] = unit(area[k]);
     for (std::size_t i = 0; i < 3; ++i) {
-      corner[next[vertex(k, i)]++] = static_cast<std::uint32_t>(3 * k + i);
+      const auto local = static_cast<std::size_t>(kFaceVertex[h.value() & 3U][i]);
+      triangles[k][i] = subject.tets[h.value() >> 2][local].value();
     }
   }
-  std::vector<std::array<Point3, 3>> normals(n);
-  for (std::size_t k = 0; k < n; ++k) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t v = vertex(k, i);
-      const std::uint32_t end = std::min(first[v + 1], first[v] + kMostFaces);
-      Point3 sum = area[k];
-      for (std::uint32_t c = first[v]; c < end; ++c) {
-        const std::size_t other = corner[c] / 3;
-        if (other != k && dot(own[other], own[k]) >= kCrease) sum = sum + area[other];
-      }
-      normals[k][i] = unit(sum, own[k]);
-    }
-  }
-  return normals;
+  return corner_normals(subject.points, triangles);
 }
 
 }  // namespace tetloft::internal::render

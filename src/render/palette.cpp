@@ -9,19 +9,6 @@ namespace tetloft::internal::render {
 
 namespace {
 
-constexpr std::array<Rgb, 12> kComponents{{{222, 196, 152},
-                                           {84, 140, 168},
-                                           {206, 108, 94},
-                                           {126, 164, 108},
-                                           {146, 118, 172},
-                                           {228, 170, 78},
-                                           {88, 166, 158},
-                                           {196, 128, 160},
-                                           {110, 124, 148},
-                                           {168, 156, 82},
-                                           {120, 176, 210},
-                                           {168, 116, 84}}};
-
 // Type 1 in earth, reverse in reds, the rest in greens and blues, ends in grey.
 constexpr std::array<Rgb, kTetKinds> kKinds{{{216, 190, 140},
                                              {158, 132, 96},
@@ -74,14 +61,6 @@ Rgb along(std::span<const Rgb> stops, double t) {
 }
 
 }  // namespace
-
-Rgb component_colour(std::size_t component) {
-  const Rgb& base = kComponents[component % kComponents.size()];
-  // Later rounds of the palette are darker, then lighter, by turns.
-  constexpr std::array<double, 4> kShade{1, 0.78, 1.14, 0.64};
-  const double shade = kShade[component / kComponents.size() % kShade.size()];
-  return {byte_of(shade * base.r), byte_of(shade * base.g), byte_of(shade * base.b)};
-}
 
 Rgb kind_colour(TetKind kind) { return kKinds[static_cast<std::size_t>(kind) % kKinds.size()]; }
 

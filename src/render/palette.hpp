@@ -7,15 +7,13 @@
 
 #include <tetloft/model.hpp>
 
+#include "model/component_colour.hpp"
+
 namespace tetloft::internal::render {
 
-/// sRGB.
-struct Rgb {
-  std::uint8_t r = 0, g = 0, b = 0;
-};
+using internal::component_colour;
+using internal::Rgb;
 
-/// Neighbouring numbers get colours that are well apart.
-[[nodiscard]] Rgb component_colour(std::size_t component);
 [[nodiscard]] Rgb kind_colour(TetKind kind);
 /// Of an Evidence, as a number, or of none.
 [[nodiscard]] Rgb evidence_colour(std::size_t evidence);

@@ -88,7 +88,7 @@ TEST_F(ConvertModel, RefusesWhatDoesNotFit) {
     words.insert(words.begin(), "convert");
     expect_failure(words, code,
                    code == 2   ? "usage"
-                   : code == 3 ? "io"
+                   : code == 4 ? "io"
                                : "invalid_input",
                    in_message, {file("x.obj"), file("x.vtu")});
   };
@@ -109,6 +109,24 @@ TEST_F(ConvertModel, LeavesNothingWhereOnePartCannotBeWritten) {
   fs::create_directory(file("part-component_2.stl"));
   expect_failure({"convert", model_, file("part.stl"), "--per-component"}, 4, "io",
                  "part-component_2.stl", {file("part-component_1.stl")});
+}
+
+TEST_F(ConvertModel, WritesAllFilesOfAFormatOrNone) {
+  const std::vector<std::string> all{file("t.ele"), file("t.node"), file("t.face")};
+  ASSERT_EQ(run({"convert", model_, file("t.ele")}).code, 0);
+  for (const std::string& path : all) {
+    EXPECT_FALSE(test::get(path).empty()) << path;
+    fs::remove(path);
+  }
+  fs::create_directory(file("t.face"));
+  expect_failure({"convert", model_, file("t.ele")}, 4, "io", "t.face",
+                 {file("t.ele"), file("t.node")});
+  // What stands beside the output is an output, too.
+  test::put(file("p.node"), "4 3 0 0\n0 0 0 0\n1 1 0 0\n2 0 1 0\n3 0 0 1\n");
+  expect_failure({"delaunay", file("p.node"), "-o", file("p.ele")}, 2, "usage", "overwrite",
+                 {file("p.ele")});
+  expect_failure({"convert", model_, file("x.obj"), "--to", "tetgen"}, 2, "usage", ".ele",
+                 {file("x.obj")});
 }
 
 TEST_F(ConvertModel, NamesComponentsAfterLabels) {

@@ -100,10 +100,13 @@ class Parser {
       const char escaped = peek();
       ++at_;
       if (escaped == 'u') {
+        std::string digits;
         for (int i = 0; i < 4; ++i, ++at_) {
           if (std::isxdigit(static_cast<unsigned char>(peek())) == 0) return false;
+          digits += peek();
         }
-        out += '?';
+        const unsigned long code = std::stoul(digits, nullptr, 16);
+        out += code < 0x80 ? static_cast<char>(code) : '?';
       } else if (std::string_view("\"\\/bfnrt").find(escaped) != std::string_view::npos) {
         out += escaped;
       } else {

@@ -33,7 +33,7 @@ def formats() -> list[Format]:
     """All formats, in the order in which contents are looked at.
 
     >>> [format.name for format in formats() if "surface" in format.writes]
-    ['obj', 'ply', 'vtp', 'stl', 'off']
+    ['obj', 'ply', 'vtp', 'stl', 'off', '3mf', 'glb']
     """
     found = []
     for number in range(lib.tetloft_format_count()):

@@ -1,4 +1,4 @@
-// Boundary surfaces in four formats, parsed back by small readers of the tests' own.
+// Boundary surfaces in formats of triangles, parsed back by small readers of the tests' own.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -6,9 +6,12 @@
 #include <set>
 #include <sstream>
 
+#include <tetloft/formats.hpp>
 #include <tetloft/io.hpp>
 
 #include "core/little_endian.hpp"
+#include "support/box_models.hpp"
+#include "support/surface_meshes.hpp"
 #include "unit/io/io_support.hpp"
 
 namespace tetloft {
@@ -218,6 +221,100 @@ std::vector<Warning> stl_warnings(const Model& model) {
   return *written;
 }
 
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+// What kHardNames are in one line.
+const std::string kTitle = testing::kHardNames[0];
+const std::string kLesion = testing::kHardNames[1];
+const std::string kTwoLines = "two\\x0alines\\x09\\x01 #1, 100%";
+
+TEST(WriteSurface, ObjHasObjectsAndGroups) {
+  const std::string bytes = surface_bytes("s.obj", testing::boxes_in_a_patient(), Encoding::binary);
+  const std::vector<std::string> lines = lines_of(bytes);
+  // A backslash at the end would join the next line.
+  const std::string title = kTitle.substr(0, kTitle.size() - 1) + '/';
+  EXPECT_EQ(lines[0], "# name: " + title);
+  EXPECT_EQ(lines[1], "# unit: mm");
+  EXPECT_EQ(lines[2], "# orientation: LPS");
+  std::vector<std::string> heads;
+  std::vector<std::size_t> faces;
+  for (const std::string& line : lines) {
+    if (line[0] == 'o') faces.push_back(0);
+    if (line[0] == 'o' || line[0] == 'g') heads.push_back(line);
+    if (line[0] == 'f') ++faces.back();
+  }
+  EXPECT_EQ(faces, (std::vector<std::size_t>{12, 12, 12}));
+  const std::string fourth = "left \"lung\" & <b>'x'</b> \\ 4";
+  EXPECT_EQ(heads, (std::vector<std::string>{"o " + kLesion, "g L\xC3\xA4sion_\xE8\x82\x9D",
+                                             "o " + kTwoLines, "g two\\x0alines\\x09\\x01_#1,_100%",
+                                             "o " + fourth, "g left_\"lung\"_&_<b>'x'</b>_\\_4"}));
+}
+
+TEST(WriteSurface, CommentsTellComponents) {
+  const std::vector<std::string> expected{"name: " + kTitle,
+                                          "unit: mm",
+                                          "orientation: LPS",
+                                          "component 1: 12 faces, " + kLesion,
+                                          "component 2: 12 faces, " + kTwoLines,
+                                          "component 4: 12 faces, " + kTitle + " 4"};
+  for (const auto& [name, mark] :
+       std::vector<std::pair<const char*, std::string>>{{"s.ply", "comment "}, {"s.off", "# "}}) {
+    for (const Encoding encoding : {Encoding::binary, Encoding::ascii}) {
+      const std::string bytes = surface_bytes(name, testing::boxes_in_a_patient(), encoding);
+      std::vector<std::string> comments;
+      for (const std::string& line : lines_of(bytes)) {
+        if (line.starts_with(mark)) comments.push_back(line.substr(mark.size()));
+      }
+      EXPECT_EQ(comments, expected) << name;
+    }
+  }
+}
+
+TEST(WriteSurface, AsciiStlHasASolidForEachComponent) {
+  std::vector<std::string> heads;
+  std::size_t facets = 0;
+  for (const std::string& line :
+       lines_of(surface_bytes("s.stl", testing::boxes_in_a_patient(), Encoding::ascii))) {
+    if (line.starts_with("facet")) ++facets;
+    if (line.find("solid") < 4) heads.push_back(line + ' ' + std::to_string(facets));
+  }
+  EXPECT_EQ(heads, (std::vector<std::string>{
+                       "solid " + kLesion + " 0", "endsolid " + kLesion + " 12",
+                       "solid " + kTwoLines + " 12", "endsolid " + kTwoLines + " 24",
+                       "solid " + kTitle + " 4 24", "endsolid " + kTitle + " 4 36"}));
+}
+
+TEST(WriteSurface, BinaryStlHasTheNameInItsHead) {
+  Model model = two_tets();
+  const auto head = [&] { return surface_bytes("s.stl", model, Encoding::binary).substr(0, 80); };
+  EXPECT_EQ(head(), "binary STL by tetloft" + std::string(59, ' '));
+  model.about = {"solid \n", "mm", ""};
+  EXPECT_EQ(head(), "binary STL by tetloft: solid \\x0a, in mm" + std::string(40, ' '));
+  // Cut between characters.
+  model.about.name = std::string(56, 'x') + "\xE8\x82\x9D";
+  EXPECT_EQ(head(), "binary STL by tetloft: " + std::string(56, 'x') + ' ');
+}
+
+// What was written is read back, whatever its names.
+TEST(WriteSurface, IsReadBackWithNames) {
+  const Model model = testing::boxes_in_a_patient();
+  for (const char* format : {"obj", "ply", "off", "stl", "vtp"}) {
+    for (const Encoding encoding : {Encoding::binary, Encoding::ascii}) {
+      const auto read = parse_triangles(
+          surface_bytes((std::string("s.") + format).c_str(), model, encoding), "a");
+      ASSERT_TRUE(read.ok()) << format << to_string(read.error());
+      EXPECT_TRUE(read->warnings.empty()) << format;
+      EXPECT_EQ(read->mesh.triangles.size(), 36U) << format;
+      EXPECT_NEAR(testing::volume_of(read->mesh), 30.125, 0.01) << format;
+    }
+  }
+}
+
 TEST(WriteSurface, WarnsWhereFloat32MergesVertices) {
   // At 2^24 floats are two apart: 1, 0 and 0.1 fall together.
   const auto warnings = stl_warnings(two_tets(1, 0x1p25));
@@ -267,7 +364,7 @@ TEST(WriteSurface, RefusesOtherExtensions) {
 }
 
 TEST(WriteSurface, WritesTheEmptyModel) {
-  for (const char* name : {"s.obj", "s.ply", "s.vtp", "s.stl"}) {
+  for (const char* name : {"s.obj", "s.ply", "s.vtp", "s.stl", "s.off", "s.3mf", "s.glb"}) {
     TempFolder folder;
     EXPECT_TRUE(write_surface(folder.file(name), Model()).ok()) << name;
   }

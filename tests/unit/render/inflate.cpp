@@ -127,29 +127,35 @@ std::string blocks(Bits& bits) {
 
 }  // namespace
 
+std::optional<std::string> inflate_bare(std::string_view stream) {
+  try {
+    Bits bits(stream);
+    std::string out = blocks(bits);
+    if (bits.whole_bytes() != stream.size()) return std::nullopt;
+    return out;
+  } catch (const Wrong&) {
+    return std::nullopt;
+  }
+}
+
 std::optional<std::string> inflate(std::string_view stream) {
   if (stream.size() < 6 || (stream[0] & 15) != 8) return std::nullopt;
   const unsigned header =
       static_cast<unsigned char>(stream[0]) * 256U + static_cast<unsigned char>(stream[1]);
   if (header % 31 != 0) return std::nullopt;
-  try {
-    Bits bits(stream.substr(2));
-    std::string out = blocks(bits);
-    if (bits.whole_bytes() + 6 != stream.size()) return std::nullopt;
-    unsigned long a = 1, b = 0;
-    for (const char c : out) {
-      a = (a + static_cast<unsigned char>(c)) % 65521;
-      b = (b + a) % 65521;
-    }
-    unsigned long sum = 0;
-    for (const char c : stream.substr(stream.size() - 4)) {
-      sum = sum << 8 | static_cast<unsigned char>(c);
-    }
-    if (sum != (b << 16 | a)) return std::nullopt;
-    return out;
-  } catch (const Wrong&) {
-    return std::nullopt;
+  std::optional<std::string> out = inflate_bare(stream.substr(2, stream.size() - 6));
+  if (!out) return std::nullopt;
+  unsigned long a = 1, b = 0;
+  for (const char c : *out) {
+    a = (a + static_cast<unsigned char>(c)) % 65521;
+    b = (b + a) % 65521;
   }
+  unsigned long sum = 0;
+  for (const char c : stream.substr(stream.size() - 4)) {
+    sum = sum << 8 | static_cast<unsigned char>(c);
+  }
+  if (sum != (b << 16 | a)) return std::nullopt;
+  return out;
 }
 
 }  // namespace tetloft::test

@@ -1,5 +1,5 @@
 // Writing JSON.
-#include "cli/json.hpp"
+#include "io/json_write.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -7,9 +7,7 @@
 #include "core/text.hpp"
 #include "io/numbers.hpp"
 
-namespace tetloft::cli {
-
-using namespace internal;
+namespace tetloft::internal::io {
 
 void JsonWriter::separate() {
   if (after_key_) {
@@ -52,7 +50,7 @@ void JsonWriter::value(std::string_view text) {
 void JsonWriter::value(double number) {
   if (!std::isfinite(number)) return raw("null");
   std::string digits;
-  io::append_number(digits, number);
+  append_number(digits, number);
   raw(digits);
 }
 
@@ -78,4 +76,4 @@ void JsonWriter::append_string(std::string_view text) {
   text_ += '"';
 }
 
-}  // namespace tetloft::cli
+}  // namespace tetloft::internal::io
