@@ -136,7 +136,7 @@ TEST_F(ReportCommand, RefusesWrongUseAndLeavesNothing) {
 }
 
 TEST_F(ReportCommand, HelpTellsOfTheStackThatMayBeLeftOut) {
-  EXPECT_NE(run({"report", "--help"}).out.find("usage: tetloft report MODEL.vtu [IN"),
+  EXPECT_NE(run({"report", "--help"}).out.find("usage: tetloft report MODEL [IN"),
             std::string::npos);
 }
 
