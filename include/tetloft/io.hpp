@@ -106,11 +106,12 @@ enum class Encoding {
 /// The same from bytes; `name` stands for the file in messages.
 [[nodiscard]] TETLOFT_API Result<Model> parse_vtu(std::string_view bytes, const std::string& name);
 
-/// Writes the boundary surface as .obj, .ply (binary double), .vtp or .stl (binary,
-/// float32), by extension. Vertices are those of the surface, renumbered by id. The
-/// warnings say where rounding to float32 merges vertices or flattens triangles. Refused:
-/// other extensions (usage), coordinates beyond float32 in .stl, and models as in write_vtu()
-/// (invalid_input).
+/// Writes the boundary surface as .obj, .off, .ply, .vtp or .3mf (doubles), .stl or .glb (float32), by
+/// extension, with components, names and unit as far as the format has them. Vertices are those of
+/// the surface, renumbered by id. The warnings say where rounding to float32 merges vertices or
+/// flattens triangles, and what .3mf lacks: the unit, or a closed surface of each component. Refused:
+/// other extensions (usage), coordinates beyond float32 in .stl and .glb, .3mf and .glb of 4 GiB,
+/// and models as in write_vtu() (invalid_input).
 [[nodiscard]] TETLOFT_API Result<std::vector<Warning>> write_surface(
     const std::string& path, const Model& model, Encoding encoding = Encoding::binary);
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 
 #include <tetloft/execution.hpp>
@@ -46,7 +47,7 @@ struct RenderOptions {
   /// Pixels; of a page the viewer takes the window instead. 1 to kLargestPictureSide.
   int width = 1200;
   int height = 900;
-  std::optional<PictureCut> cut = {};  ///< the viewer takes z only
+  std::optional<PictureCut> cut = {};
   /// Slabs are moved apart by this many mean heights of a slab.
   double explode = 0;
   bool edges = false;    ///< draws the edges of tets
@@ -61,10 +62,10 @@ struct RenderOptions {
 /// The picture of a model, as the bytes of a file. `contours`: the sections whose contours are
 /// drawn; null: the outlines of the model in its section planes. Refused: cancelled if it was
 /// stopped; usage for options out
-/// of range, a cut of a page that is not by z, or a colour that the model has no data for;
-/// invalid_input for a model without tets, with a face of more than two, ids out of range, arrays
-/// of a wrong length, and coordinates, of contours too, that are not finite. A model and its
-/// multiple by a power of two have the same picture.
+/// of range, or a colour that the model has no data for; invalid_input for a model without tets,
+/// with a face of more than two, ids out of range, arrays of a wrong length, and coordinates, of
+/// contours too, that are not finite. A model and its multiple by a power of two have the same
+/// picture.
 [[nodiscard]] TETLOFT_API Result<std::string> render_png(const Model& model,
                                                          const SectionStack* contours,
                                                          const RenderOptions& options = {});
@@ -72,9 +73,23 @@ struct RenderOptions {
 [[nodiscard]] TETLOFT_API Result<std::string> render_svg(const Model& model,
                                                          const SectionStack* contours,
                                                          const RenderOptions& options = {});
-/// One HTML file without references to others, that shows the model by WebGL 2: it can be turned,
-/// cut from section to section, taken apart and coloured anew. src/render/README.md.
+/// One HTML file without references to others, that shows the model by WebGL 2, as it lies in the
+/// space of its file: it can be turned, cut by any plane, measured, taken apart and coloured anew.
+/// src/render/README.md.
 [[nodiscard]] TETLOFT_API Result<std::string> render_html(const Model& model,
+                                                          const SectionStack* contours,
+                                                          const RenderOptions& options = {});
+
+struct NamedModel {
+  const Model* model = nullptr;
+  std::string name = {};  ///< UTF-8; empty: that of its description, or its number
+};
+
+/// A page that shows several models, over each other or side by side, each where its file has it.
+/// Heights of `contours` and of the cut are those of each, and of the first, model's stack. Unit
+/// and orientation are those of the first that has any. Refused as above for each of the models,
+/// which the message names, and usage where there is none, or null among them.
+[[nodiscard]] TETLOFT_API Result<std::string> render_html(std::span<const NamedModel> models,
                                                           const SectionStack* contours,
                                                           const RenderOptions& options = {});
 

@@ -46,9 +46,10 @@ std::vector<std::string> colourings() {
 }
 
 Usage render_usage() {
-  return {
+  Usage usage{
       "render",
-      "A picture of a model, or a page to turn, cut and take it apart.",
+      "A picture of a model, or a page to turn, cut, measure and take it apart, and to compare it "
+      "with others.",
       {input_word("MODEL", Contents::model)},
       {{"--output", "OUT", "the picture: " + list_of(picture_extensions()) + "; required", "-o"},
        {"--contours", input_word("IN", Contents::stack),
@@ -64,18 +65,38 @@ Usage render_usage() {
         {},
         colourings()},
        {"--view", "A,E", "azimuth and elevation of the eye in degrees (default -60,25)"},
-       {"--cut", "AXIS=VALUE", "cut open by the plane x, y or z = VALUE; .html: z only"},
+       {"--cut", "AXIS=VALUE", "cut open by the plane x, y or z = VALUE"},
        {"--explode", "GAPS", "move the slabs apart by this many mean heights"},
        {"--stretch", "FACTOR", "draw z this many times as large"},
        {"--edges", "", "draw the edges of tets"},
        {"--size", "WxH", "pixels of .png and .svg (default 1200x900)"},
        {"--white", "", "white background instead of none"},
-       {"--title", "TEXT", "of the page (default: the model's name)"},
+       {"--title", "TEXT", "of the page (default: the models' names)"},
        kJsonOption,
        kQuietOption,
        kHelpOption},
       "An .html file needs nothing else: open it in a browser with WebGL 2. There the options "
-      "are what is shown first, and all can be changed."};
+      "are what is shown first, and all can be changed. It takes several models, each where its "
+      "file has it: over each other, or side by side. Heights and cuts are in the coordinates of "
+      "the (first) model's stack."};
+  usage.repeats = true;
+  return usage;
+}
+
+std::string stem_of(const std::string& path) { return std::filesystem::path(path).stem().string(); }
+
+std::vector<std::string> model_paths(const Arguments& arguments) {
+  std::vector<std::string> paths;
+  for (std::size_t k = 0; k < arguments.operand_count(); ++k) {
+    paths.push_back(arguments.operand(k));
+  }
+  return paths;
+}
+
+std::string title_of(const std::vector<std::string>& paths) {
+  std::string title;
+  for (const std::string& path : paths) title += (title.empty() ? "" : ", ") + stem_of(path);
+  return title;
 }
 
 // "first SEPARATOR second", two numbers.
@@ -130,68 +151,102 @@ Result<RenderOptions> render_options(const Arguments& arguments) {
   options.edges = arguments.has("--edges");
   options.contours = !arguments.has("--no-contours");
   options.white = arguments.has("--white");
-  options.title = arguments.text("--title").value_or(
-      std::filesystem::path(arguments.operand(0)).stem().string());
+  options.title = arguments.text("--title").value_or(title_of(model_paths(arguments)));
   return options;
 }
 
-Result<int> run_render(const Arguments& arguments, Console& console) {
+struct RenderRequest {
+  std::vector<std::string> models;
+  std::string output;
+  std::optional<std::string> stack;  ///< whose contours are drawn
+  std::string model_format;
+  ReadOptions reading;  ///< of the stack
+  RenderOptions options;
+};
+
+// Refused where the command line alone tells that nothing will come of it.
+Result<RenderRequest> render_request(const Arguments& arguments) {
   const auto output = arguments.text("--output");
   if (!output) return usage_error("missing option --output (-o) OUT");
+  RenderRequest request{model_paths(arguments), *output, arguments.text("--contours"), {}, {}, {}};
   auto options = render_options(arguments);
   if (!options) return options.error();
-  std::vector<std::string> taken{arguments.operand(0)};
-  const auto stack_path = arguments.text("--contours");
-  if (stack_path) taken.push_back(*stack_path);
+  request.options = *std::move(options);
+  std::vector<std::string> taken = request.models;
+  if (request.stack) taken.push_back(*request.stack);
   Result<void> checked = check_output("--output (-o)", *output, picture_extensions(), taken);
   if (!checked) return checked.error();
-
+  if (request.models.size() > 1 && io::extension_of(*output) != ".html") {
+    return usage_error("option --output (-o): several models are shown by a page, .html, alone");
+  }
   auto stack_format = chosen_format(arguments, "--format", Contents::stack);
   if (!stack_format) return stack_format.error();
-  const auto model_format = chosen_model_format(arguments);
+  auto model_format = chosen_model_format(arguments);
   if (!model_format) return model_format.error();
+  request.model_format = *std::move(model_format);
+  request.reading.format = *std::move(stack_format);
+  request.reading.structure =
+      arguments.text("--roi").value_or(arguments.text("--label").value_or(""));
+  return request;
+}
 
+// Of one model the picture, of several the page.
+Result<std::string> picture_of(const RenderRequest& request, const std::vector<Model>& models,
+                               const SectionStack* contours) {
+  if (models.size() > 1) {
+    std::vector<NamedModel> named;
+    for (std::size_t k = 0; k < models.size(); ++k) {
+      named.push_back({&models[k], stem_of(request.models[k])});
+    }
+    return render_html(named, contours, request.options);
+  }
+  const std::string extension = io::extension_of(request.output);
+  const auto of = std::find_if(kPictures.begin(), kPictures.end(),
+                               [&](const Picture& p) { return p.extension == extension; });
+  Result<std::string> picture = of->render(models.front(), contours, request.options);
+  if (picture || picture.error().code != ErrorCode::invalid_input) return picture;
+  Error error = picture.error();
+  error.where.file = request.models.front();
+  return error;
+}
+
+Result<int> run_render(const Arguments& arguments, Console& console) {
+  auto request = render_request(arguments);
+  if (!request) return request.error();
   std::optional<SectionStack> stack;
-  if (stack_path) {
-    ReadOptions reading;
-    reading.format = *std::move(stack_format);
-    reading.structure = arguments.text("--roi").value_or(arguments.text("--label").value_or(""));
-    Result<ReadStack> read = read_stack(*stack_path, reading);
+  if (request->stack) {
+    Result<ReadStack> read = read_stack(*request->stack, request->reading);
     if (!read) return read.error();
     for (const Warning& warning : read->warnings) console.warn(warning);
     stack = std::move(read->stack);
   }
-  const auto model = read_model_input(arguments.operand(0), *model_format, console);
-  if (!model) return model.error();
-
-  const std::string extension = io::extension_of(*output);
-  const auto picture_of = std::find_if(kPictures.begin(), kPictures.end(),
-                                       [&](const Picture& p) { return p.extension == extension; });
+  std::vector<Model> models;
+  for (const std::string& path : request->models) {
+    auto model = read_model_input(path, request->model_format, console);
+    if (!model) return model.error();
+    models.push_back(*std::move(model));
+  }
   const Result<std::string> picture = [&] {
     Progress progress(!console.quiet());
-    options->execution.progress = progress.callback();
-    return picture_of->render(*model, stack ? &*stack : nullptr, *options);
+    request->options.execution.progress = progress.callback();
+    return picture_of(*request, models, stack ? &*stack : nullptr);
   }();
-  if (!picture) {
-    Error error = picture.error();
-    if (error.code == ErrorCode::invalid_input) error.where.file = arguments.operand(0);
-    return error;
-  }
+  if (!picture) return picture.error();
   StagedFiles files;
   Result<void> staged =
-      take_staged(io::stage_file(*output, *picture, temporary_watcher()), files, console);
+      take_staged(io::stage_file(request->output, *picture, temporary_watcher()), files, console);
   if (!staged) return staged.error();
   std::string told;
   if (console.json()) {
     JsonWriter json;
     json.begin_object();
-    json.member("written", *output);
+    json.member("written", request->output);
     json.member("bytes", picture->size());
     write_warnings(json, console.warnings());
     json.end_object();
     told = json.text();
   } else if (!console.quiet()) {
-    told = "written: " + printable(*output) + '\n';
+    told = "written: " + printable(request->output) + '\n';
   }
   const Result<void> done = deliver_with(files, told, console);
   if (!done) return done.error();

@@ -8,15 +8,6 @@ namespace tetloft::internal::io {
 
 namespace {
 
-bool is_utf8(std::string_view text) {
-  while (!text.empty()) {
-    const TextUnit unit = first_unit(text);
-    if (!unit.valid) return false;
-    text.remove_prefix(unit.length);
-  }
-  return true;
-}
-
 void set_names(Model& model, std::string_view joined) {
   const auto zeros = static_cast<std::size_t>(std::count(joined.begin(), joined.end(), '\0'));
   if (joined.empty() || zeros + 1 != model.component_count || zeros >= model.tets.size()) return;
@@ -27,6 +18,12 @@ void set_names(Model& model, std::string_view joined) {
     model.component_names.push_back(valid_utf8(joined.substr(0, end)));
     joined.remove_prefix(std::min(end + 1, joined.size()));
   }
+}
+
+VtkArray text_array(std::string_view name, const std::string& text) {
+  return vtk_array<std::uint8_t>(std::string(name), 1, text.size(), [text](std::size_t i) {
+    return static_cast<std::uint8_t>(text[i]);
+  });
 }
 
 }  // namespace
@@ -42,6 +39,15 @@ std::string joined_names(const Model& model) {
     joined += valid_utf8(names[c]);  // which holds no zero byte
   }
   return joined;
+}
+
+void add_texts(const Model& model, VtkGroup& field_data) {
+  for_each_text([&](const VtkText& text) {
+    const std::string& value = model.about.*text.text;
+    if (!value.empty()) field_data.arrays.push_back(text_array(text.array, valid_utf8(value)));
+  });
+  const std::string names = joined_names(model);
+  if (!names.empty()) field_data.arrays.push_back(text_array(kComponentNames, names));
 }
 
 bool is_text_array(std::string_view array) {

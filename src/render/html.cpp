@@ -1,12 +1,10 @@
 // The viewer's page.
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <limits>
+#include <span>
 #include <string>
-#include <string_view>
+#include <utility>
 #include <vector>
 
 #include <tetloft/render.hpp>
@@ -14,9 +12,9 @@
 #include "core/guard.hpp"
 #include "core/text.hpp"
 #include "core/watched_work.hpp"
-#include "io/base64.hpp"
-#include "io/bytes/deflate.hpp"
 #include "io/numbers.hpp"
+#include "render/page_json.hpp"
+#include "render/page_layer.hpp"
 #include "render/subject.hpp"
 #include "render/vector.hpp"
 #include "render/viewer_parts.hpp"
@@ -27,280 +25,152 @@ using namespace internal;
 
 namespace {
 
-using render::Rgb;
-using render::Subject;
+using render::PageLayer;
+using render::PageSpace;
 
-// Inside a script element no "<" may be taken for a tag: "\u003c" is the same string.
-std::string json_string(std::string_view text) {
-  constexpr char kDigits[] = "0123456789abcdef";
-  std::string out = "\"";
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x20 || c == '<' || c == '"' || c == '\\') {
-      out += "\\u00";
-      out += kDigits[byte >> 4];
-      out += kDigits[byte & 15U];
-    } else {
-      out += c;
-    }
+PageSpace space_of(const std::vector<PageLayer>& layers) {
+  PageSpace space{std::numeric_limits<int>::min(), {}, 1};
+  for (const PageLayer& layer : layers) {
+    space.exponent = std::max(space.exponent, layer.placed_exponent());
   }
-  return out + '"';
-}
-
-std::string html_text(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '<') {
-      out += "&lt;";
-    } else if (c == '&') {
-      out += "&amp;";
-    } else {
-      out += c;
-    }
-  }
-  return out;
-}
-
-// One comma-separated member of a JSON object at a time.
-class Members {
- public:
-  void text(const char* name, std::string_view value) { raw(name, json_string(value)); }
-  void number(const char* name, double value) {
-    std::string text;
-    io::append_number(text, value);
-    raw(name, text);
-  }
-  void flag(const char* name, bool value) { raw(name, value ? "true" : "false"); }
-  void raw(const char* name, const std::string& value) {
-    if (!out_.empty()) out_ += ',';
-    out_ += json_string(name) + ':' + value;
-  }
-  /// item(k): the JSON of entry k.
-  template <class Item>
-  void list(const char* name, std::size_t n, Item&& item) {
-    std::string all = "[";
-    for (std::size_t k = 0; k < n; ++k) {
-      if (k != 0) all += ',';
-      all += item(k);
-    }
-    raw(name, all + ']');
-  }
-  [[nodiscard]] std::string object() const { return '{' + out_ + '}'; }
-
- private:
-  std::string out_;
-};
-
-std::string json(const Rgb& colour) {
-  return '[' + std::to_string(colour.r) + ',' + std::to_string(colour.g) + ',' +
-         std::to_string(colour.b) + ']';
-}
-
-// An array as the viewer unpacks it: byte planes, which compress better, as a zlib stream in
-// base64.
-template <class T>
-void append_array(std::string& page, const char* id, const std::vector<T>& values) {
-  std::string planes(values.size() * sizeof(T), '\0');
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const auto bytes = std::bit_cast<std::array<char, sizeof(T)>>(values[i]);
-    for (std::size_t k = 0; k < sizeof(T); ++k) {
-      const std::size_t from = std::endian::native == std::endian::little ? k : sizeof(T) - 1 - k;
-      planes[k * values.size() + i] = bytes[from];
-    }
-  }
-  page += "<script type=\"application/octet-stream\" id=\"array-";
-  page += id;
-  page += "\">" + io::encode_base64(io::zlib_compressed(planes)) + "</script>\n";
-}
-
-class Page {
- public:
-  static constexpr std::size_t kSteps = 12;  // the header, and the arrays
-
-  /// Tells `work` of kSteps steps.
-  Page(const Subject& subject, const RenderOptions& options, WatchedWork& work)
-      : subject_(subject), options_(options), work_(work) {
-    using namespace render;
-    centre_ = 0.5 * (subject.low + subject.high);
-    const Point3 diagonal = subject.high - subject.low;
-    scale_ = std::sqrt(dot(diagonal, diagonal)) / 2;
-    if (!(scale_ > 0)) scale_ = 1;
-  }
-
-  std::string text() const {
-    std::string page =
-        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-        "<link rel=\"icon\" href=\"data:,\">\n<title>" +
-        html_text(valid_utf8(options_.title)) + "</title>\n<style>\n" + render::kViewerCss +
-        "</style>\n</head>\n<body>\n" + render::kViewerHtml;
-    page += "<script type=\"application/json\" id=\"model\">" + header() + "</script>\n";
-    work_.step_done_go_on();
-    append_arrays(page);
-    for (const char* script : render::kViewerScripts) {
-      page += "<script>\n";
-      page += script;
-      page += "</script>\n";
-    }
-    return page + "</body>\n</html>\n";
-  }
-
- private:
-  // Heights are stretched in the subject, and not for the reader.
-  [[nodiscard]] float height(double stretched) const {
-    return static_cast<float>((stretched - centre_.z) / scale_);
-  }
-
-  [[nodiscard]] std::string header() const {
-    const Subject& s = subject_;
-    Members members;
-    members.text("title", valid_utf8(options_.title));
-    members.number("componentCount", static_cast<double>(s.component_count));
-    members.number("centre", std::ldexp(centre_.z / options_.stretch, s.exponent));
-    members.number("scale", std::ldexp(scale_ / options_.stretch, s.exponent));
-    members.number("gap", s.mean_gap / scale_);
-    members.text("colour", name_of(options_.colour));
-    members.number("azimuth", options_.azimuth);
-    members.number("elevation", options_.elevation);
-    members.number("explode", options_.explode);
-    members.flag("edges", options_.edges);
-    members.flag("drawContours", options_.contours);
-    if (options_.cut) {
-      members.number(
-          "cut", static_cast<double>(
-                     height(options_.stretch * std::ldexp(options_.cut->position, -s.exponent))));
-    } else {
-      members.raw("cut", "null");
-    }
-    std::vector<ColourBy> colourings{ColourBy::component, ColourBy::slab};
-    if (!s.kind.empty()) colourings.push_back(ColourBy::kind);
-    colourings.push_back(ColourBy::dihedral);
-    if (!s.evidence.empty()) colourings.push_back(ColourBy::evidence);
-    members.list("colourings", colourings.size(),
-                 [&](std::size_t k) { return json_string(name_of(colourings[k])); });
-    members.list("slabFirst", s.slab_count + 1, [&](std::size_t k) {
-      const auto first =
-          std::lower_bound(s.slab.begin(), s.slab.end(), static_cast<std::uint32_t>(k));
-      return std::to_string(first - s.slab.begin());
-    });
-    members.list("sections", s.sections.size(), [&](std::size_t k) {
-      Members section;
-      section.number("at", static_cast<double>(height(s.sections[k])));
-      return section.object();
-    });
-    // Of the first components; the viewer begins again after these.
-    members.list("componentColours", std::min<std::size_t>(s.component_count, 48),
-                 [](std::size_t k) { return json(render::component_colour(k)); });
-    members.list("slabColours", s.slab_count, [&](std::size_t k) {
-      return json(
-          s.colour(static_cast<std::size_t>(std::lower_bound(s.slab.begin(), s.slab.end(),
-                                                             static_cast<std::uint32_t>(k)) -
-                                            s.slab.begin()),
-                   ColourBy::slab));
-    });
-    members.list("dihedralColours", 256, [](std::size_t k) {
-      return json(render::dihedral_colour(static_cast<double>(k) / 255));
-    });
-    members.list("kindColours", kTetKinds,
-                 [](std::size_t k) { return json(render::kind_colour(static_cast<TetKind>(k))); });
-    members.list("kindNames", kTetKinds,
-                 [](std::size_t k) { return json_string(name_of(static_cast<TetKind>(k))); });
-    if (!s.evidence.empty()) {
-      members.list("evidenceColours", kEvidences + 1,
-                   [](std::size_t k) { return json(render::evidence_colour(k)); });
-      members.list("evidenceNames", kEvidences,
-                   [](std::size_t k) { return json_string(name_of(static_cast<Evidence>(k))); });
-      members.list("links", kEvidences, [&](std::size_t k) { return std::to_string(s.links[k]); });
-    }
-    return members.object();
-  }
-
-  template <class T>
-  void add_array(std::string& page, const char* id, const std::vector<T>& values) const {
-    append_array(page, id, values);
-    work_.step_done_go_on();
-  }
-
-  void append_arrays(std::string& page) const {
-    const Subject& s = subject_;
-    std::vector<float> floats;
-    const auto append_point = [&](const Point3& p) {
-      floats.push_back(static_cast<float>((p.x - centre_.x) / scale_));
-      floats.push_back(static_cast<float>((p.y - centre_.y) / scale_));
-      floats.push_back(height(p.z));
-    };
-    for (const Point3& p : s.points) append_point(p);
-    add_array(page, "points", floats);
-
-    std::vector<std::uint32_t> words;
-    for (const TetVertices& tet : s.tets) {
-      for (const VertexId v : tet) words.push_back(v.value());
-    }
-    add_array(page, "tets", words);
-    const auto append_half_faces = [&](const char* id, const std::vector<HalfFaceId>& all) {
-      words.clear();
-      for (const HalfFaceId h : all) words.push_back(h.value());
-      add_array(page, id, words);
-    };
-    append_half_faces("boundary", s.boundary);
-    append_half_faces("walls", s.walls);
-
-    std::vector<std::int8_t> normals;
-    for (const auto& corners : s.normals) {
-      for (const Point3& n : corners) {
-        for (int axis = 0; axis < 3; ++axis) {
-          normals.push_back(
-              static_cast<std::int8_t>(std::lround(127 * render::coordinate(n, axis))));
-        }
+  using render::operator+, render::operator-, render::operator*;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Point3 low{kInfinity, kInfinity, kInfinity}, high{-kInfinity, -kInfinity, -kInfinity};
+  for (const PageLayer& layer : layers) {
+    for (const TetVertices& tet : layer.subject.tets) {
+      for (const VertexId v : tet) {
+        const Point3 p = layer.placed(layer.subject.points[v.index()], space.exponent);
+        low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
       }
     }
-    add_array(page, "normals", normals);
-    add_array(page, "component", s.component);
-
-    std::vector<std::uint8_t> bytes;
-    for (const TetKind kind : s.kind) bytes.push_back(static_cast<std::uint8_t>(kind));
-    add_array(page, "kind", bytes);
-    bytes.clear();
-    for (const float degrees : s.dihedral) {
-      bytes.push_back(static_cast<std::uint8_t>(
-          std::lround(255 * std::min(1.0, static_cast<double>(degrees) / render::kBestDihedral))));
-    }
-    add_array(page, "dihedral", bytes);
-    add_array(page, "evidence", s.evidence);
-
-    floats.clear();
-    words.clear();
-    for (const render::ContourPiece& piece : s.contours) {
-      append_point(piece.a);
-      append_point(piece.b);
-      words.push_back(piece.slab_below);
-      words.push_back(piece.slab_above);
-    }
-    add_array(page, "contours", floats);
-    add_array(page, "contour_slabs", words);
   }
+  space.centre = 0.5 * (low + high);
+  const Point3 diagonal = high - low;
+  const double scale = std::sqrt(render::dot(diagonal, diagonal)) / 2;
+  if (scale > 0) space.scale = scale;
+  return space;
+}
 
-  const Subject& subject_;
-  const RenderOptions& options_;
-  WatchedWork& work_;
-  Point3 centre_;
-  double scale_ = 1;
-};
+// Of the first model that has any.
+std::string first_text(const std::vector<PageLayer>& layers, std::string Description::*what) {
+  for (const PageLayer& layer : layers) {
+    if (!(layer.model->about.*what).empty()) return layer.model->about.*what;
+  }
+  return {};
+}
+
+// `given`: contours were, which all models share.
+std::string page_header(const std::vector<PageLayer>& layers, const PageSpace& space, bool given,
+                        const RenderOptions& options) {
+  render::JsonMembers members;
+  members.text("title", options.title);
+  members.text("unit", first_text(layers, &Description::unit));
+  members.text("orientation", first_text(layers, &Description::orientation));
+  members.number("length", std::ldexp(space.scale, space.exponent));
+  members.number("stretch", options.stretch);
+  members.text("colour", name_of(options.colour));
+  members.number("azimuth", options.azimuth);
+  members.number("elevation", options.elevation);
+  members.number("explode", options.explode);
+  members.flag("edges", options.edges);
+  members.flag("drawContours", options.contours);
+  members.flag("contoursGiven", given);
+  if (options.cut) {
+    members.number("cutAxis", options.cut->axis);
+    members.number("cut",
+                   render::page_layer_cut(layers.front(), space, *options.cut, options.stretch));
+  } else {
+    members.raw("cut", "null");
+  }
+  // Of the first components; the viewer begins again after these.
+  members.list("componentColours", 48,
+               [](std::size_t k) { return render::json_colour(render::component_colour(k)); });
+  members.list("dihedralColours", 256, [](std::size_t k) {
+    return render::json_colour(render::dihedral_colour(static_cast<double>(k) / 255));
+  });
+  members.list("kindColours", kTetKinds, [](std::size_t k) {
+    return render::json_colour(render::kind_colour(static_cast<TetKind>(k)));
+  });
+  members.list("kindNames", kTetKinds,
+               [](std::size_t k) { return render::json_string(name_of(static_cast<TetKind>(k))); });
+  members.list("evidenceColours", kEvidences + 1,
+               [](std::size_t k) { return render::json_colour(render::evidence_colour(k)); });
+  members.list("evidenceNames", kEvidences, [](std::size_t k) {
+    return render::json_string(name_of(static_cast<Evidence>(k)));
+  });
+  members.list("models", layers.size(), [&](std::size_t k) {
+    return render::page_layer_header(layers[k], space, options.stretch);
+  });
+  return members.object();
+}
+
+std::string page_text(const std::vector<PageLayer>& layers, bool given,
+                      const RenderOptions& options, WatchedWork& work) {
+  const PageSpace space = space_of(layers);
+  std::string page =
+      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1, "
+      "viewport-fit=cover\">\n"
+      "<meta name=\"color-scheme\" content=\"light dark\">\n"
+      "<link rel=\"icon\" href=\"data:,\">\n<title>" +
+      render::html_text(options.title) + "</title>\n<style>\n" + render::kViewerCss +
+      "</style>\n</head>\n<body>\n" + render::kViewerHtml;
+  page += "<script type=\"application/json\" id=\"model\">" +
+          page_header(layers, space, given, options) + "</script>\n";
+  work.step_done_go_on();
+  for (std::size_t k = 0; k < layers.size(); ++k) {
+    render::append_page_layer(page, k, layers[k], space, work);
+  }
+  for (const char* script : render::viewer_scripts()) {
+    page += "<script>\n";
+    page += script;
+    page += "</script>\n";
+  }
+  return page + "</body>\n</html>\n";
+}
+
+// What a page calls a model that was given no name.
+std::string layer_name(const NamedModel& named, std::size_t number) {
+  if (!named.name.empty()) return named.name;
+  const std::string& own = named.model->about.name;
+  return own.empty() ? "model " + std::to_string(number + 1) : own;
+}
+
+Result<std::string> render_page(std::span<const NamedModel> models, const SectionStack* contours,
+                                const RenderOptions& options) {
+  if (models.empty()) return Error{ErrorCode::usage, "there is no model to draw", {}};
+  // A subject, and the arrays, of each; the header.
+  WatchedWork work(options.execution, models.size() * (1 + render::kPageArrays) + 1);
+  work.go_on();
+  std::vector<PageLayer> layers;
+  for (const NamedModel& named : models) {
+    if (named.model == nullptr) return Error{ErrorCode::usage, "a model is null", {}};
+    const std::string name = layer_name(named, layers.size());
+    Result<render::Subject> subject = render::subject_of(*named.model, contours, options);
+    if (!subject) {
+      Error error = subject.error();
+      if (models.size() > 1) error.message = io::in_quotes(name) + ": " + error.message;
+      return error;
+    }
+    layers.push_back({named.model, name, *std::move(subject)});
+    work.step_done_go_on();
+  }
+  return page_text(layers, contours != nullptr, options, work);
+}
 
 }  // namespace
 
+Result<std::string> render_html(std::span<const NamedModel> models, const SectionStack* contours,
+                                const RenderOptions& options) {
+  return guard_internal([&] { return render_page(models, contours, options); });
+}
+
 Result<std::string> render_html(const Model& model, const SectionStack* contours,
                                 const RenderOptions& options) {
-  return guard_internal([&]() -> Result<std::string> {
-    if (options.cut && options.cut->axis != 2) {
-      return Error{ErrorCode::usage, "the viewer cuts by z only", {}};
-    }
-    WatchedWork work(options.execution, Page::kSteps + 1);
-    work.go_on();
-    const Result<Subject> subject = render::subject_of(model, contours, options);
-    if (!subject) return subject.error();
-    work.step_done_go_on();
-    return Page(*subject, options, work).text();
+  return guard_internal([&] {
+    const NamedModel one{&model, options.title};
+    return render_page({&one, 1}, contours, options);
   });
 }
 

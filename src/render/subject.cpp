@@ -183,7 +183,10 @@ void number_components(const TetMesh& mesh, Subject& subject) {
   // Files may number them in any way.
   std::map<std::uint32_t, std::uint32_t> number;
   for (const std::uint32_t c : subject.component) number.emplace(c, 0U);
-  for (auto& [c, k] : number) k = static_cast<std::uint32_t>(subject.component_count++);
+  for (auto& [c, k] : number) {
+    k = static_cast<std::uint32_t>(subject.component_count++);
+    subject.component_number.push_back(c);
+  }
   for (std::uint32_t& c : subject.component) c = number[c];
 }
 

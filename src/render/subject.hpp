@@ -30,9 +30,10 @@ struct Subject {
   std::vector<Point3> points;     ///< z stretched
   std::vector<TetVertices> tets;  ///< by slab, in the model's order within each
   std::vector<std::uint32_t> component;
-  std::vector<std::uint32_t> slab;         ///< ascending
-  std::vector<std::uint32_t> slab_number;  ///< by slab: that of the model
-  std::vector<TetKind> kind;               ///< empty where the model has none
+  std::vector<std::uint32_t> component_number;  ///< by component: that of the model
+  std::vector<std::uint32_t> slab;              ///< ascending
+  std::vector<std::uint32_t> slab_number;       ///< by slab: that of the model
+  std::vector<TetKind> kind;                    ///< empty where the model has none
   std::vector<std::uint8_t>
       evidence;  ///< Evidence or kNoEvidence; empty where the model tells none
   std::array<std::size_t, kEvidences> links{};  ///< how many were made, by evidence

@@ -15,6 +15,17 @@ using test::run;
 using test::run_json;
 using test::TempFolder;
 
+// Nothing but points and a tet.
+const std::string kOneTet =
+    "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\">"
+    "<UnstructuredGrid><Piece NumberOfPoints=\"4\" NumberOfCells=\"1\"><Points>"
+    "<DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">"
+    "0 0 0 1 0 0 0 1 0 0 0 1</DataArray></Points><Cells>"
+    "<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">0 1 2 3</DataArray>"
+    "<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">4</DataArray>"
+    "<DataArray type=\"UInt8\" Name=\"types\" format=\"ascii\">10</DataArray>"
+    "</Cells></Piece></UnstructuredGrid></VTKFile>\n";
+
 class RenderCommand : public ::testing::Test {
  protected:
   RenderCommand() {
@@ -69,14 +80,52 @@ TEST_F(RenderCommand, EveryOptionChangesThePicture) {
   EXPECT_NE(drawn("a.html", {"--title", "x"}), drawn("b.html", {"--title", "y"}));
 }
 
+TEST_F(RenderCommand, APageIsCutAcrossAnyAxis) {
+  const std::string page = drawn("a.html");
+  for (const char* cut : {"x=1", "y=0", "z=0.5"}) {
+    EXPECT_NE(drawn("b.html", {"--cut", cut}), page) << cut;
+  }
+}
+
+TEST_F(RenderCommand, SeveralModelsAreOnePageUnderTheirNames) {
+  const std::string other = folder_.file("a < b.vtu"), page = folder_.file("both.html");
+  ASSERT_EQ(run({"reconstruct", in_, "--ends", "flat", "-o", other}).code, 0);
+  const std::string stack = folder_.file("in.cnt");
+  const test::Outcome outcome =
+      run({"render", model_, other, "--contours", stack, "-o", page, "--quiet"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const std::string text = test::get(page);
+  EXPECT_NE(text.find("<title>fork, a &lt; b</title>"), std::string::npos);
+  EXPECT_NE(text.find("\"name\":\"fork\""), std::string::npos);
+  EXPECT_NE(text.find("\"name\":\"a \\u003c b\""), std::string::npos);
+  EXPECT_NE(text.find("id=\"array-1-points\""), std::string::npos);
+  EXPECT_EQ(text.find("id=\"array-2-points\""), std::string::npos);
+}
+
+TEST_F(RenderCommand, SeveralModelsThatCannotBeShownLeaveNoPage) {
+  const std::string page = folder_.file("both.html"), picture = folder_.file("both.png");
+  expect_failure({"render", model_, model_, "-o", picture}, 2, "usage", "several models",
+                 {picture});
+  expect_failure({"render", model_, folder_.file("none.vtu"), "-o", page}, 4, "io", "none.vtu",
+                 {page});
+  expect_failure({"render", model_, in_, "-o", page}, 3, "invalid_input", "in.cnt", {page});
+  const std::string taken = folder_.file("taken.html");
+  test::put(taken, test::get(model_));
+  expect_failure({"render", model_, taken, "-o", taken}, 2, "usage", "taken.html");
+  EXPECT_EQ(test::get(taken), test::get(model_));
+  // Of a model that does not tell what its colours are asked to.
+  const std::string bare = folder_.file("bare.vtu");
+  test::put(bare, kOneTet);
+  expect_failure({"render", model_, bare, "--colour", "kind", "-o", page}, 2, "usage", "bare",
+                 {page});
+}
+
 TEST_F(RenderCommand, RefusesWrongUse) {
   const std::string out = folder_.file("out.png");
   expect_failure({"render", model_}, 2, "usage", "--output");
   expect_failure({"render", model_, "-o", folder_.file("a.gif")}, 2, "usage", ".html");
   expect_failure({"render", folder_.file("none.vtu"), "-o", out}, 4, "io", "none.vtu", {out});
   expect_failure({"render", in_, "-o", out}, 3, "invalid_input", "in.cnt", {out});
-  expect_failure({"render", model_, "-o", folder_.file("a.html"), "--cut", "x=1"}, 2, "usage",
-                 "z only", {folder_.file("a.html")});
   for (const auto& [option, value] :
        {std::pair{"--colour", "weight"}, std::pair{"--view", "10"}, std::pair{"--view", "10,95"},
         std::pair{"--cut", "w=1"}, std::pair{"--cut", "z"}, std::pair{"--size", "0x10"},

@@ -1,114 +1,115 @@
-// The page: camera, controls, and what they say.
+// The page: its state, and what holds its parts together.
 'use strict';
 
-class Camera {
-  constructor(azimuth, elevation) {
-    this.home = {azimuth, elevation};
-    this.look(azimuth, elevation);
-  }
-
-  // From as near as all `corners` are seen, in a picture of this aspect.
-  fit(corners, aspect) {
-    const {right, up, toward} = this.axes();
-    const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-    const reach = 0.88 * Math.tan(14 * Math.PI / 180) * Math.max(1, 1 / aspect);
-    this.distance = 0.01;
-    for (const corner of corners) {
-      const across = Math.max(Math.abs(dot(corner, right)) / aspect, Math.abs(dot(corner, up)));
-      this.distance = Math.max(this.distance, across / reach + dot(corner, toward));
-    }
-    this.target = [0, 0, 0];
-    this.fitted = true;
-  }
-
-  zoom(times) {
-    this.distance = Math.max(0.3, Math.min(400, this.distance * times));
-    this.fitted = false;
-  }
-
-  look(azimuth, elevation) {
-    this.azimuth = azimuth;
-    this.elevation = Math.max(-90, Math.min(90, elevation));
-  }
-
-  axes() {
-    const a = this.azimuth * Math.PI / 180;
-    const e = this.elevation * Math.PI / 180;
-    return {
-      right: [-Math.sin(a), Math.cos(a), 0],
-      up: [-Math.sin(e) * Math.cos(a), -Math.sin(e) * Math.sin(a), Math.cos(e)],
-      toward: [Math.cos(e) * Math.cos(a), Math.cos(e) * Math.sin(a), Math.sin(e)],
-    };
-  }
-
-  move(dx, dy) {
-    const {right, up} = this.axes();
-    this.fitted = false;
-    for (let i = 0; i < 3; ++i) this.target[i] += this.distance * (dx * right[i] + dy * up[i]);
-  }
-
-  // The size on the screen of what is `length` long at the target.
-  pixels(length, height) {
-    return length / this.distance / Math.tan(14 * Math.PI / 180) * height / 2;
-  }
-
-  matrices(aspect, reach) {
-    const {right, up, toward} = this.axes();
-    const dot = (v) => v[0] * this.target[0] + v[1] * this.target[1] + v[2] * this.target[2];
-    const view = new Float32Array([
-      right[0], up[0], toward[0], 0,
-      right[1], up[1], toward[1], 0,
-      right[2], up[2], toward[2], 0,
-      -dot(right), -dot(up), -dot(toward) - this.distance, 1,
-    ]);
-    const room = reach + Math.hypot(...this.target);
-    const near = Math.max(0.02 * this.distance, this.distance - room);
-    const far = this.distance + room;
-    const f = 1 / Math.tan(14 * Math.PI / 180) / Math.max(1, 1 / aspect);
-    const projection = new Float32Array([
-      f / aspect, 0, 0, 0,
-      0, f, 0, 0,
-      0, 0, (far + near) / (near - far), -1,
-      0, 0, 2 * far * near / (near - far), 0,
-    ]);
-    return {view, projection};
-  }
-}
+const SMALL = window.matchMedia('(max-width: 720px), (max-height: 480px)');
 
 class Viewer {
-  constructor(mesh) {
-    this.mesh = mesh;
+  constructor(page, layers) {
+    this.page = page;
+    this.layers = layers;
+    this.current = layers[0];
     this.canvas = document.getElementById('picture');
+    this.overlay = document.getElementById('marks');
+    this.camera = new Camera(page.azimuth, page.elevation);
+    this.cut = new Cut(layers);
+    this.startCut();
     this.state = {
-      colour: mesh.colour,
-      cut: mesh.cut === null || mesh.cut >= mesh.high ? Infinity : Math.max(mesh.low, mesh.cut),
-      explode: mesh.explode,
-      edges: mesh.edges,
-      contours: mesh.drawContours,
-      smooth: true,
+      cut: this.cut, explode: page.explode, edges: page.edges, contours: page.drawContours, smooth: true,
+      picked: null, sameContours: page.contoursGiven,
     };
-    this.camera = new Camera(mesh.azimuth, mesh.elevation);
-    this.drawing = new Drawing(this.canvas, mesh);
+    this.ends = [];
+    this.measuring = false;
+    this.layout = firstLayout(layers);
+    // What lies in one space is told apart; what is compared has the same colours.
+    if (this.layout === 'over') {
+      layers.forEach((layer, k) => { layer.firstColour = k === 0 ? 0 : layers[k - 1].firstColour + layers[k - 1].components.length; });
+    }
+    this.marks = new Marks(page);
+    this.drawing = new Drawing(this.canvas, layers);
+    this.theme = new Theme(() => this.refresh());
     this.frames = 0;
-    this.pending = false;
-    this.say();
-    this.connectControls();
-    this.connectPointer();
+    this.panes = [];
     this.fit();
+    this.drawNow();
+  }
+
+  // What the page is asked to show first. Of x and y the part away from the eye stays.
+  startCut() {
+    const {page, cut, camera} = this;
+    if (page.cut === null) return;
+    const axis = page.cutAxis;
+    const {place} = cut.along;
+    if (axis !== 2) {
+      cut.mode = 'xy'[axis];
+      cut.normal = unitOf(cut.along.inverse[axis]);
+      cut.findRange();
+    }
+    const at = dot(cut.normal, column(place, 3)) + page.cut * dot(cut.normal, column(place, axis));
+    cut.set(at);
+    if (axis !== 2 && dot(cut.normal, camera.axes().toward) < 0) {
+      cut.flip();
+      cut.set(-at);
+    }
+  }
+
+  // Everything that can be used, once all arrays are there.
+  connect() {
+    document.getElementById('title').textContent = this.page.title;
+    this.components = new ComponentList(this);
+    this.layerList = new LayerList(this);
+    this.panel = new Panel(this);
+    this.cutBar = new CutBar(this);
+    this.picture = new Picture(this);
+    this.pointer = new Pointer(this);
+    this.keys = new Keys(this);
+    this.components.fill();
+    document.getElementById('measure').addEventListener('click', () => this.setMeasuring(!this.measuring));
+    document.getElementById('forget').addEventListener('click', () => this.forget());
+    document.getElementById('ask').addEventListener('click', () => this.help());
+    // Phones take the graphics processor away from pages in the background, and give it back.
+    this.canvas.addEventListener('webglcontextlost', (event) => event.preventDefault());
+    this.canvas.addEventListener('webglcontextrestored', () => {
+      this.drawing = new Drawing(this.canvas, this.layers);
+      this.drawing.mark(this.state.picked);
+      this.refresh();
+    });
     new ResizeObserver(() => {
       if (this.camera.fitted) this.fit();
       this.refresh();
     }).observe(this.canvas);
-    this.drawNow();
   }
 
-  // All in the free part of the page, from where the eye looks.
+  size() { return {width: Math.max(1, this.canvas.clientWidth), height: Math.max(1, this.canvas.clientHeight)}; }
+
+  // Of the stage what the folded panel lies over; none where it lies beside.
+  titleCorner() {
+    const panel = document.getElementById('panel').getBoundingClientRect();
+    const stage = this.canvas.getBoundingClientRect();
+    const over = panel.right > stage.left + 1 && panel.bottom > stage.top + 1;
+    return over ? {right: panel.right - stage.left + 8, bottom: panel.bottom - stage.top + 8} : {right: 0, bottom: 0};
+  }
+
+  // All that is shown in the free part of the stage, from where the eye looks.
   fit() {
-    const mesh = this.mesh;
-    const apart = this.state.explode * mesh.gap;
-    const middle = (mesh.slabLow.length - 1) / 2;
-    const corners = mesh.outermost.map(([x, y, z, slab]) => [x, y, z + apart * (slab - middle)]);
-    this.camera.fit(corners, this.canvas.clientWidth / Math.max(1, this.canvas.clientHeight));
+    const {width, height} = this.size();
+    const [pane] = panesOf(this, width, height);
+    const {explode} = this.state;
+    const points = this.layers.filter((layer) => layer.visible).flatMap((layer) =>
+      layer.outermost.map((p) => layer.placed(p, p[3], explode)));
+    const [top, bottom] = pane.height > 320 ? [this.layout === 'side' ? 44 : 28, 76] : [12, 40];
+    const side = pane.width > 320 ? 32 : 16;
+    const into = (above) => this.camera.fit(points, {
+      width: pane.width - 2 * side, height: pane.height - above - bottom, lift: (bottom - above) / 2});
+    if (points.length > 0) {
+      into(top);
+      const title = this.titleCorner();
+      const hidden = (p) => {
+        const [x, y] = this.camera.project(p);
+        return x + pane.width / 2 < title.right && pane.height / 2 - y < title.bottom;
+      };
+      if (title.bottom > 0 && points.some(hidden)) into(Math.max(top, title.bottom));
+    }
+    this.state.reach = points.reduce((most, p) => Math.max(most, Math.hypot(...p)), 1);
   }
 
   home() {
@@ -117,16 +118,47 @@ class Viewer {
     this.refresh();
   }
 
-  // The radius of what is drawn, slabs moved apart.
-  reach() {
-    return 1 + this.state.explode * this.mesh.gap * (this.mesh.slabLow.length - 1) / 2;
+  explode(apart) {
+    this.state.explode = apart;
+    const {fitted, unit, target} = this.camera;
+    this.fit();
+    if (!fitted) Object.assign(this.camera, {fitted, unit, target});
+    this.refresh();
+  }
+
+  // Which model the panel is about.
+  choose(layer) {
+    this.current = layer;
+    this.panel.showLayer();
+    this.components.fill();
+  }
+
+  // What marks are painted from.
+  seen(theme) {
+    return {...this.size(), camera: this.camera, panes: this.panes, theme, explode: this.state.explode,
+            picked: this.state.picked, ends: this.ends};
+  }
+
+  drawSolid(dense) {
+    const {width, height} = this.size();
+    this.panes = panesOf(this, width, height);
+    this.state.ink = this.theme.shown === 'dark' ? [0.82, 0.85, 0.90] : [0.10, 0.12, 0.16];
+    this.drawing.draw(this.state, this.camera, this.panes, width, height, dense);
   }
 
   drawNow() {
-    this.drawing.draw(this.state, this.camera, this.reach());
+    const dense = Math.min(window.devicePixelRatio || 1, 2);
+    this.drawSolid(dense);
+    const {width, height} = this.size();
+    this.overlay.width = Math.round(width * dense);
+    this.overlay.height = Math.round(height * dense);
+    const ctx = this.overlay.getContext('2d');
+    ctx.scale(dense, dense);
+    this.marks.paint(ctx, this.seen(this.theme.shown));
     ++this.frames;
   }
 
+  // Once for all changes until the next frame; nothing is drawn while nothing changes.
   refresh() {
     if (this.pending) return;
     this.pending = true;
@@ -136,269 +168,112 @@ class Viewer {
     });
   }
 
+  spin() {
+    this.spinning = !this.spinning;
+    document.getElementById('spin').setAttribute('aria-pressed', String(this.spinning));
+    let before = null;
+    const turn = (now) => {
+      if (!this.spinning) return;
+      this.camera.look(this.camera.azimuth + (before === null ? 0 : 0.024 * Math.min(100, now - before)), this.camera.elevation);
+      before = now;
+      this.drawNow();
+      requestAnimationFrame(turn);
+    };
+    requestAnimationFrame(turn);
+  }
+
   // For tests.
   pixels() {
     this.drawNow();
     return this.drawing.pixels();
   }
 
-  say() {
-    const mesh = this.mesh;
-    const n = (k, one) => k.toLocaleString('en') + '\u00a0' + one.replace(' ', '\u00a0') + (k === 1 ? '' : 's');
-    document.getElementById('title').textContent = mesh.title;
-    document.getElementById('figures').textContent =
-      n(mesh.tetCount, 'tet') + ' · ' + n(mesh.boundary.length, 'boundary triangle') + ' · ' +
-      n(mesh.componentCount, 'component') + ' · ' + n(mesh.sections.length, 'section');
-    const ticks = document.getElementById('ticks');
-    for (const section of mesh.sections) {
-      const x = 1000 * (section.at - mesh.low) / (mesh.high - mesh.low || 1);
-      const line = document.createElementNS('http://www.w3.org/2000/svg', 'line');
-      for (const [name, value] of [['x1', x], ['x2', x], ['y1', 0], ['y2', 10]]) line.setAttribute(name, value);
-      ticks.append(line);
-    }
-    document.getElementById('apart').hidden = mesh.slabLow.length < 2;
+  // What is seen there; solids before ghosts.
+  hit({pane, x, y}) {
+    const parts = this.drawing.parts.filter((part) => part.layer.visible && pane.layers.includes(part.layer));
+    // Of what was changed since the last frame, too.
+    for (const part of parts) this.drawing.prepare(part, this.state);
+    const among = (solid) => pick(parts.filter((p) => p.layer.opacity > 0 && (p.layer.opacity >= 0.5) === solid),
+                                  this.state, this.camera, x, y);
+    return among(true) || among(false);
   }
 
-  connectControls() {
-    const by = document.getElementById('colour');
-    for (const name of this.mesh.colourings) {
-      const button = document.createElement('button');
-      button.type = 'button';
-      button.textContent = name;
-      button.setAttribute('role', 'radio');
-      button.addEventListener('click', () => {
-        this.state.colour = name;
-        this.showColour();
-      });
-      by.append(button);
-    }
-    this.showColour();
-    for (const name of ['contours', 'edges', 'smooth']) {
-      const box = document.getElementById(name);
-      box.checked = this.state[name];
-      box.addEventListener('change', () => {
-        this.state[name] = box.checked;
-        this.refresh();
-      });
-    }
-    const explode = document.getElementById('explode');
-    explode.value = this.state.explode;
-    explode.addEventListener('input', () => {
-      this.camera.distance /= this.reach();
-      this.state.explode = Number(explode.value);
-      this.camera.distance *= this.reach();
-      if (this.camera.fitted) this.fit();
-      this.refresh();
-    });
-    this.slider = document.getElementById('cut');
-    this.slider.addEventListener('input', () => {
-      const t = Number(this.slider.value) / 1000;
-      this.setCut(t >= 1 ? this.mesh.high : this.mesh.low + t * (this.mesh.high - this.mesh.low));
-    });
-    document.getElementById('down').addEventListener('click', () => this.step(-1));
-    document.getElementById('up').addEventListener('click', () => this.step(1));
-    for (const button of document.querySelectorAll('[data-view]')) {
-      button.addEventListener('click', () => {
-        this.camera.look(...button.dataset.view.split(' ').map(Number));
-        this.fit();
-        this.refresh();
-      });
-    }
-    this.connectFold();
-    document.getElementById('save').addEventListener('click', () => this.save());
-    window.addEventListener('keydown', (event) => {
-      if (event.target instanceof HTMLInputElement) return;
-      const step = {ArrowUp: 1, ArrowDown: -1}[event.key];
-      if (!step) return;
-      event.preventDefault();
-      this.step(step);
-    });
-    this.setCut(this.state.cut);
-  }
-
-  // On small screens the controls are folded at first.
-  connectFold() {
-    const button = document.getElementById('fold');
-    const fold = (folded) => {
-      document.querySelector('main').classList.toggle('folded', folded);
-      button.textContent = folded ? 'Controls' : 'Hide';
-      button.setAttribute('aria-expanded', String(!folded));
-    };
-    button.addEventListener('click', () => fold(button.getAttribute('aria-expanded') === 'true'));
-    fold(window.matchMedia('(max-width: 720px)').matches);
-    document.getElementById('hint').textContent = window.matchMedia('(pointer: coarse), (max-width: 720px)').matches
-      ? 'drag: turn · two fingers: move and zoom'
-      : 'drag: turn · wheel: nearer · shift and drag: move · ↑ ↓: sections';
-  }
-
-  showColour() {
-    for (const button of document.getElementById('colour').children) {
-      button.setAttribute('aria-checked', String(button.textContent === this.state.colour));
-    }
-    this.showLegend();
-    this.refresh();
-  }
-
-  showLegend() {
-    const legend = document.getElementById('legend');
-    const mesh = this.mesh;
-    const css = (c) => `rgb(${c[0]}, ${c[1]}, ${c[2]})`;
-    const row = (kind, colour, text) => {
-      const item = document.createElement(kind);
-      const swatch = document.createElement('i');
-      swatch.style.background = css(colour);
-      item.append(swatch, text);
-      return item;
-    };
-    const list = (colour, text, count = '') => {
-      const item = row('div', colour, text);
-      item.className = 'row';
-      item.append(Object.assign(document.createElement('span'), {textContent: count}));
-      legend.append(item);
-    };
-    const ramp = (colours, from, to) => {
-      const bar = document.createElement('div');
-      bar.className = 'ramp';
-      const stops = colours.length < 2 ? [colours[0], colours[0]] : colours;
-      const shown = Array.from({length: Math.min(24, stops.length)}, (_, i, all = Math.min(24, stops.length)) =>
-        css(stops[Math.round(i * (stops.length - 1) / (all - 1))]));
-      bar.style.background = `linear-gradient(to right, ${shown.join(', ')})`;
-      const ends = document.createElement('div');
-      ends.className = 'ends';
-      ends.append(Object.assign(document.createElement('span'), {textContent: from}),
-                  Object.assign(document.createElement('span'), {textContent: to}));
-      return [bar, ends];
-    };
-    legend.replaceChildren();
-    if (this.state.colour === 'slab') {
-      legend.append(...ramp(mesh.slabColours, 'first slab', 'last'));
-    } else if (this.state.colour === 'dihedral') {
-      legend.append(...ramp(mesh.dihedralColours, '0°, flat', '70.5°, regular'));
-    } else if (this.state.colour === 'kind') {
-      const present = new Set(mesh.kind);
-      for (const k of [...present].sort((a, b) => a - b)) list(mesh.kindColours[k], mesh.kindNames[k]);
-    } else if (this.state.colour === 'evidence') {
-      mesh.evidenceNames.forEach((name, k) => {
-        if (mesh.links[k] > 0) list(mesh.evidenceColours[k], name, mesh.links[k].toLocaleString('en'));
-      });
-      const none = mesh.evidenceNames.length;
-      if (mesh.evidence.includes(none)) list(mesh.evidenceColours[none], 'no link');
-      const note = 'Links, by what they rest on. A part of a slab has the colour of its least sure one.';
-      legend.append(Object.assign(document.createElement('p'), {textContent: note}));
+  pickAt(place) {
+    const picked = this.hit(place);
+    if (this.measuring) {
+      if (picked) this.ends = this.ends.length === 2 ? [picked] : [...this.ends, picked];
     } else {
-      const few = Math.min(mesh.componentCount, 12);
-      for (let c = 0; c < few; ++c) {
-        const item = row('button', mesh.componentColours[c], 'component ' + c);
-        item.type = 'button';
-        item.title = 'show or hide';
-        item.setAttribute('aria-pressed', String(!mesh.hidden.has(c)));
-        item.addEventListener('click', () => {
-          if (!mesh.hidden.delete(c)) mesh.hidden.add(c);
-          item.setAttribute('aria-pressed', String(!mesh.hidden.has(c)));
-          this.refresh();
-        });
-        legend.append(item);
-      }
-      if (few < mesh.componentCount) legend.append(`and ${mesh.componentCount - few} more`);
+      this.state.picked = picked;
+      this.drawing.mark(picked);
     }
-  }
-
-  // From the top of the solid on nothing is cut: Infinity, not a plane in its topmost faces.
-  setCut(position) {
-    const mesh = this.mesh;
-    const cut = position >= mesh.high ? Infinity : position;
-    this.state.cut = cut;
-    const range = mesh.high - mesh.low || 1;
-    this.slider.value = cut === Infinity ? 1000 : 1000 * (cut - mesh.low) / range;
-    const z = Number((mesh.centre + cut * mesh.scale).toPrecision(6));
-    const below = mesh.sections.filter((s) => s.at <= cut).length - 1;
-    let text = 'the whole solid';
-    if (cut !== Infinity) {
-      const exactly = below >= 0 && mesh.sections[below].at === cut;
-      text = `z = ${z} · ` + (exactly ? `section ${below}`
-        : below < 0 ? 'below section 0'
-        : below + 1 === mesh.sections.length ? `above section ${below}`
-        : `sections ${below} to ${below + 1}`);
-    }
-    document.getElementById('place').textContent = text;
+    this.showCard();
     this.refresh();
   }
 
-  // To the next section up or down; past the last: the whole solid.
-  step(way) {
-    const heights = this.mesh.sections.map((s) => s.at);
-    const next = way > 0 ? heights.find((z) => z > this.state.cut)
-      : heights.filter((z) => z < Math.min(this.state.cut, this.mesh.high)).pop();
-    if (next !== undefined) this.setCut(next);
-    else if (way > 0) this.setCut(this.mesh.high);
+  setMeasuring(on) {
+    this.measuring = on;
+    this.ends = [];
+    this.state.picked = null;
+    document.getElementById('measure').setAttribute('aria-pressed', String(on));
+    document.getElementById('stage').classList.toggle('measuring', on);
+    // Where the controls take the room of the picture, they make way.
+    if (on && SMALL.matches) this.panel.fold(true);
+    this.showCard();
+    this.refresh();
   }
 
-  save() {
-    this.drawNow();
-    this.canvas.toBlob((blob) => {
-      const link = document.createElement('a');
-      link.href = URL.createObjectURL(blob);
-      link.download = (this.mesh.title || 'solid') + '.png';
-      link.click();
-      URL.revokeObjectURL(link.href);
-    });
+  forget() {
+    this.setMeasuring(false);
+    this.components.point(-1);
   }
 
-  connectPointer() {
-    const canvas = this.canvas;
-    const down = new Map();
-    const spread = () => {
-      const [a, b] = [...down.values()];
-      return Math.max(1, Math.hypot(a.x - b.x, a.y - b.y));
-    };
-    const move = (dx, dy) => {
-      const unit = 0.5 / canvas.clientHeight;
-      this.camera.move(-dx * unit, dy * unit);
-    };
-    canvas.addEventListener('pointerdown', (event) => {
-      canvas.setPointerCapture(event.pointerId);
-      down.set(event.pointerId, {x: event.clientX, y: event.clientY});
-    });
-    canvas.addEventListener('pointermove', (event) => {
-      const before = down.get(event.pointerId);
-      if (!before) return;
-      const dx = event.clientX - before.x;
-      const dy = event.clientY - before.y;
-      const wide = down.size > 1 ? spread() : 0;
-      down.set(event.pointerId, {x: event.clientX, y: event.clientY});
-      if (down.size > 1) {
-        // Two fingers: the solid follows their middle, and their distance.
-        this.camera.zoom(wide / spread());
-        move(dx / down.size, dy / down.size);
-      } else if (event.shiftKey || event.buttons === 2 || event.buttons === 4) {
-        move(dx, dy);
-      } else {
-        this.camera.look(this.camera.azimuth - 0.4 * dx, this.camera.elevation + 0.4 * dy);
-      }
-      this.refresh();
-    });
-    for (const name of ['pointerup', 'pointercancel']) {
-      canvas.addEventListener(name, (event) => down.delete(event.pointerId));
+  // The card tells what was picked, or measured.
+  showCard() {
+    const {picked} = this.state;
+    const rows = document.getElementById('facts');
+    let facts = picked ? describe(this.page, picked, this.layers.length > 1) : [];
+    if (this.measuring) {
+      const file = (end) => mapped(end.layer.file, end.own).map((x) => this.page.number(x)).join(', ') + this.page.unitText;
+      facts = this.ends.map((end, k) => [k === 0 ? 'From' : 'To', file(end)]);
+      if (this.ends.length === 2) facts.unshift(['Distance', this.page.lengthText(distanceOf(this.ends))]);
+      else facts.push(['Distance', this.ends.length === 0 ? 'pick the first point' : 'pick the second point']);
     }
-    canvas.addEventListener('contextmenu', (event) => event.preventDefault());
-    canvas.addEventListener('dblclick', () => {
-      this.home();
-    });
-    canvas.addEventListener('wheel', (event) => {
-      event.preventDefault();
-      const lines = event.deltaMode === 1 ? 16 : 1;
-      this.camera.zoom(Math.exp(0.0012 * lines * event.deltaY));
-      this.refresh();
-    }, {passive: false});
+    rows.replaceChildren(...facts.map(([what, value]) => {
+      const pair = document.createElement('div');
+      pair.append(Object.assign(document.createElement('dt'), {textContent: what}),
+                  Object.assign(document.createElement('dd'), {textContent: value}));
+      return pair;
+    }));
+    document.getElementById('card').hidden = facts.length === 0;
+    if (picked && picked.layer === this.current) this.components.point(picked.layer.arrays.component[picked.tet]);
   }
+
+  // Beside the picture where there is room.
+  placeCard(overPicture) {
+    document.getElementById(overPicture ? 'stage' : 'panel').append(document.getElementById('card'));
+  }
+
+  help() { document.getElementById('help').showModal(); }
 }
 
 (async () => {
   const message = document.getElementById('message');
   try {
-    window.tetloft = new Viewer(await Mesh.read());
+    document.querySelector('main').classList.toggle('folded', SMALL.matches);
+    const start = performance.now();
+    const page = new Page();
+    const layers = page.models.map((_, k) => new Layer(page, k));
+    await Promise.all(layers.map((layer) => layer.unpackFirst()));
+    const unpacked = performance.now();
+    const viewer = new Viewer(page, layers);
     message.hidden = true;
+    const drawn = performance.now();
+    await Promise.all(layers.map((layer) => layer.unpackRest()));
+    viewer.connect();
+    viewer.times = {unpacked: unpacked - start, drawn: drawn - unpacked, rest: performance.now() - drawn};
+    window.tetloft = viewer;
   } catch (error) {
+    message.hidden = false;
     message.textContent = error.message;
     throw error;
   }

@@ -13,7 +13,6 @@
 #include <tetloft/render.hpp>
 
 #include "core/prng.hpp"
-#include "io/base64.hpp"
 #include "unit/render/boxes.hpp"
 #include "unit/render/inflate.hpp"
 
@@ -281,81 +280,6 @@ TEST(Svg, DrawsSeenTrianglesOnlyAndTwelveOfABoxHaveSix) {
   EXPECT_TRUE(with_lines->ends_with("</svg>\n"));
 }
 
-// The values of an array of the page.
-template <class T>
-std::vector<T> array_of(const std::string& page, const std::string& name) {
-  const std::string opening = "id=\"array-" + name + "\">";
-  const std::size_t begin = page.find(opening);
-  if (begin == std::string::npos) return {};
-  const std::size_t from = begin + opening.size();
-  const std::string text = page.substr(from, page.find('<', from) - from);
-  const auto stream = io::decode_base64(text, text.size());
-  const auto planes = stream ? test::inflate(*stream) : std::nullopt;
-  EXPECT_TRUE(planes) << name;
-  if (!planes) return {};
-  const std::size_t n = planes->size() / sizeof(T);
-  std::vector<T> values(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    std::uint32_t bits = 0;
-    for (std::size_t k = 0; k < sizeof(T); ++k) {
-      bits |= static_cast<std::uint32_t>(static_cast<unsigned char>((*planes)[k * n + i])) << 8 * k;
-    }
-    if constexpr (std::is_same_v<T, float>) {
-      values[i] = std::bit_cast<float>(bits);
-    } else {
-      values[i] = static_cast<T>(bits);
-    }
-  }
-  return values;
-}
-
-TEST(Page, HoldsTheModelAndRefersToNothingOutside) {
-  Model model = boxes(2, 2);
-  RenderOptions options;
-  options.title = "a </script> <b>";
-  const auto page = render_html(model, nullptr, options);
-  ASSERT_TRUE(page);
-  const auto points = array_of<float>(*page, "points");
-  const auto tets = array_of<std::uint32_t>(*page, "tets");
-  const auto boundary = array_of<std::uint32_t>(*page, "boundary");
-  ASSERT_EQ(points.size(), 3 * model.points.size());
-  ASSERT_EQ(tets.size(), 4 * model.tets.size());
-  // Volume and area, in the page's units of half the diagonal of 7 × 2 × 6.
-  const double unit = std::sqrt(49.0 + 4 + 36) / 2;
-  const auto coordinate = [&](std::size_t v, std::size_t k) {
-    return unit * static_cast<double>(points[3 * v + k]);
-  };
-  double volume = 0;
-  for (std::size_t t = 0; t < tets.size(); t += 4) {
-    std::array<std::array<double, 3>, 3> d{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        d[i][k] = coordinate(tets[t + i + 1], k) - coordinate(tets[t], k);
-      }
-    }
-    volume += (d[0][0] * (d[1][1] * d[2][2] - d[1][2] * d[2][1]) -
-               d[0][1] * (d[1][0] * d[2][2] - d[1][2] * d[2][0]) +
-               d[0][2] * (d[1][0] * d[2][1] - d[1][1] * d[2][0])) /
-              6;
-  }
-  EXPECT_NEAR(volume, 2 * 2 * 2 * 6, 1e-4);
-  EXPECT_EQ(boundary.size(), 2U * (4 * 4 + 4));
-  EXPECT_EQ(array_of<std::uint32_t>(*page, "walls").size(), 2U * 2 * 2);
-  EXPECT_EQ(array_of<std::int8_t>(*page, "normals").size(), 9 * boundary.size());
-  EXPECT_EQ(array_of<std::uint32_t>(*page, "component").size(), model.tets.size());
-  EXPECT_EQ(array_of<float>(*page, "contours").size(), 6U * 2 * 3 * 4);
-  for (const char* outside : {"http://", "https://", "src=", "url(", "import "}) {
-    std::string searched = *page;
-    // The name of a standard, not a reference.
-    const std::string name = "http://www.w3.org/2000/svg";
-    for (std::size_t at; (at = searched.find(name)) != std::string::npos;) {
-      searched.erase(at, name.size());
-    }
-    EXPECT_EQ(searched.find(outside), std::string::npos) << outside;
-  }
-  EXPECT_EQ(page->find("<b>"), std::string::npos);
-}
-
 TEST(Pictures, AreTheSameAtEveryScale) {
   const auto scaled = [](int exponent) {
     Model model = boxes(2, 2);
@@ -377,10 +301,6 @@ TEST(Pictures, AreTheSameAtEveryScale) {
     ASSERT_TRUE(other) << to_string(other.error());
     EXPECT_TRUE(*other == *png) << exponent;
     EXPECT_EQ(*render_svg(scaled(exponent), nullptr, options), *svg) << exponent;
-    const auto page = render_html(scaled(exponent), nullptr, options);
-    ASSERT_TRUE(page);
-    EXPECT_EQ(array_of<float>(*page, "points"),
-              array_of<float>(*render_html(scaled(0), nullptr, options), "points"));
   }
 }
 
@@ -430,9 +350,11 @@ TEST(Pictures, RefuseWhatCannotBeDrawn) {
     change(options);
     EXPECT_EQ(refused(boxes(1), options), ErrorCode::usage);
   }
-  options = small();
-  options.cut = PictureCut{0, 1};
-  EXPECT_FALSE(render_html(boxes(1), nullptr, options));
+  for (int axis = 0; axis < 3; ++axis) {
+    options = small();
+    options.cut = PictureCut{axis, 1};
+    EXPECT_EQ(refused(boxes(1), options), std::nullopt);
+  }
   // A model without any data but points and tets.
   Model bare;
   bare.points = boxes(1).points;
