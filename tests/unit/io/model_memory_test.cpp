@@ -1,6 +1,7 @@
 // What readers of models take of memory, over files made to take much.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <string>
