@@ -80,10 +80,12 @@ enum class Encoding {
 
 /// VTK XML unstructured grid: Float64 points; cell data component, slab, kind; point data
 /// section, contour, origin, each left out where the model's is empty; an invalid id is −1; links
-/// and motions as field data. All is read back bit for bit, ASCII too. Refused (invalid_input)
-/// where an array has a wrong length, a tet names a vertex that there is not, a kind or origin is
-/// none; or a link or motion has no slab or contour, no evidence or fate, or a number that is not
-/// finite.
+/// and motions, and about and component_names as UTF-8, as field data. All is read back bit for
+/// bit, ASCII too; but of names, where there are more components than tets, nothing. Compressed
+/// data would not be read back where they unpack to more than 32 times their size: they are written
+/// plain then. Refused (invalid_input) where an array has a wrong length, a tet names a vertex that
+/// there is not, a kind or origin is none; or a link or motion has no slab or contour, no evidence
+/// or fate, or a number that is not finite.
 [[nodiscard]] TETLOFT_API Result<void> write_vtu(const std::string& path, const Model& model,
                                                  Encoding encoding = Encoding::binary);
 [[nodiscard]] TETLOFT_API Result<std::string> format_vtu(const Model& model,
@@ -104,11 +106,12 @@ enum class Encoding {
 /// The same from bytes; `name` stands for the file in messages.
 [[nodiscard]] TETLOFT_API Result<Model> parse_vtu(std::string_view bytes, const std::string& name);
 
-/// Writes the boundary surface as .obj, .ply (binary double), .vtp or .stl (binary,
-/// float32), by extension. Vertices are those of the surface, renumbered by id. The
-/// warnings say where rounding to float32 merges vertices or flattens triangles. Refused:
-/// other extensions (usage), coordinates beyond float32 in .stl, and models as in write_vtu()
-/// (invalid_input).
+/// Writes the boundary surface as .obj, .off, .ply, .vtp or .3mf (doubles), .stl or .glb (float32), by
+/// extension, with components, names and unit as far as the format has them. Vertices are those of
+/// the surface, renumbered by id. The warnings say where rounding to float32 merges vertices or
+/// flattens triangles, and what .3mf lacks: the unit, or a closed surface of each component. Refused:
+/// other extensions (usage), coordinates beyond float32 in .stl and .glb, .3mf and .glb of 4 GiB,
+/// and models as in write_vtu() (invalid_input).
 [[nodiscard]] TETLOFT_API Result<std::vector<Warning>> write_surface(
     const std::string& path, const Model& model, Encoding encoding = Encoding::binary);
 

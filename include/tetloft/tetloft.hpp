@@ -21,6 +21,7 @@
 #include <tetloft/reconstruct.hpp>
 #include <tetloft/render.hpp>
 #include <tetloft/report.hpp>
+#include <tetloft/report_page.hpp>
 #include <tetloft/result.hpp>
 #include <tetloft/sections.hpp>
 #include <tetloft/tet_mesh.hpp>

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "check/box_tree.hpp"
+#include "check/dihedral.hpp"
 #include "core/unit_of_length.hpp"
 #include "sections/scaling.hpp"
 
@@ -73,42 +74,6 @@ class RegionDistance {
   BoxTree tree_;
 };
 
-struct Vector3 {
-  double x, y, z;
-};
-Vector3 cross(const Vector3& a, const Vector3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-double dot(const Vector3& a, const Vector3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-
-double smallest_dihedral(const std::array<Point3, 4>& corner) {
-  const auto difference = [&](std::size_t i, std::size_t j) {
-    return Vector3{corner[j].x - corner[i].x, corner[j].y - corner[i].y, corner[j].z - corner[i].z};
-  };
-  const double six_volumes = dot(cross(difference(0, 1), difference(0, 2)), difference(0, 3));
-  if (!(six_volumes > 0)) return 0;
-  std::array<Vector3, 4> normal;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const auto& f = kFaceVertex[i];
-    const auto a = static_cast<std::size_t>(f[0]);
-    normal[i] = cross(difference(a, static_cast<std::size_t>(f[1])),
-                      difference(a, static_cast<std::size_t>(f[2])));
-  }
-  double smallest = kFarthest;
-  for (std::size_t e = 0; e < 6; ++e) {
-    // Edge e lies in the faces opposite the two vertices of edge 5 − e. Their normals n, m
-    // have n × m = ± 6 V · (the edge), which stays accurate for small angles.
-    const auto i = static_cast<std::size_t>(kEdgeVertex[e][0]);
-    const auto j = static_cast<std::size_t>(kEdgeVertex[e][1]);
-    const auto n = static_cast<std::size_t>(kEdgeVertex[5 - e][0]);
-    const auto m = static_cast<std::size_t>(kEdgeVertex[5 - e][1]);
-    const Vector3 along = difference(i, j);
-    const double sine = six_volumes * std::sqrt(dot(along, along));
-    smallest = std::min(smallest, std::atan2(sine, -dot(normal[n], normal[m])));
-  }
-  return smallest;
-}
-
 }  // namespace
 
 double overshoot(const ModelView& view, const SectionStack& stack) {
@@ -147,7 +112,6 @@ double overshoot(const ModelView& view, const SectionStack& stack) {
 }
 
 double smallest_dihedral_degrees(const ModelView& view) {
-  constexpr double kDegrees = 180 / 3.14159265358979323846;
   UnitOfLength unit;
   for (const TetVertices& tet : view.tets) {
     for (const VertexId v : tet) unit.include(view.points[v.index()]);
@@ -157,9 +121,9 @@ double smallest_dihedral_degrees(const ModelView& view) {
   for (const TetVertices& tet : view.tets) {
     std::array<Point3, 4> corner;
     for (std::size_t i = 0; i < 4; ++i) corner[i] = scaled(view.points[tet[i].index()], exponent);
-    smallest = std::min(smallest, smallest_dihedral(corner));
+    for (const double angle : dihedral_degrees(corner)) smallest = std::min(smallest, angle);
   }
-  return view.tets.empty() ? 180 : smallest * kDegrees;
+  return view.tets.empty() ? 180 : smallest;
 }
 
 }  // namespace tetloft::internal::checking

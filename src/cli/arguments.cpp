@@ -47,6 +47,7 @@ std::string see_help(const Usage& usage) {
 Result<Arguments> Arguments::parse(const Usage& usage, const std::vector<std::string>& words) {
   Arguments arguments;
   arguments.operand_words_ = usage.words;
+  arguments.line_ = words;
   bool options_ended = false;
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string& word = words[i];

@@ -48,6 +48,8 @@ class Arguments {
 
   [[nodiscard]] const std::string& operand(std::size_t i) const { return operands_[i]; }
   [[nodiscard]] std::size_t operand_count() const { return operands_.size(); }
+  /// All that stood behind the command.
+  [[nodiscard]] const std::vector<std::string>& line() const { return line_; }
   /// Which of the usage's words the operand is, by index.
   [[nodiscard]] Result<std::size_t> chosen_operand() const;
   [[nodiscard]] bool has(std::string_view option) const { return find(option) != nullptr; }
@@ -68,6 +70,7 @@ class Arguments {
   };
   [[nodiscard]] const std::string* find(std::string_view option) const;
 
+  std::vector<std::string> line_;
   std::vector<std::string> operands_;
   std::vector<std::string> operand_words_;
   std::map<std::string, Given, std::less<>> given_;  // by full name

@@ -1,13 +1,13 @@
 // tetloft check: the five guarantees, exactly.
-#include <limits>
-#include <optional>
+#include <utility>
 
+#include "cli/check_options.hpp"
 #include "cli/commands.hpp"
-#include "cli/engine_option.hpp"
 #include "cli/file_formats.hpp"
 #include "cli/label_input.hpp"
 #include "cli/progress.hpp"
 #include "cli/stack_input.hpp"
+#include "cli/verdicts.hpp"
 
 namespace tetloft::cli {
 
@@ -20,44 +20,11 @@ Usage check_usage() {
               stack_options(),
               "Give the options of correspondence, and --snap, as they were given to "
               "reconstruct. Exits with 1 if a guarantee fails."};
-  usage.options.push_back(
-      {"--motions", "",
-       "with --correspondence moved: estimate anew how regions move, too; else that is taken from "
-       "the model"});
-  usage.options.push_back({"--strict", "",
-                           "no exceptions: cavities and tunnels that are not as defined fail, "
-                           "though the model says so"});
-  usage.options.push_back(model_format_option());
-  for (const Option& option : {kThreadsOption, kJsonOption, kQuietOption, kHelpOption}) {
+  for (const Option& option : check_option_list()) usage.options.push_back(option);
+  for (const Option& option : {kJsonOption, kQuietOption, kHelpOption}) {
     usage.options.push_back(option);
   }
   return usage;
-}
-
-void write_failures(JsonWriter& json, const GuaranteeVerdict& verdict) {
-  json.key("failures");
-  json.begin_array();
-  for (const CheckFailure& failure : verdict.failures) {
-    json.begin_object();
-    json.member("what", failure.what);
-    json.member("count", failure.count);
-    json.key("places");
-    json.begin_array();
-    for (const std::string& place : failure.places) json.value(place);
-    json.end_array();
-    json.end_object();
-  }
-  json.end_array();
-}
-
-// null where there is none.
-template <class Number>
-void write_known(JsonWriter& json, const char* name, const std::optional<Number>& number) {
-  if (number.has_value()) {
-    json.member(name, *number);
-  } else {
-    json.member(name, std::numeric_limits<double>::quiet_NaN());
-  }
 }
 
 std::string to_json(const CheckReport& report, const StackInput& input, const Console& console) {
@@ -72,7 +39,7 @@ std::string to_json(const CheckReport& report, const StackInput& input, const Co
     json.member("name", verdict.name);
     json.member("pass", verdict.pass);
     json.member("not_asked", verdict.not_asked);
-    write_failures(json, verdict);
+    write_failures(json, verdict.failures);
     json.end_object();
   }
   json.end_array();
@@ -87,10 +54,10 @@ std::string to_json(const CheckReport& report, const StackInput& input, const Co
   json.member("largest_split_ulps", report.largest_split_ulps);
   json.member("inner_vertices", report.inner_vertices);
   json.member("dropped_links", report.dropped_links);
-  write_known(json, "cavities", report.cavities);
-  write_known(json, "expected_cavities", report.expected_cavities);
-  write_known(json, "least_genus", report.least_genus);
-  write_known(json, "most_genus", report.most_genus);
+  json.member("cavities", report.cavities);
+  json.member("expected_cavities", report.expected_cavities);
+  json.member("least_genus", report.least_genus);
+  json.member("most_genus", report.most_genus);
   json.member("deviations", report.deviations);
   json.member("forced_voids", report.forced_voids);
   json.member("unrealisable_voids", report.unrealisable_voids);
@@ -166,32 +133,12 @@ std::string to_text(const CheckReport& report, const StackInput& input) {
   return text;
 }
 
-std::string failed_guarantees(const CheckReport& report) {
-  std::string text = "check failed:";
-  for (const GuaranteeVerdict& verdict : report.guarantees) {
-    if (verdict.pass) continue;
-    text += text.back() == ':' ? " guarantee " : ", ";
-    text += std::to_string(verdict.number) + " (" + verdict.name + ')';
-  }
-  return text;
-}
-
 Result<int> run_check(const Arguments& arguments, Console& console) {
-  CheckOptions options;
-  auto correspondence = correspondence_options(arguments, console);
-  if (!correspondence) return correspondence.error();
-  options.correspondence = *std::move(correspondence);
-  options.recompute_motions = arguments.has("--motions");
-  options.strict = arguments.has("--strict");
-  if (options.recompute_motions && options.correspondence.criterion != Criterion::moved) {
-    console.warn({"--motions has no effect but with --correspondence moved", {}});
-  }
+  auto chosen = check_options(arguments, console);
+  if (!chosen) return chosen.error();
+  CheckOptions options = *std::move(chosen);
   const auto prepared = preparation(arguments);
   if (!prepared) return prepared.error();
-
-  const auto threads = threads_option(arguments);
-  if (!threads) return threads.error();
-  options.execution.threads = *threads;
   const auto format = chosen_model_format(arguments);
   if (!format) return format.error();
 
@@ -216,7 +163,7 @@ Result<int> run_check(const Arguments& arguments, Console& console) {
   }
   if (!told) return told.error();
   if (report->pass()) return 0;
-  console.say(failed_guarantees(*report));
+  console.say(failed_guarantees(report->guarantees));
   return kGuaranteeFails;
 }
 

@@ -24,10 +24,11 @@ struct Command {
 [[nodiscard]] Command between_command();
 [[nodiscard]] Command skeleton_command();
 [[nodiscard]] Command render_command();
+[[nodiscard]] Command report_command();
 [[nodiscard]] Command completion_command();
 [[nodiscard]] Command manual_command();
 
-/// Exit code of `check` where a guarantee fails.
+/// Exit code of `check` and `report` where a guarantee fails.
 inline constexpr int kGuaranteeFails = 1;
 
 /// Options that every command has.

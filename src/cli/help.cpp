@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::array kExitCodes{
     ExitCode{0, "done"},
-    ExitCode{kGuaranteeFails, "check: a guarantee fails"},
+    ExitCode{kGuaranteeFails, "check, report: a guarantee fails"},
     ExitCode{2, "usage"},
     ExitCode{3, "invalid input"},
     ExitCode{4, "a file cannot be read or written"},
@@ -34,9 +34,10 @@ std::string exit_code_sentence() {
 }  // namespace
 
 std::vector<Command> all_commands() {
-  return {reconstruct_command(), check_command(),    links_command(),      between_command(),
-          delaunay_command(),    skeleton_command(), render_command(),     info_command(),
-          convert_command(),     slice_command(),    completion_command(), manual_command()};
+  return {reconstruct_command(), check_command(),    links_command(),  between_command(),
+          delaunay_command(),    skeleton_command(), render_command(), report_command(),
+          info_command(),        convert_command(),  slice_command(),  completion_command(),
+          manual_command()};
 }
 
 std::span<const ExitCode> exit_codes() { return kExitCodes; }

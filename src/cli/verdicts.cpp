@@ -9,4 +9,30 @@ std::string describe(const GuaranteeVerdict& verdict, const CheckFailure& failur
   return text;
 }
 
+std::string failed_guarantees(const std::vector<GuaranteeVerdict>& verdicts) {
+  std::string text = "check failed:";
+  for (const GuaranteeVerdict& verdict : verdicts) {
+    if (verdict.pass) continue;
+    text += text.back() == ':' ? " guarantee " : ", ";
+    text += std::to_string(verdict.number) + " (" + verdict.name + ')';
+  }
+  return text;
+}
+
+void write_failures(JsonWriter& json, const std::vector<CheckFailure>& failures) {
+  json.key("failures");
+  json.begin_array();
+  for (const CheckFailure& failure : failures) {
+    json.begin_object();
+    json.member("what", failure.what);
+    json.member("count", failure.count);
+    json.key("places");
+    json.begin_array();
+    for (const std::string& place : failure.places) json.value(place);
+    json.end_array();
+    json.end_object();
+  }
+  json.end_array();
+}
+
 }  // namespace tetloft::cli

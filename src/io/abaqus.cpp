@@ -42,16 +42,18 @@ void append_deck_ids(std::string& text, std::size_t number, const TetVertices& c
   text += '\n';
 }
 
-void append_deck_nodes(Pieces& pieces, const Model& model) {
+std::vector<Warning> append_deck_nodes(Pieces& pieces, const Model& model) {
   std::string& text = pieces.text();
+  FittedCoordinates coordinates(kDeckWidth);
   text += std::string("*NODE, NSET=") + kDeckNodes + '\n';
   for (const VertexId v : model.points.ids()) {
     append_number(text, std::uint64_t{v.value()} + 1);
     const Point3& p = model.points[v];
-    for (const double c : {p.x, p.y, p.z}) text += ", " + fitted_number(c, kDeckWidth);
+    for (const double c : {p.x, p.y, p.z}) text += ", " + coordinates.text_of(c);
     text += '\n';
     pieces.next();
   }
+  return coordinates.warnings();
 }
 
 // A set for each component, and one of all.
@@ -133,7 +135,7 @@ Written write_abaqus(Sink& sink, const Model& model, const Target& /*target*/) {
   for (std::size_t g = 0; g < groups.size(); ++g) {
     text += "** elset " + labels[g] + " is " + printable(groups[g].name) + '\n';
   }
-  append_deck_nodes(pieces, model);
+  std::vector<Warning> warnings = append_deck_nodes(pieces, model);
   append_deck_elements(pieces, model, groups, labels);
   const Surface surface = boundary_surface(model);
   if (!surface.triangles.empty()) {
@@ -141,7 +143,7 @@ Written write_abaqus(Sink& sink, const Model& model, const Target& /*target*/) {
     append_deck_boundary_nodes(pieces, model, surface);
   }
   pieces.finish();
-  return fitting_warnings(model, kDeckWidth);
+  return warnings;
 }
 
 }  // namespace

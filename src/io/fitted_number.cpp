@@ -66,22 +66,23 @@ std::string fitted_number(double value, std::size_t width) {
   return text;
 }
 
-std::vector<Warning> fitting_warnings(const Model& model, std::size_t width) {
-  std::size_t count = 0;
-  double largest = 0;
-  for (const Point3& p : model.points) {
-    for (const double c : {p.x, p.y, p.z}) {
-      const double read = parse_number(fitted_number(c, width)).value;
-      if (read == c) continue;
-      ++count;
-      largest = std::max(largest, std::fabs(read - c));
-    }
+std::string FittedCoordinates::text_of(double coordinate) {
+  ++count_;
+  std::string text = fitted_number(coordinate, width_);
+  const double read = parse_number(text).value;
+  if (read != coordinate) {
+    ++rounded_;
+    largest_ = std::max(largest_, std::fabs(read - coordinate));
   }
-  if (count == 0) return {};
+  return text;
+}
+
+std::vector<Warning> FittedCoordinates::warnings() const {
+  if (rounded_ == 0) return {};
   std::string difference;
-  append_number(difference, static_cast<float>(largest));
-  return {{std::to_string(count) + " of " + std::to_string(3 * model.points.size()) +
-               " coordinates have more digits than fit into the " + std::to_string(width) +
+  append_number(difference, static_cast<float>(largest_));
+  return {{std::to_string(rounded_) + " of " + std::to_string(count_) +
+               " coordinates have more digits than fit into the " + std::to_string(width_) +
                " characters of a field: they are rounded, by " + difference + " at most",
            {}}};
 }

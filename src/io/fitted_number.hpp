@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include <tetloft/model.hpp>
 #include <tetloft/result.hpp>
 
 namespace tetloft::internal::io {
@@ -15,8 +14,20 @@ namespace tetloft::internal::io {
 /// digits that read back where they fit.
 [[nodiscard]] std::string fitted_number(double value, std::size_t width);
 
-/// A warning where coordinates do not read back to the same bits from such fields, with the largest
-/// difference.
-[[nodiscard]] std::vector<Warning> fitting_warnings(const Model& model, std::size_t width);
+/// The coordinates of one file, of such fields.
+class FittedCoordinates {
+ public:
+  explicit FittedCoordinates(std::size_t width) : width_(width) {}
+
+  [[nodiscard]] std::string text_of(double coordinate);
+  /// A warning where some did not read back to the same bits, with the largest difference.
+  [[nodiscard]] std::vector<Warning> warnings() const;
+
+ private:
+  std::size_t width_;
+  std::size_t count_ = 0;
+  std::size_t rounded_ = 0;
+  double largest_ = 0;  // difference
+};
 
 }  // namespace tetloft::internal::io

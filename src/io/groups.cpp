@@ -9,7 +9,7 @@
 
 namespace tetloft::internal::io {
 
-ComponentId component_of(const Model& model, TetId tet) {
+ComponentId component_at(const Model& model, TetId tet) {
   return model.component.empty() ? ComponentId(0) : model.component[tet];
 }
 
@@ -20,14 +20,14 @@ std::string group_name(const Model& model, ComponentId component) {
 std::vector<ComponentGroup> component_groups(const Model& model) {
   // An invalid id is the largest.
   std::map<ComponentId, std::size_t> number;
-  for (const TetId tet : model.tets.ids()) number.emplace(component_of(model, tet), 0);
+  for (const TetId tet : model.tets.ids()) number.emplace(component_at(model, tet), 0);
   std::vector<ComponentGroup> groups;
   for (auto& [component, place] : number) {
     place = groups.size();
     groups.push_back({component, group_name(model, component), {}, {}});
   }
   const auto group = [&](TetId tet) -> ComponentGroup& {
-    return groups[number.find(component_of(model, tet))->second];
+    return groups[number.find(component_at(model, tet))->second];
   };
   for (const TetId tet : model.tets.ids()) group(tet).tets.push_back(tet);
   const Surface surface = boundary_surface(model);

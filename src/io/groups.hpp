@@ -15,7 +15,7 @@
 namespace tetloft::internal::io {
 
 /// Of a model that tells no components all tets are of the first.
-[[nodiscard]] ComponentId component_of(const Model& model, TetId tet);
+[[nodiscard]] ComponentId component_at(const Model& model, TetId tet);
 /// component_name(); of tets without component "no component".
 [[nodiscard]] std::string group_name(const Model& model, ComponentId component);
 

@@ -4,6 +4,7 @@
 
 #include <concepts>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,6 +25,12 @@ class JsonWriter {
   void value(bool flag) { raw(flag ? "true" : "false"); }
   /// Shortest digits that read back exactly; null where JSON has no number (nan, inf).
   void value(double number);
+  /// null where there is none.
+  template <class T>
+  void value(const std::optional<T>& known) {
+    if (known) return value(*known);
+    raw("null");
+  }
   template <std::integral I>
   requires(!std::same_as<I, bool>) void value(I number) { raw(std::to_string(number)); }
 

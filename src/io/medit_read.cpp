@@ -20,8 +20,7 @@ namespace tetloft::internal::io {
 
 namespace {
 
-// Cells, so that a file that has them is no solid of tets. What else stands in files are faces,
-// edges and corners, which follow from the tets, marks of them, and normals.
+// What else there is are faces, edges and corners, marks of them, and normals.
 constexpr std::array<std::string_view, 6> kOtherMeditCells{
     "Hexahedra", "Prisms", "Pentahedra", "Pyramids", "TetrahedraP2", "Polyhedra"};
 
@@ -31,10 +30,12 @@ class MeditReader {
       : cursor_(source.bytes), name_(source.name), warnings_(source.name) {}
 
   Result<ReadModel> read() {
-    for (std::string_view word = next(); !word.empty() && word != "End"; word = next()) {
+    std::string_view word = next();
+    for (; !word.empty() && word != "End"; word = next()) {
       if (!is_letter(word.front())) return complain(in_quotes(word) + " stands for a keyword");
       if (Result<void> taken = take_section(word); !taken) return taken.error();
     }
+    if (word.empty()) warnings_.add("the file has no End: it may have been cut off");
     if (!has_tets_) return complain("the file has no Tetrahedra");
     if (largest_ > points_.size()) {
       return complain("a tetrahedron refers to vertex " + std::to_string(largest_) + " of " +
@@ -78,8 +79,10 @@ class MeditReader {
                        kOtherMeditCells.end();
     TextCursor ahead = cursor_;
     ahead.skip_white();
-    if (cells && ahead.token("#") != "0") {
-      return complain("the file has " + std::string(keyword) + "; only tetrahedra are read");
+    const std::int64_t count = parse_integer(ahead.token("#")).value_or(0);
+    if (cells && count > 0) {
+      warnings_.add("left out: " + std::to_string(count) + ' ' + std::string(keyword),
+                    cursor_.line());
     }
     skip_numbers();
     return {};

@@ -16,13 +16,13 @@
 #include <vector>
 
 #include "core/guard.hpp"
-#include "core/text.hpp"
 #include "io/cursor.hpp"
 #include "io/data_cursor.hpp"
 #include "io/groups.hpp"
 #include "io/msh_write.hpp"
 #include "io/numbered_mesh.hpp"
 #include "io/numbers.hpp"
+#include "io/solid_comments.hpp"
 #include "model/well_formed.hpp"
 
 namespace tetloft::internal::io {
@@ -138,17 +138,15 @@ class MshReader {
     }
   }
 
-  // What tetloft says of the whole; others say what they want.
   void read_comments() {
     cursor_.line();
     DataCursor comments(pass_over("Comments"), {});
     while (comments.left() != 0) {
-      const std::string_view line = comments.line();
-      for (const auto& [what, text] :
-           {std::pair{kMshName, &about_.name}, std::pair{kMshUnit, &about_.unit},
-            std::pair{kMshOrientation, &about_.orientation}}) {
-        if (line.substr(0, what.size()) == what) *text = valid_utf8(line.substr(what.size()));
+      std::string_view line = comments.line();
+      if (line.substr(0, kMshComment.size()) == kMshComment) {
+        line.remove_prefix(kMshComment.size());
       }
+      comments_.take(line);
     }
   }
 
@@ -333,7 +331,7 @@ class MshReader {
                     " no tet of four nodes");
     }
     ReadModel read{mesh_.take(names_, warnings_), {}};
-    read.model.about = about_;
+    read.model.about = comments_.about();
     read.warnings = warnings_.take();
     return read;
   }
@@ -342,7 +340,7 @@ class MshReader {
   WarningList warnings_;
   int version_ = 0;
   std::set<std::string_view> seen_;  // sections that may stand once
-  Description about_;
+  SolidComments comments_;
   std::map<std::int64_t, std::string> names_;      // of physical groups of volumes
   std::map<std::int64_t, std::int64_t> physical_;  // of volumes: their group
   NumberedMesh mesh_;

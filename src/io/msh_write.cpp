@@ -5,13 +5,14 @@
 #include <utility>
 
 #include "core/text.hpp"
+#include "io/solid_comments.hpp"
 
 namespace tetloft::internal::io {
 
 namespace {
 
 // Quotes end a name, lines end with it, and of longer ones programs keep the beginning at best.
-std::string group_name(const std::string& name) {
+std::string physical_name(const std::string& name) {
   constexpr std::size_t kLongestName = 127;
   std::string shown = printable(name);
   std::replace(shown.begin(), shown.end(), '"', '\'');
@@ -33,7 +34,7 @@ void append_names(MshWriter& out, const std::vector<MshGroup>& groups,
     for (const auto& [group, entity] : groups) {
       const bool is_there = dimension == 3 || !group.triangles.empty();
       if (group.tag() == 0 || !is_there) continue;
-      const std::string name = group_name(group.name);
+      const std::string name = physical_name(group.name);
       lines.push_back(std::to_string(dimension) + ' ' + std::to_string(group.tag()) + " \"" + name +
                       '"');
       if (dimension == 2 || name == group.name) continue;
@@ -49,15 +50,12 @@ void append_names(MshWriter& out, const std::vector<MshGroup>& groups,
   out.line("$EndPhysicalNames");
 }
 
-void append_comments(MshWriter& out, const Description& about) {
-  if (about == Description{}) return;
+void append_about(MshWriter& out, const Model& model) {
+  std::string lines;
+  append_comments(lines, kMshComment, model, {});
+  if (lines.empty()) return;
   out.line("$Comments");
-  for (const auto& [what, text] :
-       {std::pair{kMshName, &about.name}, std::pair{kMshUnit, &about.unit},
-        std::pair{kMshOrientation, &about.orientation}}) {
-    if (!text->empty()) out.line(std::string(what) + printable(*text));
-  }
-  out.line("$EndComments");
+  out.line(lines + "$EndComments");
 }
 
 }  // namespace
@@ -89,7 +87,7 @@ std::vector<Warning> append_msh_head(MshWriter& out, std::string_view version, c
     out.line("");
   }
   out.line("$EndMeshFormat");
-  append_comments(out, model.about);
+  append_about(out, model);
   append_names(out, groups, warnings);
   return warnings;
 }

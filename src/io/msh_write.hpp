@@ -82,9 +82,7 @@ struct MshGroup {
 inline constexpr std::int64_t kMshTriangle = 2;
 inline constexpr std::int64_t kMshTet = 4;
 
-/// What comments begin with that tell about the whole.
-inline constexpr std::string_view kMshName = "name: ";
-inline constexpr std::string_view kMshUnit = "unit: ";
-inline constexpr std::string_view kMshOrientation = "orientation: ";
+/// What the lines of comments begin with.
+inline constexpr std::string_view kMshComment = "#";
 
 }  // namespace tetloft::internal::io

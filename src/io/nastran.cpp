@@ -2,7 +2,7 @@
 // fields, CTETRA in small ones, a PSOLID for each component. Loads, supports and materials are
 // left to the user: PSOLID n asks for MAT1 n.
 //
-// A real has a point, and 16 characters at most: also in free format more are cut off by readers.
+// A real has a point, and 16 characters at most; so has one in free fields.
 #include <cstdint>
 #include <string>
 
@@ -28,15 +28,16 @@ void append_bulk_field(std::string& text, const std::string& field, std::size_t 
 }
 
 // The last fields of a line may be left out, as may what marks that it goes on.
-void append_bulk_grid(std::string& text, VertexId v, const Point3& p) {
+void append_bulk_grid(std::string& text, VertexId v, const Point3& p,
+                      FittedCoordinates& coordinates) {
   append_bulk_field(text, "GRID*", kSmallBulkField);
   append_bulk_field(text, std::to_string(v.index() + 1), kLargeBulkField);
   text.append(kLargeBulkField, ' ');  // of the usual coordinates
-  append_bulk_field(text, fitted_number(p.x, kLargeBulkField), kLargeBulkField);
-  append_bulk_field(text, fitted_number(p.y, kLargeBulkField), kLargeBulkField);
+  append_bulk_field(text, coordinates.text_of(p.x), kLargeBulkField);
+  append_bulk_field(text, coordinates.text_of(p.y), kLargeBulkField);
   text += "*\n";
   append_bulk_field(text, "*", kSmallBulkField);
-  text += fitted_number(p.z, kLargeBulkField) + '\n';
+  text += coordinates.text_of(p.z) + '\n';
 }
 
 void append_ctetra(std::string& text, TetId t, std::int64_t property, const TetVertices& corners) {
@@ -72,8 +73,9 @@ Written write_nastran(Sink& sink, const Model& model, const Target& /*target*/) 
     text += property + '\n';
     pieces.next();
   }
+  FittedCoordinates coordinates(kLargeBulkField);
   for (const VertexId v : model.points.ids()) {
-    append_bulk_grid(text, v, model.points[v]);
+    append_bulk_grid(text, v, model.points[v], coordinates);
     pieces.next();
   }
   for (const TetId t : model.tets.ids()) {
@@ -82,7 +84,7 @@ Written write_nastran(Sink& sink, const Model& model, const Target& /*target*/) 
   }
   text += "ENDDATA\n";
   pieces.finish();
-  return fitting_warnings(model, kLargeBulkField);
+  return coordinates.warnings();
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Solids as Netgen's .vol, which NGSolve reads (libsrc/meshing/meshclass.cpp of Netgen): a material
 // and a boundary condition for each component, with its name, numbered from 1 without gaps, as
-// Netgen needs it. Netgen's tets are negative; its triangles are outward, as ours are.
+// Netgen needs it. No comments: Netgen takes the words in them for its own. Netgen's tets are
+// negative; its triangles are outward, as ours are.
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -9,7 +10,6 @@
 #include "io/group_number.hpp"
 #include "io/label_names.hpp"
 #include "io/numbers.hpp"
-#include "io/solid_comments.hpp"
 
 namespace tetloft::internal::io {
 
@@ -48,14 +48,14 @@ void append_netgen_tets(Pieces& pieces, const Model& model,
   }
 }
 
-// Names are words.
+// Names are words. Those of boundaries are others: readers may keep all in one table.
 void append_netgen_names(Pieces& pieces, const char* section,
-                         const std::vector<std::string>& labels) {
+                         const std::vector<std::string>& labels, const char* ending) {
   std::string& text = pieces.text();
   text += std::string(section) + '\n' + std::to_string(labels.size()) + '\n';
   for (std::size_t g = 0; g < labels.size(); ++g) {
     append_number(text, g + 1);
-    text += ' ' + labels[g] + '\n';
+    text += ' ' + labels[g] + ending + '\n';
     pieces.next();
   }
 }
@@ -66,9 +66,7 @@ Written write_netgen(Sink& sink, const Model& model, const Target& /*target*/) {
   const std::vector<std::string> labels = label_names(groups);
   Pieces pieces(sink);
   std::string& text = pieces.text();
-  text = "mesh3d\n";
-  append_comments(text, "#", model, groups);
-  text += "dimension\n3\ngeomtype\n0\n\n";
+  text = "mesh3d\ndimension\n3\ngeomtype\n0\n\n";
   append_netgen_boundary(pieces, model, places);
   append_netgen_tets(pieces, model, places);
   text += "points\n" + std::to_string(model.points.size()) + '\n';
@@ -77,8 +75,8 @@ Written write_netgen(Sink& sink, const Model& model, const Target& /*target*/) {
     text += '\n';
     pieces.next();
   }
-  append_netgen_names(pieces, "materials", labels);
-  append_netgen_names(pieces, "bcnames", labels);
+  append_netgen_names(pieces, "materials", labels, "");
+  append_netgen_names(pieces, "bcnames", labels, "_BOUNDARY");
   text += "endmesh\n";
   pieces.finish();
   return std::vector<Warning>();

@@ -33,7 +33,7 @@ SurfaceMesh surface_mesh(const Model& model) {
 
 std::vector<SurfacePart> surface_parts(const SurfaceMesh& mesh, const Model& model) {
   const auto component = [&](std::uint32_t triangle) {
-    return component_of(model, mesh.tet[triangle]);
+    return component_at(model, mesh.tet[triangle]);
   };
   std::vector<std::uint32_t> order(mesh.triangles.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -52,7 +52,9 @@ std::vector<SurfacePart> surface_parts(const SurfaceMesh& mesh, const Model& mod
 }
 
 bool is_nameless(const Model& model, const std::vector<SurfacePart>& parts) {
-  return parts.size() <= 1 && model.about == Description() && model.component_names.empty();
+  const auto& names = model.component_names;
+  return parts.size() <= 1 && model.about == Description() &&
+         std::all_of(names.begin(), names.end(), [](const auto& name) { return name.empty(); });
 }
 
 std::size_t unmatched_edges(const SurfaceMesh& mesh, const SurfacePart& part) {

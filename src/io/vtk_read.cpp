@@ -20,36 +20,13 @@
 #include "io/data_cursor.hpp"
 #include "io/groups.hpp"
 #include "io/numbers.hpp"
+#include "io/vtk_cells.hpp"
 #include "io/vtk_text.hpp"
-#include "io/vtu_read.hpp"
 #include "model/fields.hpp"
-#include "model/well_formed.hpp"
 
 namespace tetloft::internal::io {
 
 namespace {
-
-struct LegacyType {
-  std::string_view name;
-  ScalarType type;
-};
-// vtkIdType is written as int, long by the programs of systems where it has 64 bits.
-constexpr std::array<LegacyType, 16> kLegacyTypes{{{"unsigned_char", ScalarType::uint8},
-                                                   {"char", ScalarType::int8},
-                                                   {"signed_char", ScalarType::int8},
-                                                   {"unsigned_short", ScalarType::uint16},
-                                                   {"short", ScalarType::int16},
-                                                   {"unsigned_int", ScalarType::uint32},
-                                                   {"int", ScalarType::int32},
-                                                   {"vtkidtype", ScalarType::int32},
-                                                   {"unsigned_long", ScalarType::uint64},
-                                                   {"long", ScalarType::int64},
-                                                   {"vtktypeint64", ScalarType::int64},
-                                                   {"vtktypeuint64", ScalarType::uint64},
-                                                   {"long_long", ScalarType::int64},
-                                                   {"unsigned_long_long", ScalarType::uint64},
-                                                   {"float", ScalarType::float32},
-                                                   {"double", ScalarType::float64}}};
 
 // An attribute of points or cells that is no field: how many numbers it has for each, 0: it says.
 struct LegacyAttribute {
@@ -74,8 +51,10 @@ class LegacyReader {
     read_head();
     while (read_part()) {
     }
-    if (!seen_points_ || !types_) cursor_.fail("the file has no POINTS, CELLS and CELL_TYPES");
-    make_tets();
+    if (!seen_points_ || !cells_.are_there()) {
+      cursor_.fail("the file has no POINTS, CELLS and CELL_TYPES");
+    }
+    cells_.add_tets(cursor_, model_, warnings_);
     for_each_field([&](const auto& field) { set_field(field); });
     for (const auto& [array, text] : texts_) set_text(model_, array, text);
     turn_positive(model_, warnings_);
@@ -86,7 +65,7 @@ class LegacyReader {
   // Data of the whole, of points, of cells.
   enum class Part : std::uint8_t { whole, points, cells };
   // An array of integers that may be a field of the model.
-  using Values = std::vector<std::int64_t>;
+  using Values = LegacyIntegers;
 
   void read_head() {
     constexpr std::string_view kBeginning = "# vtk DataFile Version ";
@@ -116,9 +95,9 @@ class LegacyReader {
     if (keyword == "points") {
       read_points();
     } else if (keyword == "cells") {
-      read_cells();
+      cells_.read_cells(cursor_, offsets_);
     } else if (keyword == "cell_types") {
-      read_types();
+      cells_.read_types(cursor_);
     } else if (keyword == "point_data" || keyword == "cell_data") {
       part_ = keyword == "point_data" ? Part::points : Part::cells;
       tuples_ = cursor_.text_count("tuples");
@@ -133,27 +112,10 @@ class LegacyReader {
     return true;
   }
 
-  [[nodiscard]] static std::optional<ScalarType> type_of(std::string_view name) {
-    const std::string lower = lower_case(name);
-    for (const LegacyType& type : kLegacyTypes) {
-      if (type.name == lower) return type.type;
-    }
-    return std::nullopt;
-  }
-
-  // Behind the line in which the type stands the numbers begin.
-  ScalarType take_type() {
-    const std::string_view name = cursor_.word();
-    const auto type = type_of(name);
-    if (!type) cursor_.fail(in_quotes(name) + " is no type of numbers");
-    cursor_.line();
-    return *type;
-  }
-
   void read_points() {
     if (std::exchange(seen_points_, true)) cursor_.fail("POINTS stand twice");
     const std::size_t count = cursor_.text_count("points");
-    const ScalarType type = take_type();
+    const ScalarType type = take_type(cursor_);
     if (count >= VertexId::kInvalid) cursor_.fail("the file holds too many points");
     cursor_.require(3 * std::uint64_t{count}, type);
     model_.points.reserve(count);
@@ -162,63 +124,6 @@ class LegacyReader {
       const double y = cursor_.number(type);
       model_.points.push_back({x, y, cursor_.number(type)});
     }
-  }
-
-  Values integers(std::size_t count, ScalarType type) {
-    cursor_.require(count, type);
-    Values values;
-    values.reserve(count);
-    for (std::size_t i = 0; i < count; ++i) values.push_back(cursor_.integer(type));
-    return values;
-  }
-
-  void read_cells() {
-    if (std::exchange(seen_cells_, true)) cursor_.fail("CELLS stand twice");
-    const std::size_t count = cursor_.text_count("cells");
-    const std::size_t size = cursor_.text_count("numbers of cells");
-    cursor_.line();
-    if (!offsets_) {
-      corners_ = integers(size, ScalarType::int32);
-      for (std::size_t at = 0; at < size;) {
-        const std::int64_t corners = corners_[at++];
-        if (corners < 0 || static_cast<std::uint64_t>(corners) > size - at) {
-          cursor_.fail("cell " + std::to_string(ends_.size()) + " has " + std::to_string(corners) +
-                       " corners, and the cells end before");
-        }
-        at += static_cast<std::size_t>(corners);
-        ends_.push_back(at);
-      }
-      if (ends_.size() == count) return;
-      cursor_.fail("CELLS hold " + std::to_string(ends_.size()) + " cells where " +
-                   std::to_string(count) + " are announced");
-    }
-    // The first number is that of offsets: one more than cells, or none at all.
-    const Values offsets = offset_array("offsets", count);
-    corners_ = offset_array("connectivity", size);
-    for (std::size_t i = 0; i < offsets.size(); ++i) {
-      const std::int64_t before = i == 0 ? 0 : offsets[i - 1];
-      if (offsets[i] < before || static_cast<std::uint64_t>(offsets[i]) > size) {
-        cursor_.fail("the offsets of cells do not increase within CONNECTIVITY");
-      }
-      if (i != 0) ends_.push_back(static_cast<std::size_t>(offsets[i]));
-    }
-    if (!offsets.empty() && offsets[0] != 0) cursor_.fail("the first offset of cells is not 0");
-  }
-
-  Values offset_array(std::string_view keyword, std::size_t count) {
-    if (lower_case(cursor_.word()) != keyword) {
-      cursor_.fail("CELLS lack " + std::string(keyword));
-    }
-    const ScalarType type = take_type();
-    if (is_float(type)) cursor_.fail("the " + std::string(keyword) + " of cells are no integers");
-    return integers(count, type);
-  }
-
-  void read_types() {
-    if (types_) cursor_.fail("CELL_TYPES stand twice");
-    const std::size_t count = cursor_.text_count("types of cells");
-    cursor_.line();
-    types_ = integers(count, ScalarType::int32);
   }
 
   // To the next line that is empty.
@@ -287,7 +192,7 @@ class LegacyReader {
 
   bool read_array(std::string_view name, std::string_view type_name, std::size_t components,
                   std::size_t tuples) {
-    const auto type = type_of(type_name);
+    const auto type = legacy_type(type_name);
     const bool bits = lower_case(type_name) == "bit";
     if (!type && !bits) return stop_at(type_name);
     const std::size_t most = cursor_.left();
@@ -304,7 +209,7 @@ class LegacyReader {
     if (wanted && part_ == Part::whole && *type == ScalarType::uint8 && is_text_array(name)) {
       take_text(name, tuples);
     } else if (wanted && is_field(name) && !arrays_.contains({part_, name})) {
-      arrays_.emplace(std::pair(part_, name), integers(tuples, *type));
+      arrays_.emplace(std::pair(part_, name), take_integers(cursor_, tuples, *type));
     } else {
       cursor_.skip(count, *type);
     }
@@ -332,53 +237,10 @@ class LegacyReader {
 
   // How long this is cannot be told.
   bool stop_at(std::string_view what) {
-    if (!types_ || !seen_points_) cursor_.fail(in_quotes(what) + " is nothing that is read here");
+    if (!cells_.are_there() || !seen_points_)
+      cursor_.fail(in_quotes(what) + " is nothing that is read here");
     warnings_.add("left out: " + in_quotes(what) + ", and what follows it");
     return false;
-  }
-
-  [[nodiscard]] bool is_tet(std::size_t cell) const { return (*types_)[cell] == kVtkTetra; }
-
-  // Where the corners of a cell begin.
-  [[nodiscard]] std::size_t begin_of(std::size_t cell) const {
-    return (cell == 0 ? 0 : ends_[cell - 1]) + (offsets_ ? 0U : 1U);
-  }
-
-  void make_tets() {
-    if (types_->size() != ends_.size()) {
-      cursor_.fail("CELL_TYPES are " + std::to_string(types_->size()) + " for " +
-                   std::to_string(ends_.size()) + " cells");
-    }
-    const auto tets = static_cast<std::size_t>(
-        std::count(types_->begin(), types_->end(), std::int64_t{kVtkTetra}));
-    const std::size_t others = types_->size() - tets;
-    if (tets >= kMostModelTets) cursor_.fail("the file holds too many tets");
-    if (tets == 0 && others != 0) cursor_.fail("none of the file's cells is a tetrahedron");
-    if (others != 0) {
-      warnings_.add("left out: " + std::to_string(others) +
-                    (others == 1 ? " cell that is" : " cells that are") + " no tetrahedron");
-    }
-    model_.tets.reserve(tets);
-    for (std::size_t cell = 0; cell < ends_.size(); ++cell) {
-      if (is_tet(cell)) model_.tets.push_back(tet_of(cell));
-    }
-  }
-
-  [[nodiscard]] TetVertices tet_of(std::size_t cell) const {
-    const std::size_t begin = begin_of(cell);
-    if (ends_[cell] - begin != 4) {
-      cursor_.fail("cell " + std::to_string(cell) + " is a tetrahedron without four corners");
-    }
-    TetVertices tet;
-    for (std::size_t k = 0; k < 4; ++k) {
-      const std::int64_t corner = corners_[begin + k];
-      if (corner < 0 || static_cast<std::uint64_t>(corner) >= model_.points.size()) {
-        cursor_.fail("cell " + std::to_string(cell) + " refers to point " + std::to_string(corner) +
-                     " of " + std::to_string(model_.points.size()));
-      }
-      tet[k] = VertexId(corner);
-    }
-    return tet;
   }
 
   // Nothing where the array is another writer's: with a value out of range, or of another length.
@@ -388,7 +250,7 @@ class LegacyReader {
     const auto found = arrays_.find({Field::kOfPoints ? Part::points : Part::cells, field.name});
     if (found == arrays_.end()) return;
     const Values& values = found->second;
-    if (values.size() != (Field::kOfPoints ? model_.points.size() : ends_.size())) return;
+    if (values.size() != (Field::kOfPoints ? model_.points.size() : cells_.size())) return;
     const auto is_value = [](std::int64_t value) {
       return value >= Stored::kLeast && value <= Stored::kLargest;
     };
@@ -396,7 +258,7 @@ class LegacyReader {
     auto& target = model_.*field.values;
     target.reserve(Field::due(model_));
     for (std::size_t i = 0; i < values.size(); ++i) {
-      if (Field::kOfPoints || is_tet(i)) target.push_back(Stored::load(values[i]));
+      if (Field::kOfPoints || cells_.is_tet(i)) target.push_back(Stored::load(values[i]));
     }
     if (field.name == "component") count_components(model_);
   }
@@ -407,10 +269,7 @@ class LegacyReader {
   Part part_ = Part::whole;
   std::size_t tuples_ = 0;  // of the attributes of this part
   bool seen_points_ = false;
-  bool seen_cells_ = false;
-  Values corners_;                 // without offsets_, how many there are before those of each cell
-  std::vector<std::size_t> ends_;  // of each cell, in corners_
-  std::optional<Values> types_;    // by cell
+  LegacyCells cells_;
   std::map<std::pair<Part, std::string_view>, Values> arrays_;
   std::map<std::string_view, std::string> texts_;
   Model model_;

@@ -29,6 +29,12 @@ void set_names(Model& model, std::string_view joined) {
   }
 }
 
+VtkArray text_array(std::string_view name, const std::string& text) {
+  return vtk_array<std::uint8_t>(std::string(name), 1, text.size(), [text](std::size_t i) {
+    return static_cast<std::uint8_t>(text[i]);
+  });
+}
+
 }  // namespace
 
 std::string joined_names(const Model& model) {
@@ -42,6 +48,15 @@ std::string joined_names(const Model& model) {
     joined += valid_utf8(names[c]);  // which holds no zero byte
   }
   return joined;
+}
+
+void add_texts(const Model& model, VtkGroup& field_data) {
+  for_each_text([&](const VtkText& text) {
+    const std::string& value = model.about.*text.text;
+    if (!value.empty()) field_data.arrays.push_back(text_array(text.array, valid_utf8(value)));
+  });
+  const std::string names = joined_names(model);
+  if (!names.empty()) field_data.arrays.push_back(text_array(kComponentNames, names));
 }
 
 bool is_text_array(std::string_view array) {

@@ -8,6 +8,8 @@
 
 #include <tetloft/model.hpp>
 
+#include "io/vtk_write.hpp"
+
 namespace tetloft::internal::io {
 
 /// A text of the model: the name of its array, and where it stands.
@@ -26,6 +28,8 @@ inline constexpr std::string_view kComponentNames = "component_names";
 
 /// The names of the components, a zero byte between two of them; empty where all are.
 [[nodiscard]] std::string joined_names(const Model& model);
+/// Appends an array for each text that there is.
+void add_texts(const Model& model, VtkGroup& field_data);
 /// Whether an array of this name holds one of these.
 [[nodiscard]] bool is_text_array(std::string_view array);
 /// Sets what an array of this name says. Nothing is done where its bytes are no UTF-8; or of names

@@ -6,7 +6,6 @@
 #include <string_view>
 #include <utility>
 
-#include "core/text.hpp"
 #include "io/bytes/deflate.hpp"
 #include "io/vtk_data.hpp"
 #include "io/xml_text.hpp"
@@ -17,8 +16,7 @@ namespace {
 
 // The data of the whole have a count of their own: nothing else says how many they are.
 std::string array_head(const VtkArray& array, bool of_whole) {
-  std::string text =
-      "<DataArray type=\"" + array.type + "\" Name=\"" + xml_text(array.name) + '"';
+  std::string text = "<DataArray type=\"" + array.type + "\" Name=\"" + xml_text(array.name) + '"';
   if (array.components != 1) {
     text += " NumberOfComponents=\"" + std::to_string(array.components) + '"';
   }

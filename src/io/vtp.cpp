@@ -2,11 +2,13 @@
 #include <cstdint>
 #include <string>
 #include <type_traits>
+#include <utility>
 
 #include "io/drawing/written_stack.hpp"
 #include "io/format.hpp"
 #include "io/numbers.hpp"
 #include "io/vtk_data.hpp"
+#include "io/vtk_text.hpp"
 #include "io/vtk_write.hpp"
 #include "io/vtp_read.hpp"
 #include "model/fields.hpp"
@@ -56,10 +58,13 @@ Written write_surface_vtp(Sink& sink, const SurfaceMesh& mesh, const Model& mode
       "connectivity", 1, 3 * triangles,
       [&](std::size_t i) { return static_cast<std::int64_t>(mesh.triangles[i / 3][i % 3]); }));
   polys.arrays.push_back(offset_array(triangles, 3));
+  VtkGroup texts{"FieldData", {}};
+  add_texts(model, texts);
   return append_vtk_file(
       sink,
       {.grid_type = "PolyData",
        .counts = poly_counts(mesh.points.size(), 0, triangles),
+       .field_data = std::move(texts),
        .groups = {surface_fields<true>("PointData", model, mesh.vertex),
                   surface_fields<false>("CellData", model, mesh.tet),
                   vtk_points(mesh.points.size(),

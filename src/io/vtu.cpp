@@ -69,22 +69,6 @@ VtkGroup table_group(const Model& model) {
   return group;
 }
 
-VtkArray text_array(std::string_view name, const std::string& text) {
-  return vtk_array<std::uint8_t>(std::string(name), 1, text.size(), [text](std::size_t i) {
-    return static_cast<std::uint8_t>(text[i]);
-  });
-}
-
-// What is not said has no array.
-void add_texts(const Model& model, VtkGroup& group) {
-  for_each_text([&](const VtkText& text) {
-    const std::string& value = model.about.*text.text;
-    if (!value.empty()) group.arrays.push_back(text_array(text.array, valid_utf8(value)));
-  });
-  const std::string names = joined_names(model);
-  if (!names.empty()) group.arrays.push_back(text_array(kComponentNames, names));
-}
-
 VtkArray frame_array(const Frame& frame) {
   return vtk_array<double>(std::string(kFrameArray), kFrameNumbers, kFrameNumbers,
                            [numbers = numbers_of(frame)](std::size_t i) { return numbers[i]; });

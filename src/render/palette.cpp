@@ -72,4 +72,14 @@ Rgb slab_colour(double t) { return along(kSlabs, t); }
 
 Rgb dihedral_colour(double t) { return along(kDihedral, t); }
 
+std::string hex(const Rgb& colour) {
+  constexpr char kDigits[] = "0123456789abcdef";
+  std::string text = "#";
+  for (const unsigned value : {colour.r, colour.g, colour.b}) {
+    text += kDigits[value >> 4];
+    text += kDigits[value & 15U];
+  }
+  return text;
+}
+
 }  // namespace tetloft::internal::render

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 
 #include <tetloft/model.hpp>
 
@@ -22,6 +23,9 @@ using internal::Rgb;
 [[nodiscard]] Rgb dihedral_colour(double t);
 /// The smallest dihedral angle of a regular tet, arccos(1/3), is 70.53 degrees.
 inline constexpr double kBestDihedral = 70.53;
+
+/// "#dec498".
+[[nodiscard]] std::string hex(const Rgb& colour);
 
 inline constexpr Rgb kContourColour{32, 36, 44};
 

@@ -10,15 +10,12 @@
 #include "core/guard.hpp"
 #include "io/bytes/checksum.hpp"
 #include "io/bytes/deflate.hpp"
+#include "render/encoders.hpp"
 #include "render/raster.hpp"
 
-namespace tetloft {
-
-using namespace internal;
+namespace tetloft::internal::render {
 
 namespace {
-
-using render::Picture;
 
 void append_word(std::string& out, std::uint32_t word) {
   for (int shift = 24; shift >= 0; shift -= 8) out += static_cast<char>(word >> shift & 0xFFU);
@@ -70,7 +67,9 @@ std::string filtered(const Picture& picture, std::size_t channels) {
   return rows;
 }
 
-std::string png(const Picture& picture, bool opaque) {
+}  // namespace
+
+std::string png_bytes(const Picture& picture, bool opaque) {
   std::string out("\x89PNG\r\n\x1a\n", 8);
   std::string header;
   append_word(header, static_cast<std::uint32_t>(picture.width));
@@ -83,7 +82,11 @@ std::string png(const Picture& picture, bool opaque) {
   return out;
 }
 
-}  // namespace
+}  // namespace tetloft::internal::render
+
+namespace tetloft {
+
+using namespace internal;
 
 Result<std::string> render_png(const Model& model, const SectionStack* contours,
                                const RenderOptions& options) {
@@ -93,9 +96,9 @@ Result<std::string> render_png(const Model& model, const SectionStack* contours,
     const auto scene = render::scene_of(model, contours, render::View::toward(options), options);
     if (!scene) return scene.error();
     work.step_done_go_on();
-    const Picture picture = render::draw(*scene, options, work);
+    const render::Picture picture = render::draw(*scene, options, work);
     work.go_on();
-    std::string bytes = png(picture, options.white);
+    std::string bytes = render::png_bytes(picture, options.white);
     work.step_done();
     return bytes;
   });

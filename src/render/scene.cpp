@@ -85,6 +85,7 @@ class Builder {
       }
     }
     scene_.line_gap = subject_.mean_gap * (1 + options_.explode);
+    scene_.exponent = subject_.exponent;
     return std::move(scene_);
   }
 

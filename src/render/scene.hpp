@@ -22,6 +22,7 @@ struct Scene {
   std::vector<SceneTriangle> triangles;
   std::vector<std::array<Point3, 2>> lines;
   double line_gap = 0;  ///< mean height between lines
+  int exponent = 0;     ///< as Subject::exponent
 };
 
 /// `toward`: the direction in which the eye stands. Errors as subject_of().

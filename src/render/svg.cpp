@@ -11,38 +11,19 @@
 
 #include "core/guard.hpp"
 #include "io/numbers.hpp"
+#include "render/encoders.hpp"
 #include "render/raster.hpp"
 #include "render/vector.hpp"
 
-namespace tetloft {
-
-using namespace internal;
+namespace tetloft::internal::render {
 
 namespace {
-
-using render::ItemBuffer;
-using render::Light;
-using render::Projected;
-using render::Rgb;
-using render::Scene;
-using render::SceneTriangle;
-using render::View;
 
 // Hundredths of a pixel.
 void append_place(std::string& out, const Projected& p) {
   io::append_number(out, std::round(100 * p.x) / 100);
   out += ' ';
   io::append_number(out, std::round(100 * p.y) / 100);
-}
-
-std::string hex(const Rgb& colour) {
-  constexpr char kDigits[] = "0123456789abcdef";
-  std::string text = "#";
-  for (const unsigned value : {colour.r, colour.g, colour.b}) {
-    text += kDigits[value >> 4];
-    text += kDigits[value & 15U];
-  }
-  return text;
 }
 
 struct Seen {
@@ -53,7 +34,7 @@ struct Seen {
 
 // What the item buffer shows, from far to near.
 std::vector<Seen> seen_triangles(const Scene& scene, const View& view, const ItemBuffer& items) {
-  const std::vector<float> open = render::openness(items, scene, view);
+  const std::vector<float> open = openness(items, scene, view);
   std::vector<double> sum(scene.triangles.size(), 0);
   std::vector<std::uint32_t> count(scene.triangles.size(), 0);
   for (std::size_t at = 0; at < items.item.size(); ++at) {
@@ -76,11 +57,9 @@ std::vector<Seen> seen_triangles(const Scene& scene, const View& view, const Ite
 
 void append_triangle(std::string& out, const SceneTriangle& triangle, double open, const View& view,
                      bool edges) {
-  using render::operator+;
-  const Point3 normal = render::unit(triangle.normal[0] + triangle.normal[1] + triangle.normal[2]);
-  const Light light = render::lit(triangle.colour, view.turned(normal), static_cast<float>(open));
-  const std::string fill =
-      hex({render::encoded(light.r), render::encoded(light.g), render::encoded(light.b)});
+  const Point3 normal = unit(triangle.normal[0] + triangle.normal[1] + triangle.normal[2]);
+  const Light light = lit(triangle.colour, view.turned(normal), static_cast<float>(open));
+  const std::string fill = hex({encoded(light.r), encoded(light.g), encoded(light.b)});
   out += "<path d=\"M";
   for (std::size_t i = 0; i < 3; ++i) {
     if (i != 0) out += 'L';
@@ -98,7 +77,7 @@ void append_line(std::string& out, const std::array<Point3, 2>& line, const View
                  const View& fine, const ItemBuffer& items) {
   const Projected a = fine.project(line[0]);
   const Projected b = fine.project(line[1]);
-  const double lift = render::kLineLift * static_cast<double>(std::max(items.width, items.height));
+  const double lift = kLineLift * static_cast<double>(std::max(items.width, items.height));
   const auto steps =
       std::max(1L, std::lround(std::ceil(std::max(std::abs(b.x - a.x), std::abs(b.y - a.y)))));
   const auto visible = [&](double t) {
@@ -111,9 +90,6 @@ void append_line(std::string& out, const std::array<Point3, 2>& line, const View
     const std::size_t at = items.at(static_cast<std::size_t>(x), static_cast<std::size_t>(y));
     return static_cast<double>(items.depth[at]) <= a.depth + t * (b.depth - a.depth) + lift;
   };
-  using render::operator+;
-  using render::operator-;
-  using render::operator*;
   const auto place = [&](long k) {
     const double t = static_cast<double>(k) / static_cast<double>(steps);
     return view.project(line[0] + t * (line[1] - line[0]));
@@ -137,15 +113,14 @@ void append_line(std::string& out, const std::array<Point3, 2>& line, const View
   }
 }
 
-constexpr std::size_t kSvgSteps = 3;
+}  // namespace
 
-std::string svg(const Scene& scene, const RenderOptions& options, WatchedWork& work) {
+std::string svg_text(const Scene& scene, const RenderOptions& options, WatchedWork& work) {
   const View view(scene, options);
   // Twice as fine: thin triangles are seen.
   const View fine = view.enlarged(2);
-  const ItemBuffer items =
-      render::draw_items(scene, fine, 2 * static_cast<std::size_t>(options.width),
-                         2 * static_cast<std::size_t>(options.height));
+  const ItemBuffer items = draw_items(scene, fine, 2 * static_cast<std::size_t>(options.width),
+                                      2 * static_cast<std::size_t>(options.height));
   work.step_done_go_on();
   const std::string size =
       std::to_string(options.width) + "\" height=\"" + std::to_string(options.height);
@@ -153,7 +128,7 @@ std::string svg(const Scene& scene, const RenderOptions& options, WatchedWork& w
                     "\" viewBox=\"0 0 " + std::to_string(options.width) + ' ' +
                     std::to_string(options.height) + "\">\n";
   if (options.white) out += "<rect width=\"" + size + "\" fill=\"#ffffff\"/>\n";
-  const std::string ink = hex(render::kContourColour);
+  const std::string ink = hex(kContourColour);
   out += options.edges ? "<g stroke=\"" + ink +
                              "\" stroke-opacity=\"0.5\" stroke-width=\"0.4\" "
                              "stroke-linejoin=\"round\">\n"
@@ -167,7 +142,7 @@ std::string svg(const Scene& scene, const RenderOptions& options, WatchedWork& w
   for (const auto& line : scene.lines) append_line(lines, line, view, fine, items);
   if (!lines.empty()) {
     out += "<path d=\"" + lines + "\" fill=\"none\" stroke=\"" + ink + "\" stroke-width=\"";
-    io::append_number(out, std::round(100 * render::line_width(scene, view)) / 100);
+    io::append_number(out, std::round(100 * line_width(scene, view)) / 100);
     out += "\" stroke-linejoin=\"round\" stroke-linecap=\"round\"/>\n";
   }
   out += "</svg>\n";
@@ -175,17 +150,21 @@ std::string svg(const Scene& scene, const RenderOptions& options, WatchedWork& w
   return out;
 }
 
-}  // namespace
+}  // namespace tetloft::internal::render
+
+namespace tetloft {
+
+using namespace internal;
 
 Result<std::string> render_svg(const Model& model, const SectionStack* contours,
                                const RenderOptions& options) {
   return guard_internal([&]() -> Result<std::string> {
-    WatchedWork work(options.execution, kSvgSteps + 1);
+    WatchedWork work(options.execution, render::kSvgSteps + 1);
     work.go_on();
     const auto scene = render::scene_of(model, contours, render::View::toward(options), options);
     if (!scene) return scene.error();
     work.step_done_go_on();
-    return svg(*scene, options, work);
+    return render::svg_text(*scene, options, work);
   });
 }
 

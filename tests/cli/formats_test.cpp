@@ -71,9 +71,9 @@ TEST(FormatOption, IsCheckedBeforeAFileIsRead) {
     wrong.insert(wrong.end(), {"--format", "psychic"});
     expect_failure(wrong, 2, "usage", "option --format: 'psychic' is not ");
   }
-  expect_failure({"render", "none", "-o", "a.png", "--model-format", "vtk"}, 2, "usage",
+  expect_failure({"render", "none", "-o", "a.png", "--model-format", "vtx"}, 2, "usage",
                  "did you mean vtu?");
-  expect_failure({"check", "none", "none", "--model-format", "cnt"}, 2, "usage", "is not vtu");
+  expect_failure({"check", "none", "none", "--model-format", "cnt"}, 2, "usage", "is not vtu, ");
 }
 
 TEST(FormatOption, ForcesAFormat) {

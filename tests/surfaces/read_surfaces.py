@@ -6,7 +6,6 @@ assimp, vtk, meshio or admesh. Ends with 77 where the tool is not there.
 """
 import ctypes
 import ctypes.util
-import json
 import math
 import os
 import re
@@ -252,6 +251,15 @@ def read_vtk(folder):
             for k in range(36):
                 counts[values.GetValue(k)] = counts.get(values.GetValue(k), 0) + 1
             check(list(counts.values()) == [12, 12, 12], name, counts)
+        if name.endswith(".vtp"):  # texts as bytes of UTF-8
+            texts = {}
+            for k in range(surface.GetFieldData().GetNumberOfArrays()):
+                array = surface.GetFieldData().GetArray(k)
+                texts[array.GetName()] = bytes(
+                    array.GetValue(i) for i in range(array.GetNumberOfValues())).decode()
+            check(texts == {"name": TITLE, "unit": "mm", "orientation": "LPS",
+                            "component_names": NAMES[0] + "\0" + NAMES[1].replace("\x01", "\ufffd")
+                                               + "\0\0"}, texts)
     if not hasattr(vtk, "vtkGLTFReader"):
         return
     reader = vtk.vtkGLTFReader()

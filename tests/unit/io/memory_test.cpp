@@ -270,6 +270,64 @@ std::vector<Family> packed_grids() {
   return families;
 }
 
+// Solids in other programs' formats, in as few bytes as can be.
+std::vector<Family> solids() {
+  std::vector<Family> families;
+  const std::string vtk = "# vtk DataFile Version 3.0\n\nASCII\nDATASET UNSTRUCTURED_GRID\n";
+  const std::string none = vtk + "POINTS 0 int\nCELLS 0 0\nCELL_TYPES 0\n";
+  const auto count = [](std::size_t n) { return std::to_string(n) + ' '; };
+  const std::size_t points = kSize / 6;
+  families.push_back({"points of vtk", vtk + "POINTS " + count(points) + "int\n" +
+                                           numbers(3 * points, "0") +
+                                           "CELLS 0 0\nCELL_TYPES 0\nPOINT_DATA 0\n"});
+  const std::size_t empty = kSize / 4;
+  families.push_back({"empty cells of vtk", vtk + "POINTS 0 int\nCELLS " + count(empty) +
+                                                count(empty) + '\n' + numbers(empty, "0") +
+                                                "CELL_TYPES " + count(empty) + '\n' +
+                                                numbers(empty, "0")});
+  const std::size_t tets = kSize / 19;
+  std::string text = vtk + "POINTS 1 int\n0 0 0\nCELLS " + count(tets) + count(5 * tets) + '\n' +
+                     repeated("4 0 0 0 0\n", 10 * tets) + "CELL_TYPES " + count(tets) + '\n' +
+                     numbers(tets, "10");
+  families.push_back({"tets of vtk", text});
+  text += "CELL_DATA " + count(tets) + "\n";
+  for (const char* name : {"component", "slab", "kind"}) {
+    text += "SCALARS " + std::string(name) + " int\n" + numbers(tets, "0");
+  }
+  families.push_back({"fields of vtk", text});
+  families.push_back({"names of vtk", none + "FIELD f 1\nx 1 " + count(kSize / 2) +
+                                          "unsigned_char\n" + numbers(kSize / 2, "7")});
+  families.push_back(
+      {"arrays of vtk", repeated("x 1 0 int\n", kSize, none + "FIELD f 99999999\n")});
+  families.push_back({"long words", none + std::string(kSize, 'x')});
+
+  const std::string msh2 = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
+  const std::string msh4 = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n";
+  std::string nodes, names, elements, entities;
+  std::size_t n = 0;
+  for (; nodes.size() < kSize; ++n) nodes += count(n) + "0 0 0\n";
+  families.push_back({"nodes of msh", msh2 + "$Nodes\n" + count(n) + '\n' + nodes +
+                                          "$EndNodes\n$Elements\n0\n$EndElements\n"});
+  // Each tet of a group of its own, which has a name.
+  for (n = 1; elements.size() + names.size() < kSize; ++n) {
+    names += "3 " + count(n) + "\"a\"\n";
+    elements += "1 4 1 " + count(n) + "1 1 1 1\n";
+  }
+  const std::string one = "$Nodes\n1\n1 0 0 0\n$EndNodes\n";
+  families.push_back({"groups of msh", msh2 + "$PhysicalNames\n" + count(n - 1) + '\n' + names +
+                                           "$EndPhysicalNames\n" + one + "$Elements\n" +
+                                           count(n - 1) + '\n' + elements + "$EndElements\n"});
+  families.push_back({"tets of msh", repeated("1 4 0 1 1 1 1\n", kSize,
+                                              msh2 + one + "$Elements\n" + count(kSize / 14) + '\n',
+                                              "$EndElements\n")});
+  for (n = 1; entities.size() < kSize; ++n) entities += count(n) + "0 0 0 0 0 0 1 1 0\n";
+  families.push_back({"entities of msh", msh4 + "$Entities\n0 0 0 " + count(n - 1) + '\n' +
+                                             entities + "$EndEntities\n"});
+  families.push_back({"sections of msh", repeated("$a\n$Enda\n", kSize, msh4)});
+  families.push_back({"long name of msh", msh4 + '$' + std::string(kSize, 'a')});
+  return families;
+}
+
 template <class Parse>
 void expect_bounded(const std::vector<Family>& families, Parse&& parse,
                     std::size_t multiple = kReaderMultiple) {
@@ -297,6 +355,11 @@ TEST(Memory, OfGridsIsBounded) {
                  [](const std::string& bytes) { static_cast<void>(parse_vtu(bytes, "a.vtu")); });
 }
 
+TEST(Memory, OfSolidsIsBounded) {
+  expect_bounded(solids(),
+                 [](const std::string& bytes) { static_cast<void>(parse_model(bytes, "a")); });
+}
+
 TEST(Memory, OfPackedGridsIsBounded) {
   expect_bounded(packed_grids(), [](const std::string& bytes) {
     EXPECT_TRUE(parse_vtu(bytes, "a.vtu").ok());  // it is as large as can be, but not larger
@@ -313,6 +376,63 @@ TEST(Memory, OfLabelsAndPointsIsBounded) {
     static_cast<void>(parse_points(bytes, "a.txt"));
     static_cast<void>(parse_points(bytes, "a.bin"));
   });
+}
+
+std::vector<Family> medit_meshes() {
+  const std::string head = "MeshVersionFormatted 2 Dimension 3 ";
+  const std::string of_tets = head + "Vertices 1 0 0 0 0 Tetrahedra ";
+  std::string components, names = head;
+  int tets = 0;
+  while (components.size() < kSize) components += "\n1 1 1 1 " + std::to_string(++tets);
+  for (int i = 1; names.size() < kSize; ++i) names += "#component " + std::to_string(i) + ":\n";
+  const std::string count = std::to_string(kSize / 8);
+  return {
+      {"points", repeated("0 0 0 0\n", kSize, head + "Vertices " + count + '\n')},
+      {"tets", of_tets + std::to_string(kSize / 10) + '\n' + test::repeated("1 1 1 1 1\n", kSize)},
+      {"components", of_tets + std::to_string(tets) + components},
+      {"names", names},
+      {"name after name", repeated("#component 1:" + std::string(40, 'a') + '\n', kSize)},
+      {"comments", repeated("#\n", kSize, head)},
+      {"long comment", head + '#' + std::string(kSize, 'a')},
+      {"long token", head + "Vertices " + std::string(kSize, '1')},
+      {"keywords", repeated("A ", kSize, head)},
+      {"numbers", repeated("0 ", kSize, head + "Ridges ")},
+      {"huge counts", repeated("Tetrahedra 99999999999 ", kSize, head)}};
+}
+
+TEST(Memory, OfMeditIsBounded) {
+  std::size_t read = 0;
+  expect_bounded(medit_meshes(), [&](const std::string& bytes) {
+    read += parse_model(bytes, "a.mesh").ok() ? 1U : 0U;
+  });
+  EXPECT_GE(read, 2U);
+}
+
+TEST(Memory, OfTetgenIsBounded) {
+  test::TempFolder folder;
+  test::put(folder.file("a.node"), "1 3\n1 0 0 0\n");
+  const auto read = [&](const std::string& bytes) {
+    test::put(folder.file("a.ele"), bytes);
+    EXPECT_TRUE(read_model(folder.file("a.ele")).ok());
+  };
+  std::string regions;
+  int tets = 0;
+  for (; regions.size() < kSize; ++tets) {
+    regions += '\n' + std::to_string(tets + 1) + " 1 1 1 1 " + std::to_string(tets);
+  }
+  expect_bounded({{"regions", std::to_string(tets) + " 4 1" + regions},
+                  {"comments", repeated("#\n", kSize, "0 4\n")},
+                  {"one comment", "0 4 #" + std::string(kSize, 'a')}},
+                 read);
+  // Many points, few tets.
+  const std::string ele = "1 4\n1 1 1 1 1\n";
+  test::put(folder.file("a.ele"), ele);
+  std::string nodes;
+  int points = 0;
+  for (; nodes.size() < kSize; ++points) nodes += '\n' + std::to_string(points + 1) + " 0 0 0";
+  test::put(folder.file("a.node"), std::to_string(points) + " 3" + nodes);
+  const std::size_t peak = peak_of([&] { EXPECT_TRUE(read_model(folder.file("a.ele")).ok()); });
+  EXPECT_LE(peak, kReaderMultiple * nodes.size() + kReaderBytes);
 }
 
 std::vector<Family> volumes() {
