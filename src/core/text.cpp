@@ -47,6 +47,15 @@ TextUnit first_unit(std::string_view text) {
   return {form.tail + 1, code, true};
 }
 
+bool is_utf8(std::string_view text) {
+  while (!text.empty()) {
+    const TextUnit unit = first_unit(text);
+    if (!unit.valid) return false;
+    text.remove_prefix(unit.length);
+  }
+  return true;
+}
+
 bool misleads(char32_t code) {
   const auto in = [code](char32_t first, char32_t last) { return code >= first && code <= last; };
   return is_control(code) || code == 0x061C || in(0x200E, 0x200F) || in(0x2028, 0x202E) ||

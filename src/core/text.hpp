@@ -19,6 +19,9 @@ struct TextUnit {
 /// above U+10FFFF. Requires text not empty.
 [[nodiscard]] TextUnit first_unit(std::string_view text);
 
+/// Whether all of `text` is such characters.
+[[nodiscard]] bool is_utf8(std::string_view text);
+
 /// Whether a terminal, or a reader's eye, can be led astray by this code point: control characters
 /// (C0, DEL, C1), line and paragraph separators, marks that change the direction of writing.
 [[nodiscard]] bool misleads(char32_t code);

@@ -8,15 +8,6 @@ namespace tetloft::internal::io {
 
 namespace {
 
-bool is_utf8(std::string_view text) {
-  while (!text.empty()) {
-    const TextUnit unit = first_unit(text);
-    if (!unit.valid) return false;
-    text.remove_prefix(unit.length);
-  }
-  return true;
-}
-
 void set_names(Model& model, std::string_view joined) {
   const auto zeros = static_cast<std::size_t>(std::count(joined.begin(), joined.end(), '\0'));
   if (joined.empty() || zeros + 1 != model.component_count || zeros >= model.tets.size()) return;

@@ -109,7 +109,7 @@ std::string solid_paths(const Subject& subject, const CutHeight& height, const S
   std::string all;
   for (const auto& [component, path] : by_component) {
     out += path_element(path, "class=\"area\" fill-rule=\"evenodd\" fill=\"" +
-                                  hex(render::component_colour(component)) + '"');
+                                  render::hex(render::component_colour(component)) + '"');
     if (outlined) all += path;
   }
   return out + path_element(all, "class=\"outline\"");

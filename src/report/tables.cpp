@@ -42,7 +42,7 @@ std::string rest_of(std::size_t all, std::size_t shown, const char* what) {
 }
 
 std::string swatch(const render::Rgb& colour) {
-  return "<span class=\"swatch\" style=\"background:" + hex(colour) + "\"></span>";
+  return "<span class=\"swatch\" style=\"background:" + render::hex(colour) + "\"></span>";
 }
 
 template <class Number>

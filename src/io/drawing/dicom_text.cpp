@@ -157,15 +157,6 @@ bool is_ascii(std::string_view text) {
                      [](char c) { return static_cast<unsigned char>(c) < 0x80; });
 }
 
-bool is_utf8(std::string_view text) {
-  while (!text.empty()) {
-    const TextUnit unit = first_unit(text);
-    if (!unit.valid) return false;
-    text.remove_prefix(unit.length);
-  }
-  return true;
-}
-
 void append_utf8(std::string& text, char16_t code) {
   const unsigned c = code;
   if (c < 0x80) {
