@@ -102,7 +102,8 @@ TEST_P(ViewerKeys, SavesWhatIsSeenWithItsMarksOnTheGroundOfChoice) {
         "; const out = tetloft.picture.paint(" + std::to_string(times) + R"();
       const d = out.getContext('2d').getImageData(0, 0, out.width, out.height).data;
       // In the corner nothing is; at the foot on the left the scale bar.
-      const bar = out.getContext('2d').getImageData(0, out.height * 0.8, out.width * 0.25, out.height * 0.2).data;
+      const bar = out.getContext('2d')
+        .getImageData(0, out.height * 0.8, out.width * 0.25, out.height * 0.2).data;
       let dark = 0;
       for (let i = 0; i < bar.length; i += 4) if (bar[i + 3] > 200 && bar[i] < 90) ++dark;
       return {width: out.width, wide: tetloft.size().width, red: d[0], alpha: d[3], dark};

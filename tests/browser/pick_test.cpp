@@ -160,7 +160,8 @@ TEST_P(ViewerPick, TheScaleBarIsHonestAndHasTheUnit) {
       const t = tetloft, {right, toward} = t.camera.axes();
       const one = t.marks.bar(t.camera).length / t.page.length;
       const a = t.camera.project([0.1, 0.2, 0.3]);
-      const b = t.camera.project(plus([0.1, 0.2, 0.3], plus(times(one, right), times(0.7, toward))));
+      const moved = plus(times(one, right), times(0.7, toward));
+      const b = t.camera.project(plus([0.1, 0.2, 0.3], moved));
       return b[0] - a[0];
     })())");
     EXPECT_NEAR(seen, pixels, 1e-6);

@@ -34,24 +34,24 @@ class ComponentList {
     document.getElementById('component-choice').hidden = layer.components.length < 2;
     this.list.replaceChildren(...found.slice(0, MOST_ROWS).map((c) => this.row(c)));
     const rest = found.length - MOST_ROWS;
-    const note = rest > 0 ? `and ${rest.toLocaleString('en')} more: search by name` : found.length === 0 ? 'none of this name' : '';
-    if (note !== '') this.list.append(Object.assign(document.createElement('li'), {className: 'note', textContent: note}));
+    let note = found.length === 0 ? 'none of this name' : '';
+    if (rest > 0) note = `and ${rest.toLocaleString('en')} more: search by name`;
+    if (note !== '') this.list.append(make('li', {className: 'note', textContent: note}));
     this.mark();
   }
 
   row(c) {
     const {layer} = this;
-    const item = document.createElement('li');
+    const item = make('li');
     item.dataset.component = c;
-    const toggle = document.createElement('button');
+    const toggle = make('button');
     toggle.type = 'button';
     toggle.className = 'component';
     toggle.title = layer.components[c] + ': show or hide';
-    const swatch = document.createElement('i');
+    const swatch = make('i');
     swatch.style.setProperty('--colour', `rgb(${layer.componentColour(c).join()})`);
-    const name = Object.assign(document.createElement('span'), {className: 'name', textContent: layer.components[c]});
-    const volume = Object.assign(document.createElement('span'),
-                                 {className: 'volume', textContent: this.viewer.page.volumeText(layer.volumes[c])});
+    const name = make('span', {className: 'name', textContent: layer.components[c]});
+    const volume = make('span', {className: 'volume', textContent: this.viewer.page.volumeText(layer.volumes[c])});
     toggle.append(swatch, name, volume);
     toggle.addEventListener('click', () => {
       layer.show(c, !layer.shown[c]);
@@ -60,7 +60,7 @@ class ComponentList {
     });
     item.append(toggle);
     if (layer.components.length > 1) {
-      const only = Object.assign(document.createElement('button'), {type: 'button', className: 'only', textContent: 'only'});
+      const only = make('button', {type: 'button', className: 'only', textContent: 'only'});
       only.setAttribute('aria-label', 'show only ' + layer.components[c]);
       only.addEventListener('click', () => this.only(c));
       item.append(only);

@@ -41,7 +41,9 @@ class CutBar {
   point(mode) {
     const {camera, current} = this.viewer;
     if (mode === 'sections') this.cut.along = current;
-    const normal = mode === 'sections' ? this.cut.sectionNormal() : mode === 'facing' ? camera.axes().toward : CUT_AXES[mode];
+    let normal = CUT_AXES[mode];
+    if (mode === 'sections') normal = this.cut.sectionNormal();
+    if (mode === 'facing') normal = camera.axes().toward;
     this.do(() => this.cut.point(mode, normal));
   }
 

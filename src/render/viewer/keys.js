@@ -5,13 +5,15 @@ function keyTable(viewer) {
   const {camera, cutBar, panel} = viewer;
   const look = (da, de) => () => camera.look(camera.azimuth + da, camera.elevation + de);
   const move = (dx, dy) => () => camera.move(dx, dy);
+  const zoom = (factor) => () => camera.zoom(factor);
   const side = (k) => () => panel.lookFrom(k);
   const point = (mode) => () => cutBar.point(mode);
   return [
-    ['← → ↑ ↓', 'turn', {ArrowLeft: look(6, 0), ArrowRight: look(-6, 0), ArrowUp: look(0, 6), ArrowDown: look(0, -6)}],
+    ['← → ↑ ↓', 'turn',
+     {ArrowLeft: look(6, 0), ArrowRight: look(-6, 0), ArrowUp: look(0, 6), ArrowDown: look(0, -6)}],
     ['Shift + arrows', 'move', {'Shift ArrowLeft': move(-30, 0), 'Shift ArrowRight': move(30, 0),
                                 'Shift ArrowUp': move(0, 30), 'Shift ArrowDown': move(0, -30)}],
-    ['+ −', 'nearer, farther', {'+': () => camera.zoom(1 / 1.15), '=': () => camera.zoom(1 / 1.15), '-': () => camera.zoom(1.15)}],
+    ['+ −', 'nearer, farther', {'+': zoom(1 / 1.15), '=': zoom(1 / 1.15), '-': zoom(1.15)}],
     ['f', 'fit into the window', {f: () => viewer.fit()}],
     ['h', 'first view', {h: () => viewer.home()}],
     ['1 … 6', panel.sides.map(([name]) => name).join(', '),
@@ -21,7 +23,8 @@ function keyTable(viewer) {
     ['[ ]', 'cut one section down, up', {
       '[': () => cutBar.do(() => cutBar.cut.step(-1)), ']': () => cutBar.do(() => cutBar.cut.step(1)),
       PageDown: () => cutBar.do(() => cutBar.cut.step(-1)), PageUp: () => cutBar.do(() => cutBar.cut.step(1))}],
-    ['x y z n', 'cut across x, y, z, the sections', {x: point('x'), y: point('y'), z: point('z'), n: point('sections')}],
+    ['x y z n', 'cut across x, y, z, along the sections',
+     {x: point('x'), y: point('y'), z: point('z'), n: point('sections')}],
     ['v', 'cut facing you', {v: point('facing')}],
     ['r', 'the other side of the cut', {r: () => cutBar.do(() => cutBar.flip())}],
     ['m', 'measure a distance', {m: () => viewer.setMeasuring(!viewer.measuring)}],
@@ -38,9 +41,9 @@ class Keys {
     const table = keyTable(viewer);
     this.acts = Object.assign({}, ...table.map((row) => row[2]));
     const rows = table.map(([keys, what]) => {
-      const row = document.createElement('tr');
-      row.append(Object.assign(document.createElement('th'), {textContent: keys, scope: 'row'}),
-                 Object.assign(document.createElement('td'), {textContent: what}));
+      const row = make('tr');
+      row.append(make('th', {textContent: keys, scope: 'row'}),
+                 make('td', {textContent: what}));
       return row;
     });
     document.getElementById('keys').append(...rows);
@@ -56,7 +59,8 @@ class Keys {
     if (target instanceof HTMLInputElement && /^(Arrow|Page| )/.test(event.key)) return;
     if ((target instanceof HTMLButtonElement || target.tagName === 'SUMMARY') && event.key === ' ') return;
     const arrow = event.key.startsWith('Arrow');
-    const act = this.acts[(event.shiftKey && arrow ? 'Shift ' : '') + (event.key.length === 1 ? event.key.toLowerCase() : event.key)];
+    const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+    const act = this.acts[(event.shiftKey && arrow ? 'Shift ' : '') + key];
     if (!act) return;
     event.preventDefault();
     act();

@@ -25,21 +25,21 @@ class LayerList {
   }
 
   row(layer) {
-    const item = document.createElement('li');
-    const eye = Object.assign(document.createElement('input'), {type: 'checkbox', checked: layer.visible});
+    const item = make('li');
+    const eye = make('input', {type: 'checkbox', checked: layer.visible});
     eye.setAttribute('aria-label', 'show ' + layer.name);
     eye.addEventListener('change', () => {
       layer.visible = eye.checked;
       if (this.viewer.layout === 'side') this.viewer.fit();
       this.viewer.refresh();
     });
-    const name = Object.assign(document.createElement('button'),
-                               {type: 'button', className: 'name', textContent: layer.name, title: 'colours and components of ' + layer.name});
+    const name = make('button', {type: 'button', className: 'name', textContent: layer.name});
+    name.title = 'colours and components of ' + layer.name;
     name.addEventListener('click', () => {
       this.viewer.choose(layer);
       this.mark();
     });
-    const opacity = Object.assign(document.createElement('input'), {type: 'range', min: 0, max: 1, step: 0.01, value: layer.opacity});
+    const opacity = make('input', {type: 'range', min: 0, max: 1, step: 0.01, value: layer.opacity});
     opacity.setAttribute('aria-label', 'opacity of ' + layer.name);
     opacity.title = 'opacity';
     opacity.addEventListener('input', () => {
@@ -55,7 +55,9 @@ class LayerList {
     this.rows.forEach((row, k) => row.classList.toggle('current', this.viewer.layers[k] === this.viewer.current));
     this.rows.forEach((row, k) =>
       row.querySelector('.name').setAttribute('aria-pressed', String(this.viewer.layers[k] === this.viewer.current)));
-    for (const button of this.buttons) button.setAttribute('aria-checked', String(button.dataset.layout === this.viewer.layout));
+    for (const button of this.buttons) {
+      button.setAttribute('aria-checked', String(button.dataset.layout === this.viewer.layout));
+    }
   }
 }
 

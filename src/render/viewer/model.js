@@ -202,6 +202,8 @@ class Page {
     return String(Number(x.toFixed(Math.max(0, this.decimals))) + 0).replace('-', '−');
   }
 
+  pointText(p) { return p.map((x) => this.number(x)).join(', ') + this.unitText; }
+
   lengthText(x) { return this.number(x) + this.unitText; }
 
   volumeText(x) {

@@ -4,7 +4,8 @@
 // Where the eye stands: in a body by the letters of its sides, else by the axes.
 const SIDES = [['front', [0, -1, 0]], ['back', [0, 1, 0]], ['left', [-1, 0, 0]],
                ['right', [1, 0, 0]], ['top', [0, 0, 1]], ['bottom', [0, 0, -1]]];
-const BODY_SIDES = [['anterior', 'A'], ['posterior', 'P'], ['left', 'L'], ['right', 'R'], ['superior', 'SH'], ['inferior', 'IF']];
+const BODY_SIDES = [['anterior', 'A'], ['posterior', 'P'], ['left', 'L'],
+                    ['right', 'R'], ['superior', 'SH'], ['inferior', 'IF']];
 
 function sidesOf(letters) {
   if (letters[0][1] === '') return SIDES;
@@ -35,10 +36,10 @@ class Panel {
                      n(current.arrays.boundary.length, 'boundary triangle')];
     if (layers.length > 1) figures.unshift(current.name);
     document.getElementById('figures').replaceChildren(
-      ...figures.flatMap((text) => [Object.assign(document.createElement('span'), {textContent: text}), ' ']));
+      ...figures.flatMap((text) => [make('span', {textContent: text}), ' ']));
     const by = document.getElementById('colour');
     by.replaceChildren(...current.colourings.map((name) => {
-      const button = Object.assign(document.createElement('button'), {type: 'button', textContent: name});
+      const button = make('button', {type: 'button', textContent: name});
       button.setAttribute('role', 'radio');
       button.addEventListener('click', () => {
         current.colour = name;
@@ -62,19 +63,20 @@ class Panel {
   fillLegend(layer, page) {
     const css = (c) => `rgb(${c.join()})`;
     const row = (colour, text, count = '') => {
-      const item = Object.assign(document.createElement('div'), {className: 'row'});
-      const swatch = document.createElement('i');
+      const item = make('div', {className: 'row'});
+      const swatch = make('i');
       swatch.style.setProperty('--colour', css(colour));
-      item.append(swatch, text, Object.assign(document.createElement('span'), {textContent: count}));
+      item.append(swatch, text, make('span', {textContent: count}));
       return item;
     };
     const ramp = (colours, from, to) => {
-      const bar = Object.assign(document.createElement('div'), {className: 'ramp'});
+      const bar = make('div', {className: 'ramp'});
       const most = Math.min(24, colours.length);
-      const stops = Array.from({length: most}, (_, i) => css(colours[Math.round(i * (colours.length - 1) / Math.max(1, most - 1))]));
+      const step = (colours.length - 1) / Math.max(1, most - 1);
+      const stops = Array.from({length: most}, (_, i) => css(colours[Math.round(i * step)]));
       bar.style.background = stops.length < 2 ? stops[0] : `linear-gradient(to right, ${stops.join()})`;
-      const ends = Object.assign(document.createElement('div'), {className: 'ends'});
-      ends.append(...[from, to].map((text) => Object.assign(document.createElement('span'), {textContent: text})));
+      const ends = make('div', {className: 'ends'});
+      ends.append(...[from, to].map((text) => make('span', {textContent: text})));
       return [bar, ends];
     };
     const {kind, evidence} = layer.arrays;
@@ -88,7 +90,7 @@ class Panel {
           layer.links[k] > 0 ? [row(page.evidenceColours[k], name, layer.links[k].toLocaleString('en'))] : []);
         if (evidence.includes(none)) links.push(row(page.evidenceColours[none], 'no link'));
         const note = 'Links, by what they rest on. A part of a slab has the colour of its least sure one.';
-        return [...links, Object.assign(document.createElement('p'), {textContent: note})];
+        return [...links, make('p', {textContent: note})];
       },
       model: () => this.viewer.layers.map((each) => row(each.ownColour(), each.name)),
     }[layer.colour];
@@ -116,7 +118,7 @@ class Panel {
     this.sides = sidesOf(viewer.marks.letters);
     const views = document.getElementById('views');
     this.sides.forEach(([name, side], k) => {
-      const button = Object.assign(document.createElement('button'), {type: 'button', textContent: name, title: `from this side (${k + 1})`});
+      const button = make('button', {type: 'button', textContent: name, title: `from this side (${k + 1})`});
       button.dataset.side = k + 1;
       button.addEventListener('click', () => this.lookFrom(k));
       views.append(button);
@@ -134,7 +136,8 @@ class Panel {
   // On small screens the controls are folded at first.
   connectFold() {
     this.foldButton = document.getElementById('fold');
-    this.foldButton.addEventListener('click', () => this.fold(this.foldButton.getAttribute('aria-expanded') === 'true'));
+    const open = () => this.foldButton.getAttribute('aria-expanded') === 'true';
+    this.foldButton.addEventListener('click', () => this.fold(open()));
     this.fold(SMALL.matches);
   }
 

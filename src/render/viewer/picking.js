@@ -104,8 +104,7 @@ function describe(page, picked, several) {
   rows.push(['Component', layer.components[layer.arrays.component[tet]]]);
   const place = sectionText(layer, own[2]);
   rows.push(['Slab', layer.slabNumbers[slab] + (place === '' ? '' : ', ' + place)]);
-  const file = mapped(layer.file, own);
-  rows.push(['Point', file.map((x) => page.number(x)).join(', ') + page.unitText]);
+  rows.push(['Point', page.pointText(mapped(layer.file, own))]);
   rows.push(['Dihedral', smallestDihedral(layer, tet).toFixed(1) + '° at least']);
   const {kind, evidence} = layer.arrays;
   if (kind && kind.length > 0) rows.push(['Kind', page.kindNames[kind[tet]]]);

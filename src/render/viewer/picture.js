@@ -33,7 +33,8 @@ class Picture {
     ctx.drawImage(viewer.canvas, 0, 0, out.width, out.height);
     ctx.scale(dense, dense);
     // On white, and on what is none, as paper has it.
-    viewer.marks.paint(ctx, viewer.seen(document.getElementById('ground').value === 'page' ? viewer.theme.shown : 'light'));
+    const asShown = document.getElementById('ground').value === 'page';
+    viewer.marks.paint(ctx, viewer.seen(asShown ? viewer.theme.shown : 'light'));
     viewer.drawNow();
     return out;
   }

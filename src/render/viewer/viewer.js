@@ -22,7 +22,11 @@ class Viewer {
     this.layout = firstLayout(layers);
     // What lies in one space is told apart; what is compared has the same colours.
     if (this.layout === 'over') {
-      layers.forEach((layer, k) => { layer.firstColour = k === 0 ? 0 : layers[k - 1].firstColour + layers[k - 1].components.length; });
+      let colours = 0;
+      for (const layer of layers) {
+        layer.firstColour = colours;
+        colours += layer.components.length;
+      }
     }
     this.marks = new Marks(page);
     this.drawing = new Drawing(this.canvas, layers);
@@ -174,7 +178,10 @@ class Viewer {
     let before = null;
     const turn = (now) => {
       if (!this.spinning) return;
-      this.camera.look(this.camera.azimuth + (before === null ? 0 : 0.024 * Math.min(100, now - before)), this.camera.elevation);
+      const {camera} = this;
+      // 24° a second, without leaps after a pause.
+      const passed = before === null ? 0 : Math.min(100, now - before);
+      camera.look(camera.azimuth + 0.024 * passed, camera.elevation);
       before = now;
       this.drawNow();
       requestAnimationFrame(turn);
@@ -233,15 +240,15 @@ class Viewer {
     const rows = document.getElementById('facts');
     let facts = picked ? describe(this.page, picked, this.layers.length > 1) : [];
     if (this.measuring) {
-      const file = (end) => mapped(end.layer.file, end.own).map((x) => this.page.number(x)).join(', ') + this.page.unitText;
-      facts = this.ends.map((end, k) => [k === 0 ? 'From' : 'To', file(end)]);
+      const place = (end) => this.page.pointText(mapped(end.layer.file, end.own));
+      facts = this.ends.map((end, k) => [k === 0 ? 'From' : 'To', place(end)]);
       if (this.ends.length === 2) facts.unshift(['Distance', this.page.lengthText(distanceOf(this.ends))]);
       else facts.push(['Distance', this.ends.length === 0 ? 'pick the first point' : 'pick the second point']);
     }
     rows.replaceChildren(...facts.map(([what, value]) => {
-      const pair = document.createElement('div');
-      pair.append(Object.assign(document.createElement('dt'), {textContent: what}),
-                  Object.assign(document.createElement('dd'), {textContent: value}));
+      const pair = make('div');
+      pair.append(make('dt', {textContent: what}),
+                  make('dd', {textContent: value}));
       return pair;
     }));
     document.getElementById('card').hidden = facts.length === 0;
