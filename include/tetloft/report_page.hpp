@@ -93,6 +93,9 @@ struct ReportFigures {
   std::vector<ReportComponent> components = {};
   std::size_t vertices = 0;  ///< in use
   std::size_t boundary_triangles = 0;
+  /// Components have points in common, as other programs' may: their areas, genus and cavities are
+  /// then of the boundary of all.
+  bool components_touch = false;
   std::vector<std::size_t> kinds = {};  ///< by TetKind; empty where the model tells none
   ReportQuality quality = {};
   std::vector<ReportArea> solid = {};     ///< of the solid, at heights between sections

@@ -142,10 +142,11 @@ Result<int> run_check(const Arguments& arguments, Console& console) {
   const auto format = chosen_model_format(arguments);
   if (!format) return format.error();
 
-  const auto model = read_model_input(arguments.operand(0), *format, console);
+  auto model = read_model_input(arguments.operand(0), *format, console);
   if (!model) return model.error();
   const auto input = read_stack_input(arguments.operand(1), *prepared, console);
   if (!input) return input.error();
+  put_into_frame(*model, input->stack, console);
   const Result<void> labelled = read_label_option(arguments, *input, options.correspondence);
   if (!labelled) return labelled.error();
 

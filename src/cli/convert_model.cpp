@@ -16,6 +16,7 @@
 #include "core/text.hpp"
 #include "io/files.hpp"
 #include "io/formats.hpp"
+#include "model/touching.hpp"
 
 namespace tetloft::cli {
 
@@ -92,6 +93,7 @@ Result<ModelConversion> conversion_of(const Arguments& arguments, const std::str
       conversion.to.empty() ? target_extensions() : std::vector<std::string_view>();
   Result<void> checked = check_output("--output (-o)", output, extensions, {conversion.input});
   if (!checked) return checked.error();
+  if (output == "-") return usage_error("the output needs a name; /dev/stdout is standard output");
   return conversion;
 }
 
@@ -103,6 +105,16 @@ std::vector<std::string> outputs_for(const ModelConversion& conversion, const Mo
     components.push_back({{}, component_name(model, ComponentId(c)), std::to_string(c + 1), 0});
   }
   return outputs_of(conversion.output, components);
+}
+
+// Names that are known only now: none is the input.
+Result<void> check_parts(const ModelConversion& conversion, const std::vector<std::string>& paths) {
+  if (!conversion.per_component) return {};
+  for (const std::string& path : paths) {
+    Result<void> apart = check_output("--per-component", path, {}, {conversion.input});
+    if (!apart) return apart;
+  }
+  return {};
 }
 
 Result<StagedFiles> stage_parts(const ModelConversion& conversion, const Model& model,
@@ -197,17 +209,28 @@ Result<int> convert_model(const Arguments& arguments, const std::string& output,
   const auto model =
       read_model_input(input_path(conversion->input), conversion->model_format, console);
   if (!model) return with_way_out(model.error(), conversion->input);
+  if (model->tets.empty()) {
+    return in_file({ErrorCode::invalid_input, "the model has no tets", {}}, conversion->input);
+  }
+  if (!conversion->solid && !conversion->per_component && components_touch(*model)) {
+    console.warn(
+        {"components have faces in common, which their boundary leaves out; "
+         "--per-component gives each its own",
+         {}});
+  }
   if (conversion->per_component && model->component_count == 0) {
     return Error{ErrorCode::invalid_input, "the model does not tell of components", {}};
   }
   const std::vector<std::string> paths = outputs_for(*conversion, *model);
+  if (Result<void> apart = check_parts(*conversion, paths); !apart) return apart.error();
   auto files = stage_parts(*conversion, *model, paths, console);
   if (!files) return files.error();
+  const std::vector<std::string> written = paths_of(*files);
   std::string told;
   if (console.json()) {
-    told = to_json(*model, paths, console);
+    told = to_json(*model, written, console);
   } else if (!console.quiet()) {
-    told = to_text(*model, paths);
+    told = to_text(*model, written);
   }
   const Result<void> done = deliver_with(*files, told, console);
   if (!done) return done.error();

@@ -125,17 +125,27 @@ Result<ModelOutputs> model_outputs(const Arguments& arguments) {
 
 namespace {
 
-// Placing points rounds them, where their planes are oblique: what is thinner than that turns over.
+// Other programs have such tets; and placing points rounds them, where their planes are oblique:
+// what is thinner than that turns over.
 void warn_of_turned(const Model& model, Console& console) {
-  if (is_exact(model.frame)) return;
-  IdVector<VertexId, Point3> placed = model.points;
-  for (Point3& p : placed) p = place(model.frame, p);
+  const bool rounded = !is_exact(model.frame);
+  IdVector<VertexId, Point3> placed;
+  if (rounded) {
+    for (const Point3& p : model.points) placed.push_back(place(model.frame, p));
+  }
+  const IdVector<VertexId, Point3>& at = rounded ? placed : model.points;
   std::size_t turned = 0;
   for (const TetVertices& t : model.tets) {
-    if (orient3d(placed[t[0]], placed[t[1]], placed[t[2]], placed[t[3]]) != Sign::positive)
-      ++turned;
+    if (orient3d(at[t[0]], at[t[1]], at[t[2]], at[t[3]]) != Sign::positive) ++turned;
   }
   if (turned == 0) return;
+  if (!rounded) {
+    console.warn({std::to_string(turned) + " of " + counted(model.tets.size(), "tet") +
+                      (turned == 1 ? " is" : " are") +
+                      " flat or turned over: simulations refuse such tets",
+                  {}});
+    return;
+  }
   console.warn({std::to_string(turned) + " of " + counted(model.tets.size(), "tet") +
                     (turned == 1 ? " is" : " are") +
                     " flat or turned over where the planes lie in the file: its coordinates are "
@@ -170,10 +180,21 @@ Result<StagedFiles> stage_model(const Model& model, const ModelOutputs& outputs,
 
 std::string describe(const ModelOutputs& outputs) {
   std::string files;
-  for (const auto& path : {outputs.solid, outputs.surface, outputs.repaired}) {
-    if (path) files += (files.empty() ? "" : ", ") + printable(*path);
+  const auto add = [&files](const std::string& path) {
+    files += (files.empty() ? "" : ", ") + printable(path);
+  };
+  if (outputs.solid) {
+    for (const std::string& path : written_with(*outputs.solid)) add(path);
   }
+  if (outputs.surface) add(*outputs.surface);
+  if (outputs.repaired) add(*outputs.repaired);
   return "written: " + files + '\n';
+}
+
+std::vector<std::string> paths_of(const StagedFiles& files) {
+  std::vector<std::string> paths;
+  for (const io::PendingFile& file : files) paths.push_back(file.path());
+  return paths;
 }
 
 Result<void> deliver_with(StagedFiles& files, const std::string& result, Console& console) {

@@ -54,8 +54,10 @@ using StagedFiles = std::vector<internal::io::PendingFile>;
 /// The surface and the solid, up to the last step.
 [[nodiscard]] Result<StagedFiles> stage_model(const Model& model, const ModelOutputs& outputs,
                                               Console& console);
-/// "written: a.vtu, b.ply", a line.
+/// "written: a.vtu, b.ply", a line; with what a format has beside the one that was asked for.
 [[nodiscard]] std::string describe(const ModelOutputs& outputs);
+/// Where they will appear.
+[[nodiscard]] std::vector<std::string> paths_of(const StagedFiles& files);
 
 /// The last step of a command that writes files: its result (none where empty) reaches the reader,
 /// then all files appear. Where the result or a file fails, none does.

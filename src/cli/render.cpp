@@ -210,6 +210,25 @@ Result<std::string> picture_of(const RenderRequest& request, const std::vector<M
   return error;
 }
 
+// Each lies as in its file, in one picture.
+void warn_of_spaces(const RenderRequest& request, const std::vector<Model>& models,
+                    Console& console) {
+  const auto compare = [&](const char* what, std::string Description::*told) {
+    for (std::size_t k = 1; k < models.size(); ++k) {
+      const std::string& first = models.front().about.*told;
+      const std::string& other = models[k].about.*told;
+      if (first.empty() || other.empty() || first == other) continue;
+      console.warn({std::string("the models differ in ") + what + ": " + io::in_quotes(first) +
+                        " of " + io::in_quotes(request.models.front()) + ", " +
+                        io::in_quotes(other) + " of " + io::in_quotes(request.models[k]) +
+                        "; they are shown as they lie in their files",
+                    {}});
+    }
+  };
+  compare("unit", &Description::unit);
+  compare("orientation", &Description::orientation);
+}
+
 Result<int> run_render(const Arguments& arguments, Console& console) {
   auto request = render_request(arguments);
   if (!request) return request.error();
@@ -224,8 +243,10 @@ Result<int> run_render(const Arguments& arguments, Console& console) {
   for (const std::string& path : request->models) {
     auto model = read_model_input(path, request->model_format, console);
     if (!model) return model.error();
+    if (stack) put_into_frame(*model, *stack, console);
     models.push_back(*std::move(model));
   }
+  warn_of_spaces(*request, models, console);
   const Result<std::string> picture = [&] {
     Progress progress(!console.quiet());
     request->options.execution.progress = progress.callback();

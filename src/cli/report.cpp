@@ -85,6 +85,11 @@ Result<ReportRequest> report_request_of(const Arguments& arguments, Console& con
     request.stack = arguments.operand(1);
     taken.push_back(*request.stack);
   }
+  if (!request.stack) {
+    for (const Option& option : stack_options()) {
+      if (arguments.has(option.name)) return usage_error("option " + option.name + " needs IN");
+    }
+  }
   if (const auto labels = arguments.text("--labels")) taken.push_back(*labels);
   Result<void> checked = check_output("--output (-o)", *output, {".html"}, taken);
   if (!checked) return checked.error();
@@ -151,13 +156,14 @@ Result<int> run_report(const Arguments& arguments, Console& console) {
   auto request = report_request_of(arguments, console);
   if (!request) return request.error();
   ReportOptions& options = request->options;
-  const auto model = read_model_input(arguments.operand(0), request->model_format, console);
+  auto model = read_model_input(arguments.operand(0), request->model_format, console);
   if (!model) return model.error();
   std::optional<StackInput> input;
   if (request->stack) {
     auto read = read_stack_input(*request->stack, request->preparation, console);
     if (!read) return read.error();
     input = *std::move(read);
+    put_into_frame(*model, input->stack, console);
     const Result<void> labelled =
         read_label_option(arguments, *input, options.check.correspondence);
     if (!labelled) return labelled.error();

@@ -116,6 +116,7 @@ void write_report(JsonWriter& json, const Report& report) {
     json.end_object();
   }
   json.end_array();
+  json.member("components_touch", figures.components_touch);
   json.member("vertices", figures.vertices);
   json.member("boundary_triangles", figures.boundary_triangles);
   write_kinds(json, figures.kinds);

@@ -9,6 +9,7 @@
 #include "core/option_rules.hpp"
 #include "core/spelling.hpp"
 #include "io/numbers.hpp"
+#include "io/vtu_frame.hpp"
 
 namespace tetloft::cli {
 
@@ -73,6 +74,19 @@ Result<Model> read_model_input(const std::string& path, const std::string& forma
   if (!read) return read.error();
   for (const Warning& warning : read->warnings) console.warn(warning);
   return std::move(read->model);
+}
+
+void put_into_frame(Model& model, const SectionStack& stack, Console& console) {
+  if (model.frame == stack.frame) return;
+  const bool told = !(model.frame == Frame{});
+  if (!told && is_exact(stack.frame) && io::take_back(stack.frame, {}, model.points)) {
+    model.frame = stack.frame;
+    return;
+  }
+  console.warn({told ? "the planes of model and stack lie differently in their files"
+                     : "the planes of the stack are turned in its file, and the model's does not "
+                       "tell how: a .vtu does",
+                {}});
 }
 
 namespace {

@@ -63,6 +63,9 @@ struct StackInput {
 /// Reads a model; warnings go to the console.
 [[nodiscard]] Result<Model> read_model_input(const std::string& path, const std::string& format,
                                              Console& console);
+/// Puts a model whose file does not tell how the planes of its stack are turned back into the
+/// coordinates of the stack, where that loses nothing; else warns that they lie differently.
+void put_into_frame(Model& model, const SectionStack& stack, Console& console);
 
 /// Members "planes", "repair", "snap" and "refine", where that was done.
 void write_preparation(JsonWriter& json, const StackInput& input);

@@ -47,6 +47,27 @@ bool flat(const FloatPoint& a, const FloatPoint& b, const FloatPoint& c) {
   return collinear_in(a, b, c, 0, 1) && collinear_in(a, b, c, 1, 2) && collinear_in(a, b, c, 2, 0);
 }
 
+// Within a closed surface; with the origin in its first point, far from which digits are few.
+template <class Coordinates>
+double volume_within(const std::vector<std::array<std::uint32_t, 3>>& triangles,
+                     Coordinates&& coordinates) {
+  double six_volumes = 0;
+  const std::array<double, 3> origin = coordinates(0);
+  const auto from_origin = [&](std::uint32_t v) {
+    std::array<double, 3> p = coordinates(v);
+    for (std::size_t k = 0; k < 3; ++k) p[k] -= origin[k];
+    return p;
+  };
+  for (const auto& t : triangles) {
+    const auto a = from_origin(t[0]);
+    const auto b = from_origin(t[1]);
+    const auto c = from_origin(t[2]);
+    six_volumes += a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+                   a[2] * (b[0] * c[1] - b[1] * c[0]);
+  }
+  return six_volumes / 6;
+}
+
 }  // namespace
 
 FloatPoint float_point(const Point3& p) {
@@ -81,6 +102,15 @@ void Float32Loss::add(const std::vector<Point3>& points,
   }
   if (merged_.number == 0 && merged != 0) merged_.place = points[first];
   merged_.number += merged;
+  if (!points.empty()) {
+    volume_ += volume_within(triangles, [&](std::size_t v) {
+      return std::array<double, 3>{points[v].x, points[v].y, points[v].z};
+    });
+    written_volume_ += volume_within(triangles, [&](std::size_t v) {
+      const FloatPoint& p = written[v];
+      return std::array<double, 3>{p[0], p[1], p[2]};
+    });
+  }
   for (const auto& t : triangles) {
     if (!flat(written[t[0]], written[t[1]], written[t[2]])) continue;
     if (flattened_.number++ == 0) flattened_.place = points[t[0]];
@@ -106,6 +136,14 @@ std::vector<Warning> Float32Loss::warnings() const {
   if (flattened_.number != 0) {
     all.push_back(
         warning("flattens", flattened_, "triangle", "triangles", "; the surface may not be valid"));
+  }
+  const double change = std::fabs(written_volume_ / volume_ - 1);
+  if (all.empty() && std::isfinite(change) && change > 0.001) {
+    const auto percent = std::max(1L, std::lround(1000 * change));
+    all.push_back({"rounding to the float32 of " + format_ + " changes the volume by " +
+                       std::to_string(percent / 10) + '.' + std::to_string(percent % 10) +
+                       " %; .obj, .ply and .vtp keep double precision",
+                   {}});
   }
   return all;
 }

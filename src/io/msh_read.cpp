@@ -245,6 +245,7 @@ class MshReader {
 
   // Of one element behind its number and tags.
   void take_element(std::int64_t kind, std::int64_t number, std::int64_t group, ScalarType type) {
+    ++elements_;
     if (kind == kMshTet) {
       TetVertices corners;
       for (VertexId& v : corners) v = vertex_of(cursor_.integer(type));
@@ -324,8 +325,10 @@ class MshReader {
   }
 
   ReadModel finish() {
+    if (elements_ != 0 && mesh_.tets() == 0) {
+      cursor_.fail("none of the elements is a tet of four nodes");
+    }
     if (others_ != 0) {
-      if (mesh_.tets() == 0) cursor_.fail("none of the elements is a tet of four nodes");
       warnings_.add("left out: " + std::to_string(others_) +
                     (others_ == 1 ? " element that is" : " elements that are") +
                     " no tet of four nodes");
@@ -344,7 +347,8 @@ class MshReader {
   std::map<std::int64_t, std::string> names_;      // of physical groups of volumes
   std::map<std::int64_t, std::int64_t> physical_;  // of volumes: their group
   NumberedMesh mesh_;
-  std::size_t others_ = 0;
+  std::size_t elements_ = 0;
+  std::size_t others_ = 0;  // of these: solid ones that are no tet of four nodes
 };
 
 }  // namespace

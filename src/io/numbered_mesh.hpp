@@ -30,7 +30,9 @@ class NumberedMesh {
   }
   [[nodiscard]] std::size_t tets() const { return tets_.size(); }
 
-  /// The model, as GroupedSolid makes it, with points and tets in the order of their numbers.
+  /// The model, as GroupedSolid makes it, with points and tets in the order of their numbers. Of
+  /// tets with the same corners, as a file has them that are in several groups, the first stays,
+  /// with a warning.
   [[nodiscard]] Model take(const std::map<std::int64_t, std::string>& names, WarningList& warnings);
 
  private:
@@ -43,6 +45,9 @@ class NumberedMesh {
     std::int64_t group = 0;
     TetVertices corners;
   };
+
+  /// How many.
+  std::size_t leave_out_repeated();
 
   std::vector<Node> nodes_;
   std::vector<Tet> tets_;

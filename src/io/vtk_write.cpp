@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <string_view>
 #include <utility>
 
+#include "io/base64.hpp"
 #include "io/bytes/deflate.hpp"
 #include "io/vtk_data.hpp"
 #include "io/xml_text.hpp"
@@ -94,12 +96,37 @@ std::optional<std::vector<std::string>> packed_arrays(const VtkFile& file) {
   return packed;
 }
 
+// How much of the appended data each array takes, in order.
+std::vector<std::uint64_t> plain_lengths(const VtkFile& file) {
+  std::vector<std::uint64_t> lengths;
+  for_each_array(
+      file, [&](const VtkArray& array) { lengths.push_back(sizeof(std::uint64_t) + array.bytes); });
+  return lengths;
+}
+
+std::uint64_t base64_length(std::uint64_t bytes) { return (bytes + 2) / 3 * 4; }
+
+// meshio 5 turns raw data to base64, array by array, and finds the next one by its offset: an array
+// whose new offset is the old one of another is taken for that.
+bool has_ambiguous_offsets(const VtkFile& file) {
+  std::set<std::uint64_t> moved;
+  std::uint64_t offset = 0;
+  std::uint64_t moved_offset = 0;
+  for (const std::uint64_t length : plain_lengths(file)) {
+    if (offset != 0 && moved.count(offset) != 0) return true;
+    moved.insert(moved_offset);
+    offset += length;
+    moved_offset += base64_length(length);
+  }
+  return false;
+}
+
 // The elements of groups, one after the other: arrays as text, or where they are appended.
 class HeadWriter {
  public:
-  // Of packed arrays, `packed` are the bytes of all, in order.
-  HeadWriter(Sink& sink, Encoding encoding, const std::vector<std::string>& packed)
-      : sink_(sink), encoding_(encoding), packed_(packed) {}
+  // `lengths`: of the appended arrays, in order.
+  HeadWriter(Sink& sink, Encoding encoding, const std::vector<std::uint64_t>& lengths)
+      : sink_(sink), encoding_(encoding), lengths_(lengths) {}
 
   void append(const VtkGroup& group, bool of_whole = false) {
     sink_.append('<' + group.element + ">\n");
@@ -111,8 +138,7 @@ class HeadWriter {
       } else {
         sink_.append(array_head(array, of_whole) + " format=\"appended\" offset=\"" +
                      std::to_string(offset_) + "\"/>\n");
-        offset_ += encoding_ == Encoding::compressed ? packed_[number_++].size()
-                                                     : sizeof(std::uint64_t) + array.bytes;
+        offset_ += lengths_[number_++];
       }
     }
     sink_.append("</" + group.element + ">\n");
@@ -121,7 +147,7 @@ class HeadWriter {
  private:
   Sink& sink_;
   Encoding encoding_;
-  const std::vector<std::string>& packed_;
+  const std::vector<std::uint64_t>& lengths_;
   std::size_t number_ = 0;  // of the next array
   std::uint64_t offset_ = 0;
 };
@@ -132,6 +158,12 @@ void append_plain(Sink& sink, const VtkArray& array) {
   append_little(count, static_cast<std::uint64_t>(array.bytes));
   sink.append(count);
   array.append_bytes(sink);
+}
+
+void append_base64(Sink& sink, const VtkArray& array) {
+  StringSink bytes;
+  append_plain(bytes, array);
+  sink.append(encode_base64(bytes.take()));
 }
 
 }  // namespace
@@ -162,21 +194,29 @@ std::vector<Warning> append_vtk_file(Sink& sink, const VtkFile& file, Encoding e
     }
   }
   const bool is_packed = encoding == Encoding::compressed;
+  const bool as_base64 = encoding == Encoding::binary && has_ambiguous_offsets(file);
+  std::vector<std::uint64_t> lengths = plain_lengths(file);
+  for (std::size_t k = 0; k < lengths.size(); ++k) {
+    if (is_packed) lengths[k] = packed[k].size();
+    if (as_base64) lengths[k] = base64_length(lengths[k]);
+  }
   sink.append("<?xml version=\"1.0\"?>\n<VTKFile type=\"" + file.grid_type +
               "\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\"" +
               (is_packed ? " compressor=\"vtkZLibDataCompressor\"" : "") + ">\n<" + file.grid_type +
               ">\n");
-  HeadWriter head(sink, encoding, packed);
+  HeadWriter head(sink, encoding, lengths);
   if (!file.field_data.arrays.empty()) head.append(file.field_data, true);
   sink.append("<Piece " + file.counts + ">\n");
   for (const VtkGroup& group : file.groups) head.append(group);
   sink.append("</Piece>\n</" + file.grid_type + ">\n");
   if (encoding != Encoding::ascii) {
-    sink.append("<AppendedData encoding=\"raw\">\n_");
+    sink.append(as_base64 ? "<AppendedData encoding=\"base64\">\n_"
+                          : "<AppendedData encoding=\"raw\">\n_");
     if (is_packed) {
       for (const std::string& bytes : packed) sink.append(bytes);
     } else {
-      for_each_array(file, [&](const VtkArray& array) { append_plain(sink, array); });
+      const auto append = as_base64 ? append_base64 : append_plain;
+      for_each_array(file, [&](const VtkArray& array) { append(sink, array); });
     }
     if (!sink.ok()) return warnings;
     sink.append("\n</AppendedData>\n");

@@ -47,7 +47,7 @@ std::string component_name(const Model& model, ComponentId component) {
 Model component_of(const Model& model, ComponentId component) {
   require_fit(check_well_formed(model).ok(), "component_of: the model is not well formed");
   require_fit(component.index() < model.component_count && !model.component.empty(),
-          "component_of: the model has no such component");
+              "component_of: the model has no such component");
   const ComponentParts parts = parts_of(model, component);
   Model part;
   IdVector<VertexId, VertexId> renamed(model.points.size());

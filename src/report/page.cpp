@@ -1,8 +1,10 @@
 #include "report/page.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -34,6 +36,19 @@ std::vector<Point2> plotted(const std::vector<ReportArea>& areas) {
   for (std::size_t k = 0; k < areas.size(); k += step)
     points.push_back({areas[k].z, areas[k].area});
   return points;
+}
+
+// The sides of the box around the points in use, where they lie in their file.
+Point3 extent_in_file(const Subject& subject) {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  Point3 low{kFar, kFar, kFar}, high{-kFar, -kFar, -kFar};
+  for (std::size_t v = 0; v < subject.view.points.size(); ++v) {
+    if (subject.view.used[v] == 0) continue;
+    const Point3 p = place(subject.model.frame, subject.view.points[v]);
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  return {high.x - low.x, high.y - low.y, high.z - low.z};
 }
 
 class Page {
@@ -83,8 +98,7 @@ class Page {
     const auto known = [](const auto& number) {
       return number ? std::to_string(*number) : std::string("–");
     };
-    const Point3 size{subject_.high.x - subject_.low.x, subject_.high.y - subject_.low.y,
-                      subject_.high.z - subject_.low.z};
+    const Point3 size = extent_in_file(subject_);
     std::vector<std::pair<const char*, std::string>> all{
         {"volume", with_unit(figures.all.volume, unit_, 3)},
         {"surface area", with_unit(figures.all.surface_area, unit_, 2)},
@@ -94,11 +108,9 @@ class Page {
         {"sections", subject_.planes.empty() ? "–" : count_text(subject_.planes.size())},
         {"tetrahedra", count_text(figures.all.tets)},
         {"smallest dihedral angle", number_text(figures.quality.dihedral.least, 3) + "°"}};
-    if (subject_.is_rigid) {
-      all.push_back({"extent, x × y × z", number_text(size.x, 4) + " × " + number_text(size.y, 4) +
-                                              " × " + number_text(size.z, 4) +
-                                              (unit_.empty() ? "" : " " + unit_text(unit_, 1))});
-    }
+    all.push_back({"extent, x × y × z", number_text(size.x, 4) + " × " + number_text(size.y, 4) +
+                                            " × " + number_text(size.z, 4) +
+                                            (unit_.empty() ? "" : " " + unit_text(unit_, 1))});
     std::string out;
     for (const auto& [name, value] : all) {
       out += element("div", element("dt", name) + element("dd", value));
@@ -118,6 +130,12 @@ class Page {
                    "Genus counts handles: tunnels through the solid. A cavity is a closed hollow. "
                    "Sections count from 0.",
                    "class=\"note\"");
+    if (report_.figures.components_touch) {
+      out += element("p",
+                     "Components touch each other: surface area, genus and cavities are those of "
+                     "the boundary of all, without the faces that two of them share.",
+                     "class=\"note\"");
+    }
     return out;
   }
 

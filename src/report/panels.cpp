@@ -205,6 +205,15 @@ class Panels {
   Sheet sheet_;
 };
 
+// Who compares with the file must know what z is.
+std::string turned_note(const Frame& frame) {
+  if (frame == Frame{}) return {};
+  const Point3& up = frame.axes[2];
+  return element("p", "The planes of the file are turned: z is the height along its direction (" +
+                          number_text(up.x, 3) + ", " + number_text(up.y, 3) + ", " +
+                          number_text(up.z, 3) + "), and the drawings lie in the planes.");
+}
+
 }  // namespace
 
 std::vector<std::size_t> evenly(std::size_t count, std::size_t shown) {
@@ -228,6 +237,7 @@ std::string section_panels(const Subject& subject, std::size_t shown) {
       "p", given ? "In the sections: the input contours (lines) over the cut solid (areas). Both "
                    "agree where the solid fills its sections."
                  : "In the sections: the cut solid and its outlines. No stack was given.");
+  out += turned_note(subject.model.frame);
   out += panels.sections(positions);
   if (subject.planes.size() < 2) return out;
   out += element("p", given ? "Half way to the next section, where the shape is inferred: the cut "

@@ -129,6 +129,45 @@ TEST_F(ConvertModel, WritesAllFilesOfAFormatOrNone) {
                  {file("x.obj")});
 }
 
+// Planes x = const: files of other formats do not tell that, but the stack does.
+TEST_F(ConvertModel, KeepsSolidsOfSagittalPlanesCheckable) {
+  std::string text = "CSLC\n2 2\n";
+  for (const std::string x : {"0", "3"}) {
+    text += "\n" + std::to_string(x == "0" ? 1 : 2) + " 4 1 1 0 0 -" + x + "\n\n" + x + " 0 0\n" +
+            x + " 9 0\n" + x + " 9 5\n" + x + " 0 5\n\n4 1 0 1 2 3\n";
+  }
+  const std::string stack = file("turned.csl");
+  test::put(stack, text);
+  ASSERT_EQ(run({"reconstruct", stack, "-o", file("turned.vtu")}).code, 0);
+  ASSERT_EQ(run({"convert", file("turned.vtu"), file("turned.msh")}).code, 0);
+  const auto solid = read_model(file("turned.msh"));
+  ASSERT_TRUE(solid.ok());
+  for (const Point3& p : solid->model.points) EXPECT_TRUE(p.x == 0 || p.x == 3 || p.x == 1.5);
+  EXPECT_EQ(run({"check", file("turned.msh"), stack}).code, 0);
+  EXPECT_EQ(run({"report", file("turned.msh"), stack, "-o", file("turned.html")}).code, 0);
+}
+
+TEST_F(ConvertModel, RefusesWhatIsEmpty) {
+  test::put(file("empty.vtk"), "");
+  expect_failure({"convert", file("empty.vtk"), file("x.obj")}, 3, "invalid_input", "",
+                 {file("x.obj")});
+}
+
+TEST_F(ConvertModel, NeverOverwritesItsInput) {
+  const std::string input = file("part-component_1.vtu");
+  fs::copy_file(model_, input);
+  expect_failure({"convert", input, file("part.vtu"), "--per-component"}, 2, "usage", "overwrite",
+                 {file("part-component_2.vtu")});
+  EXPECT_EQ(test::get(input), test::get(model_));
+}
+
+TEST_F(ConvertModel, TellsAllFilesThatItWrites) {
+  const JsonValue told = run_json({"convert", model_, file("t.ele")});
+  std::vector<std::string> written;
+  for (const JsonValue& path : told.at("written").array) written.push_back(path.string);
+  EXPECT_EQ(written, (std::vector<std::string>{file("t.ele"), file("t.node"), file("t.face")}));
+}
+
 TEST_F(ConvertModel, NamesComponentsAfterLabels) {
   const std::string labels = file("labels");
   test::put(labels, "0 0 7\n0 1 3\n1 0 7\n1 1 3\n");

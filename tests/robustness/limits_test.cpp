@@ -30,7 +30,7 @@ TEST(Limits, OfAddressSpaceAreErrorsAtWorst) {
   const std::string model = folder.file("bifurcation.vtu");
   int least = 0;
   for (const unsigned threads : {1U, 16U}) {
-    for (const int kilobytes : {15'000, 30'000, 100'000, 400'000}) {
+    for (const int kilobytes : {17'000, 30'000, 100'000, 400'000}) {
       std::remove(model.c_str());
       const int code = run_within("-v " + std::to_string(kilobytes),
                                   "reconstruct '" TETLOFT_DATA_DIR "/bifurcation.cnt' -o '" +
@@ -48,7 +48,7 @@ TEST(Limits, OfAddressSpaceAreErrorsAtWorst) {
   ASSERT_EQ(run_within("-v unlimited",
                        "reconstruct '" TETLOFT_DATA_DIR "/bifurcation.cnt' -o '" + model + "'"),
             0);
-  for (const int kilobytes : {12'000, 24'000}) {
+  for (const int kilobytes : {16'000, 26'000}) {
     const std::string limit = "-v " + std::to_string(kilobytes);
     for (const std::string& words :
          {"check '" + model + "' '" TETLOFT_DATA_DIR "/bifurcation.cnt'",

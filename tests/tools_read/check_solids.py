@@ -63,27 +63,12 @@ def read_with_vtk(path, format):
     return solid
 
 
-def meshio_mixes_up(path):
-    """Whether meshio 5 takes one appended array for another: it moves arrays one after the other to
-    other offsets, and finds each by its old one, which may be the new one of another by then."""
-    import re
-    with open(path, "rb") as file:
-        head = file.read().split(b"<AppendedData")[0]
-    old = [int(offset) for offset in re.findall(rb'offset="(\d+)"', head)]
-    moved = []
-    for begin, end in zip(old, old[1:]):
-        moved.append((moved[-1] if moved else 0) + (end - begin + 2) // 3 * 4)
-        if end in moved:
-            return True
-    return False
-
-
 def read_with_meshio(path, format):
     import meshio
     import numpy
     known = {"vtu": "vtu", "vtk": "vtk", "msh": "gmsh", "msh2": "gmsh", "medit": "medit",
              "tetgen": "tetgen", "abaqus": "abaqus", "nastran": "nastran", "netgen": "netgen"}
-    if format not in known or (format == "vtu" and meshio_mixes_up(path)):
+    if format not in known:
         return None
     mesh = meshio.read(path, file_format=known[format])
 

@@ -241,6 +241,25 @@ TEST(ReadMsh, LeavesOutOtherSolidsAndTurnsTets) {
   EXPECT_EQ(read->warnings[1].message, "1 tet is negative: it is turned over");
 }
 
+// As Gmsh 2.2 writes a tet that is in several physical groups.
+TEST(ReadMsh, TakesARepeatedTetOnce) {
+  const std::string text =
+      replaced(replaced(kText2, "$Elements\n8", "$Elements\n9"), "1 4 2 2 2 1 2 3 4\n",
+               "30 4 2 1 2 2 1 4 3\n1 4 2 2 2 1 2 3 4\n");
+  const auto read = parse_model(text, "a");
+  ASSERT_TRUE(read.ok()) << to_string(read.error());
+  EXPECT_EQ(read->model.tets, two_tets().tets);
+  ASSERT_EQ(read->warnings.size(), 1U);
+  EXPECT_EQ(read->warnings[0].message, "left out: 1 tet that stands again, as of several groups");
+}
+
+TEST(ReadMsh, RefusesWhatHasNoTets) {
+  expect_refused(
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n"
+      "$EndNodes\n$Elements\n1\n1 2 2 1 1 1 2 3\n$EndElements\n",
+      "a.msh", "none of the elements is a tet");
+}
+
 TEST(ReadMsh, RefusesWhatContradictsItself) {
   const std::string most = "9223372036854775807";
   const std::vector<std::array<std::string, 3>> wrong4{

@@ -324,6 +324,22 @@ TEST(WriteSurface, WarnsWhereFloat32MergesVertices) {
   EXPECT_TRUE(warnings[0].where.point.has_value());
 }
 
+TEST(WriteSurface, WarnsWhereFloat32ChangesTheVolume) {
+  // At 2^22 floats are half apart: a corner of 3.2 is moved to 3.
+  Model model;
+  for (const Point3& p : std::vector<Point3>{{0, 0, 0}, {3.2, 0, 0}, {0, 3, 0}, {0, 0, 3}}) {
+    model.points.push_back({p.x + 0x1p22, p.y, p.z});
+  }
+  model.tets.push_back({VertexId(0), VertexId(2), VertexId(1), VertexId(3)});
+  if (volume(model) < 0) std::swap(model.tets[TetId(0)][0], model.tets[TetId(0)][1]);
+  const auto warnings = stl_warnings(model);
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_NE(warnings[0].message.find("changes the volume by 6.3 %"), std::string::npos)
+      << warnings[0].message;
+  for (Point3& p : model.points) p.x -= 0x1p22;
+  EXPECT_TRUE(stl_warnings(model).empty());
+}
+
 TEST(WriteSurface, WarnsWhereFloat32FlattensTriangles) {
   // Corner 2 leaves the line from 1 to 3 by half an ulp of float32.
   Model model;

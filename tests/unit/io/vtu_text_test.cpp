@@ -1,6 +1,8 @@
 // Names, unit and orientation in unstructured grids.
 #include <gtest/gtest.h>
 
+#include <regex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -26,6 +28,51 @@ Model written_and_read(const Model& model, Encoding encoding) {
   const auto read = parse_vtu(*bytes, "m.vtu");
   EXPECT_TRUE(read.ok());
   return *read;
+}
+
+// meshio finds raw arrays one after the other by their offsets, and moves each to where it stands
+// in base64: none may get the old offset of a later one.
+TEST(VtuOffsets, DoNotMisleadMeshio) {
+  const std::regex told("offset=\"([0-9]+)\"");
+  std::size_t in_base64 = 0;
+  for (std::size_t n = 4; n < 150; ++n) {
+    Model model;
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto x = static_cast<double>(i);
+      model.points.push_back({x, x * x, x * x * x});
+      model.section.push_back(SectionId(0));
+      model.contour.push_back(ContourId(0));
+      model.origin.push_back(PointOrigin::input);
+    }
+    for (std::size_t i = 0; i + 3 < n; i += 2) {
+      model.tets.push_back({VertexId(i), VertexId(i + 1), VertexId(i + 2), VertexId(i + 3)});
+      model.component.push_back(ComponentId(0));
+    }
+    model.component_count = 1;
+    const auto bytes = format_vtu(model);
+    ASSERT_TRUE(bytes.ok());
+    const auto read = parse_vtu(*bytes, "m.vtu");
+    ASSERT_TRUE(read.ok()) << n << ": " << to_string(read.error());
+    test::expect_same(model, *read);
+    if (bytes->find("encoding=\"base64\"") != std::string::npos) {
+      ++in_base64;
+      continue;
+    }
+    const std::string head = bytes->substr(0, bytes->find("<AppendedData"));
+    std::vector<std::size_t> old;
+    for (std::sregex_iterator at(head.begin(), head.end(), told), end; at != end; ++at) {
+      old.push_back(std::stoul((*at)[1]));
+    }
+    std::set<std::size_t> moved;
+    std::size_t next = 0;
+    for (std::size_t k = 0; k + 1 < old.size(); ++k) {
+      next += (old[k + 1] - old[k] + 2) / 3 * 4;
+      EXPECT_EQ(moved.count(old[k + 1]), 0U) << n;
+      moved.insert(next);
+    }
+    EXPECT_EQ(old.size(), 8U);
+  }
+  EXPECT_GT(in_base64, 0U);
 }
 
 TEST(VtuTexts, AreReadBack) {
