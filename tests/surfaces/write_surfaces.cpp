@@ -1,5 +1,5 @@
-// write_surfaces FOLDER: a patient's boxes in every format of surfaces, and their solid as .vtu, for
-// read_surfaces.py.
+// write_surfaces FOLDER: a patient's boxes in every format of surfaces, and their solid as .vtu,
+// for read_surfaces.py.
 #include <cstdio>
 #include <string>
 
