@@ -94,6 +94,11 @@ struct Model {
 /// a component of it; throws std::invalid_argument otherwise.
 [[nodiscard]] TETLOFT_API Model component_of(const Model& model, ComponentId component);
 
+/// Whether two components have a point in common: those of other programs may, those that
+/// reconstruct() makes do not. False for a model that tells no components. Requires a well formed
+/// one.
+[[nodiscard]] TETLOFT_API bool components_touch(const Model& model);
+
 /// Adjacency, stars and links of a model's tets; vertex and tet ids are the model's. Made anew by
 /// each call, in near-linear time: keep it. Refused as TetMesh::from_tets().
 [[nodiscard]] TETLOFT_API Result<TetMesh> half_faces(const Model& model);

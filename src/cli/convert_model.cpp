@@ -16,7 +16,6 @@
 #include "core/text.hpp"
 #include "io/files.hpp"
 #include "io/formats.hpp"
-#include "model/touching.hpp"
 
 namespace tetloft::cli {
 

@@ -78,4 +78,17 @@ Model component_of(const Model& model, ComponentId component) {
   return part;
 }
 
+bool components_touch(const Model& model) {
+  if (model.component.empty()) return false;
+  IdVector<VertexId, ComponentId> of_point(model.points.size());
+  for (const TetId t : model.tets.ids()) {
+    for (const VertexId v : model.tets[t]) {
+      ComponentId& component = of_point[v];
+      if (component.valid() && component != model.component[t]) return true;
+      component = model.component[t];
+    }
+  }
+  return false;
+}
+
 }  // namespace tetloft

@@ -34,8 +34,8 @@ PageSpace space_of(const std::vector<PageLayer>& layers) {
     space.exponent = std::max(space.exponent, layer.placed_exponent());
   }
   using render::operator+, render::operator-, render::operator*;
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  Point3 low{kInfinity, kInfinity, kInfinity}, high{-kInfinity, -kInfinity, -kInfinity};
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  Point3 low{kFar, kFar, kFar}, high{-kFar, -kFar, -kFar};
   for (const PageLayer& layer : layers) {
     for (const TetVertices& tet : layer.subject.tets) {
       for (const VertexId v : tet) {

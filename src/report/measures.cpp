@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/unit_of_length.hpp"
-#include "model/touching.hpp"
 #include "render/vector.hpp"
 
 namespace tetloft::internal::report {
@@ -98,7 +97,7 @@ void measure(const Subject& subject, const MeasuringPoints& points, ReportFigure
   figures.vertices =
       static_cast<std::size_t>(std::count(view.used.begin(), view.used.end(), std::uint8_t{1}));
   figures.boundary_triangles = view.boundary.size();
-  figures.components_touch = internal::components_touch(subject.model);
+  figures.components_touch = tetloft::components_touch(subject.model);
   if (subject.model.kind.size() != subject.model.tets.size()) return;
   figures.kinds.assign(kTetKinds, 0);
   for (const TetId t : view.id) {

@@ -77,6 +77,17 @@ TEST(ComponentOf, HoldsItsTetsAndTheirPointsWithAllThatIsKnownOfThem) {
   EXPECT_DOUBLE_EQ(volumes, volume(model));
 }
 
+TEST(ComponentsTouch, WhereTheyShareAPoint) {
+  Model model = two_components();
+  EXPECT_FALSE(components_touch(model));
+  model.tets[TetId(0)][2] = VertexId(4);
+  EXPECT_TRUE(components_touch(model));
+  model.component.raw() = {ComponentId(1), ComponentId(1)};
+  EXPECT_FALSE(components_touch(model));
+  model.component.raw().clear();
+  EXPECT_FALSE(components_touch(model));
+}
+
 TEST(ComponentOf, RefusesWhatIsNone) {
   Model model = two_components();
   EXPECT_THROW((void)component_of(model, ComponentId(2)), std::invalid_argument);
