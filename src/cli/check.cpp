@@ -44,10 +44,7 @@ std::string to_json(const CheckReport& report, const StackInput& input, const Co
   }
   json.end_array();
   json.member("components", report.components);
-  json.key("genus");
-  json.begin_array();
-  for (const long genus : report.genus) json.value(genus);
-  json.end_array();
+  json.member("genus", report.genus);
   json.member("volume", report.volume);
   json.member("overshoot", report.overshoot);
   json.member("smallest_dihedral_degrees", report.smallest_dihedral_degrees);

@@ -2,6 +2,7 @@
 #include "cli/console.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <system_error>
@@ -114,12 +115,7 @@ void write_place(JsonWriter& json, const Place& place) {
   if (place.slab) json.member("slab", *place.slab);
   if (place.contour) json.member("contour", *place.contour);
   if (place.vertex) json.member("vertex", *place.vertex);
-  if (place.point) {
-    json.key("point");
-    json.begin_array();
-    for (const double c : {place.point->x, place.point->y, place.point->z}) json.value(c);
-    json.end_array();
-  }
+  if (place.point) json.member("point", std::array{place.point->x, place.point->y, place.point->z});
   json.end_object();
 }
 

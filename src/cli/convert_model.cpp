@@ -96,12 +96,20 @@ Result<ModelConversion> conversion_of(const Arguments& arguments, const std::str
   return conversion;
 }
 
+std::vector<std::string> names_of_components(const Model& model) {
+  std::vector<std::string> names;
+  for (std::size_t c = 0; c < model.component_count; ++c) {
+    names.push_back(component_name(model, ComponentId(c)));
+  }
+  return names;
+}
+
 // Of the whole, or of each component.
 std::vector<std::string> outputs_for(const ModelConversion& conversion, const Model& model) {
   if (!conversion.per_component) return {conversion.output};
   std::vector<Structure> components;
-  for (std::size_t c = 0; c < model.component_count; ++c) {
-    components.push_back({{}, component_name(model, ComponentId(c)), std::to_string(c + 1), 0});
+  for (const std::string& name : names_of_components(model)) {
+    components.push_back({{}, name, std::to_string(components.size() + 1), 0});
   }
   return outputs_of(conversion.output, components);
 }
@@ -141,16 +149,8 @@ std::string to_json(const Model& model, const std::vector<std::string>& paths,
   json.member("tets", model.tets.size());
   json.member("name", model.about.name);
   json.member("unit", model.about.unit);
-  json.key("components");
-  json.begin_array();
-  for (std::size_t c = 0; c < model.component_count; ++c) {
-    json.value(component_name(model, ComponentId(c)));
-  }
-  json.end_array();
-  json.key("written");
-  json.begin_array();
-  for (const std::string& path : paths) json.value(path);
-  json.end_array();
+  json.member("components", names_of_components(model));
+  json.member("written", paths);
   write_warnings(json, console.warnings());
   json.end_object();
   return json.text();

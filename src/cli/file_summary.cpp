@@ -1,6 +1,7 @@
 // Summaries of files as JSON and as lines.
 #include "cli/file_summary.hpp"
 
+#include <array>
 #include <cstdio>
 
 #include "cli/console.hpp"
@@ -27,26 +28,13 @@ void write_structure(JsonWriter& json, const StructureSummary& structure) {
   json.end_object();
 }
 
-template <class Numbers>
-void write_numbers(JsonWriter& json, const Numbers& numbers) {
-  json.begin_array();
-  for (const auto number : numbers) json.value(number);
-  json.end_array();
-}
-
 void write_volume(JsonWriter& json, const VolumeSummary& volume) {
-  json.key("size");
-  write_numbers(json, volume.size);
-  json.key("spacing");
-  write_numbers(json, volume.spacing);
-  json.key("matrix");
-  json.begin_array();
-  for (const auto& row : volume.matrix) write_numbers(json, row);
-  json.end_array();
+  json.member("size", volume.size);
+  json.member("spacing", volume.spacing);
+  json.member("matrix", volume.matrix);
   json.member("space", volume.space);
   json.member("type", volume.type);
-  json.key("range");
-  write_numbers(json, std::array{volume.least, volume.largest});
+  json.member("range", std::array{volume.least, volume.largest});
   json.key("labels");
   json.begin_array();
   for (const LabelSummary& label : volume.labels) {
@@ -125,10 +113,7 @@ void write_summary(JsonWriter& json, const FileSummary& file, const SectionStack
     json.member("points", file.lines->points);
     json.member("open", file.lines->open);
     json.member("closed", file.lines->closed);
-    if (!file.lines->labels.empty()) {
-      json.key("labels");
-      write_numbers(json, file.lines->labels);
-    }
+    if (!file.lines->labels.empty()) json.member("labels", file.lines->labels);
   } else if (stack != nullptr) {
     json.member("contours", stack->contour_count());
   }

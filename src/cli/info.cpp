@@ -93,10 +93,7 @@ void write_section(JsonWriter& json, const Section& section, const SectionInfo& 
   json.member("regions", info.nesting.outer.size());
   json.member("depth", info.depth);
   json.member("area", info.area);
-  json.key("region_areas");
-  json.begin_array();
-  for (const double a : info.region_area) json.value(a);
-  json.end_array();
+  json.member("region_areas", info.region_area);
   json.key("contours");
   json.begin_array();
   for (std::size_t c = 0; c < section.contours.size(); ++c) {

@@ -1,4 +1,5 @@
 // tetloft links: what belongs together, and how surely, without making a solid.
+#include <array>
 #include <limits>
 #include <optional>
 #include <string>
@@ -97,11 +98,7 @@ void write_motions(JsonWriter& json, const std::vector<RegionMotion>& motions) {
     json.member("slab", motion.slab.index());
     json.member("section", motion.slab.index() + (motion.upper ? 1U : 0U));
     json.member("contour", motion.contour.index());
-    json.key("by");
-    json.begin_array();
-    json.value(motion.by.x);
-    json.value(motion.by.y);
-    json.end_array();
+    json.member("by", std::array{motion.by.x, motion.by.y});
     json.end_object();
   }
   json.end_array();

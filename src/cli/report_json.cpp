@@ -1,5 +1,7 @@
+// See report_json.hpp.
 #include "cli/report_json.hpp"
 
+#include <array>
 #include <vector>
 
 #include "cli/verdicts.hpp"
@@ -49,19 +51,11 @@ void write_spread(JsonWriter& json, const char* name, const ReportSpread& spread
   json.end_object();
 }
 
-template <class T>
-void write_list(JsonWriter& json, const char* name, const std::vector<T>& values) {
-  json.key(name);
-  json.begin_array();
-  for (const T& value : values) json.value(value);
-  json.end_array();
-}
-
 void write_histogram(JsonWriter& json, const char* name, const ReportHistogram& histogram) {
   json.key(name);
   json.begin_object();
-  write_list(json, "edges", histogram.edges);
-  write_list(json, "counts", histogram.counts);
+  json.member("edges", histogram.edges);
+  json.member("counts", histogram.counts);
   json.end_object();
 }
 
@@ -81,12 +75,7 @@ void write_quality(JsonWriter& json, const ReportQuality& quality) {
 void write_areas(JsonWriter& json, const char* name, const std::vector<ReportArea>& areas) {
   json.key(name);
   json.begin_array();
-  for (const ReportArea& area : areas) {
-    json.begin_array();
-    json.value(area.z);
-    json.value(area.area);
-    json.end_array();
-  }
+  for (const ReportArea& area : areas) json.value(std::array{area.z, area.area});
   json.end_array();
 }
 

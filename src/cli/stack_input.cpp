@@ -2,6 +2,7 @@
 #include "cli/stack_input.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "cli/file_formats.hpp"
@@ -270,11 +271,7 @@ void write_snap(JsonWriter& json, const SnapReport& report) {
     json.member("contour", m.contour.index());
     json.member("vertex", m.vertex);
     for (const auto& [name, p] : {std::pair{"from", m.from}, std::pair{"to", m.to}}) {
-      json.key(name);
-      json.begin_array();
-      json.value(p.x);
-      json.value(p.y);
-      json.end_array();
+      json.member(name, std::array{p.x, p.y});
     }
     json.end_object();
   }

@@ -26,10 +26,7 @@ void write_failures(JsonWriter& json, const std::vector<CheckFailure>& failures)
     json.begin_object();
     json.member("what", failure.what);
     json.member("count", failure.count);
-    json.key("places");
-    json.begin_array();
-    for (const std::string& place : failure.places) json.value(place);
-    json.end_array();
+    json.member("places", failure.places);
     json.end_object();
   }
   json.end_array();

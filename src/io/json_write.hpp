@@ -2,7 +2,9 @@
 // misleads a terminal (core/text.hpp).
 #pragma once
 
+#include <array>
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -33,6 +35,15 @@ class JsonWriter {
   }
   template <std::integral I>
   requires(!std::same_as<I, bool>) void value(I number) { raw(std::to_string(number)); }
+  /// An array of these.
+  template <class T>
+  void value(const std::vector<T>& values) {
+    value_all(values);
+  }
+  template <class T, std::size_t N>
+  void value(const std::array<T, N>& values) {
+    value_all(values);
+  }
 
   /// key() and value() in one.
   template <class T>
@@ -44,6 +55,12 @@ class JsonWriter {
   [[nodiscard]] const std::string& text() const { return text_; }
 
  private:
+  template <class List>
+  void value_all(const List& values) {
+    begin_array();
+    for (const auto& one : values) value(one);
+    end_array();
+  }
   void begin(char bracket);
   void end(char bracket);
   void separate();
