@@ -210,23 +210,21 @@ Result<std::string> picture_of(const RenderRequest& request, const std::vector<M
   return error;
 }
 
-// Each lies as in its file, in one picture.
-void warn_of_spaces(const RenderRequest& request, const std::vector<Model>& models,
-                    Console& console) {
-  const auto compare = [&](const char* what, std::string Description::*told) {
-    for (std::size_t k = 1; k < models.size(); ++k) {
-      const std::string& first = models.front().about.*told;
-      const std::string& other = models[k].about.*told;
-      if (first.empty() || other.empty() || first == other) continue;
-      console.warn({std::string("the models differ in ") + what + ": " + io::in_quotes(first) +
-                        " of " + io::in_quotes(request.models.front()) + ", " +
-                        io::in_quotes(other) + " of " + io::in_quotes(request.models[k]) +
-                        "; they are shown as they lie in their files",
-                    {}});
-    }
-  };
-  compare("unit", &Description::unit);
-  compare("orientation", &Description::orientation);
+// Each lies as in its file, in one picture. All are compared with the first that tells `what`.
+void warn_of_difference(const RenderRequest& request, const std::vector<Model>& models,
+                        const char* what, std::string Description::*told, Console& console) {
+  const auto tells = [&](const Model& model) { return !(model.about.*told).empty(); };
+  const auto first = std::find_if(models.begin(), models.end(), tells);
+  for (auto other = first; other != models.end(); ++other) {
+    if (!tells(*other) || other->about.*told == first->about.*told) continue;
+    const auto described = [&](auto model) {
+      return io::in_quotes(model->about.*told) + " of " +
+             io::in_quotes(request.models[static_cast<std::size_t>(model - models.begin())]);
+    };
+    console.warn({std::string("the models differ in ") + what + ": " + described(first) + ", " +
+                      described(other) + "; they are shown as they lie in their files",
+                  {}});
+  }
 }
 
 Result<int> run_render(const Arguments& arguments, Console& console) {
@@ -246,7 +244,8 @@ Result<int> run_render(const Arguments& arguments, Console& console) {
     if (stack) put_into_frame(*model, *stack, console);
     models.push_back(*std::move(model));
   }
-  warn_of_spaces(*request, models, console);
+  warn_of_difference(*request, models, "unit", &Description::unit, console);
+  warn_of_difference(*request, models, "orientation", &Description::orientation, console);
   const Result<std::string> picture = [&] {
     Progress progress(!console.quiet());
     request->options.execution.progress = progress.callback();

@@ -102,6 +102,24 @@ TEST_F(RenderCommand, SeveralModelsAreOnePageUnderTheirNames) {
   EXPECT_EQ(text.find("id=\"array-2-points\""), std::string::npos);
 }
 
+// The first tells no unit.
+TEST_F(RenderCommand, SeveralModelsOfDifferentUnitsAreToldOf) {
+  std::vector<std::string> models{model_};
+  for (const std::string unit : {"mm", "cm", "mm"}) {
+    models.push_back(folder_.file(unit + std::to_string(models.size()) + ".msh"));
+    ASSERT_EQ(run({"convert", model_, models.back(), "--ascii"}).code, 0);
+    test::put(models.back(),
+              "$Comments\n# unit: " + unit + "\n$EndComments\n" + test::get(models.back()));
+  }
+  std::vector<std::string> words{"render", "-o", folder_.file("all.html")};
+  words.insert(words.end(), models.begin(), models.end());
+  const auto told = run_json(words);
+  ASSERT_EQ(told.at("warnings").array.size(), 1U);
+  const std::string message = told.at("warnings").array[0].at("message").string;
+  EXPECT_NE(message.find("'mm' of '" + models[1] + "', 'cm' of '" + models[2]), std::string::npos)
+      << message;
+}
+
 TEST_F(RenderCommand, SeveralModelsThatCannotBeShownLeaveNoPage) {
   const std::string page = folder_.file("both.html"), picture = folder_.file("both.png");
   expect_failure({"render", model_, model_, "-o", picture}, 2, "usage", "several models",
