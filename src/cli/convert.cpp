@@ -36,8 +36,8 @@ Usage convert_usage() {
       "Numbers are written with the digits that read back exactly. Contours and sections keep "
       "their order; planes that are not z = const are turned to it, for formats that know no "
       "other, with a warning. Models lie in the space of the file that their stack came from; "
-      "names "
-      "of structures and components, and units, go along where a format has a place for them."};
+      "names of structures and components, and units, go along where a format has a place for "
+      "them."};
   usage.further = {"OUT"};
   for (const Option& option : model_conversion_options()) usage.options.push_back(option);
   for (const Option& option : preparation_options()) usage.options.push_back(option);
@@ -63,10 +63,13 @@ Result<std::string> output_of(const Arguments& arguments) {
 struct ConvertRequest {
   std::string output;
   std::optional<std::string> labels_out;
+  Encoding encoding = Encoding::binary;
 };
 
 Result<ConvertRequest> convert_request_of(const Arguments& arguments, const std::string& output) {
-  ConvertRequest request{output, arguments.text("--labels-out")};
+  const Result<Encoding> encoding = encoding_of(arguments);
+  if (!encoding) return encoding.error();
+  ConvertRequest request{output, arguments.text("--labels-out"), *encoding};
   std::vector<std::string> taken{arguments.operand(0)};
   Result<void> checked =
       check_output("--output (-o)", request.output, output_extensions(Contents::stack), taken);
@@ -88,7 +91,8 @@ Result<StagedFiles> stage_converted(const ConvertRequest& request, const StackIn
                                     Console& console) {
   StagedFiles files;
   Result<void> taken = take_staged(
-      io::stage_stack(request.output, input.stack, {}, temporary_watcher()), files, console);
+      io::stage_stack(request.output, input.stack, {request.encoding, {}}, temporary_watcher()),
+      files, console);
   if (!taken) return taken.error();
   if (has_any(input.labels) && !request.labels_out) {
     console.warn({"the input has labels, which --labels-out FILE would keep", {}});

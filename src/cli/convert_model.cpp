@@ -16,6 +16,7 @@
 #include "core/text.hpp"
 #include "io/files.hpp"
 #include "io/formats.hpp"
+#include "io/numbers.hpp"
 
 namespace tetloft::cli {
 
@@ -63,6 +64,19 @@ bool writes_solid(const std::string& output, const std::string& to) {
   return io::choose_writer(io::format_table(), Contents::model, output, to).ok();
 }
 
+// That of the output tells the format, unless --to does. Files beside the output have its name,
+// with extensions of their own: it must have one, too.
+std::vector<std::string_view> extensions_for(const ModelConversion& conversion) {
+  if (conversion.to.empty()) return target_extensions();
+  const auto format =
+      io::choose_writer(io::format_table(), Contents::model, conversion.output, conversion.to);
+  if (!format || (*format)->companions.front().write == nullptr) return {};
+  std::vector<std::string_view> extensions((*format)->extensions.begin(),
+                                           (*format)->extensions.end());
+  std::erase(extensions, "");
+  return extensions;
+}
+
 Result<void> check_no_stack_options(const Arguments& arguments) {
   for (const Option& option : preparation_options()) {
     if (!arguments.has(option.name)) continue;
@@ -88,11 +102,10 @@ Result<ModelConversion> conversion_of(const Arguments& arguments, const std::str
   conversion.encoding = *encoding;
   conversion.per_component = arguments.has("--per-component");
   conversion.solid = writes_solid(output, conversion.to);
-  const std::vector<std::string_view> extensions =
-      conversion.to.empty() ? target_extensions() : std::vector<std::string_view>();
-  Result<void> checked = check_output("--output (-o)", output, extensions, {conversion.input});
-  if (!checked) return checked.error();
   if (output == "-") return usage_error("the output needs a name; /dev/stdout is standard output");
+  Result<void> checked =
+      check_output("--output (-o)", output, extensions_for(conversion), {conversion.input});
+  if (!checked) return checked.error();
   return conversion;
 }
 
@@ -124,19 +137,34 @@ Result<void> check_parts(const ModelConversion& conversion, const std::vector<st
   return {};
 }
 
+Result<void> stage_part(const ModelConversion& conversion, const Model& part,
+                        const std::string& path, StagedFiles& files, Console& console) {
+  ModelOutputs outputs;
+  (conversion.solid ? outputs.solid : outputs.surface) = path;
+  outputs.encoding = conversion.encoding;
+  outputs.format = conversion.to;
+  auto staged = stage_model(part, outputs, console);
+  if (!staged) return staged.error();
+  std::move(staged->begin(), staged->end(), std::back_inserter(files));
+  return {};
+}
+
 Result<StagedFiles> stage_parts(const ModelConversion& conversion, const Model& model,
                                 const std::vector<std::string>& paths, Console& console) {
   StagedFiles files;
-  for (std::size_t i = 0; i < paths.size(); ++i) {
-    ModelOutputs outputs;
-    (conversion.solid ? outputs.solid : outputs.surface) = paths[i];
-    outputs.encoding = conversion.encoding;
-    outputs.format = conversion.to;
-    auto staged = conversion.per_component
-                      ? stage_model(component_of(model, ComponentId(i)), outputs, console)
-                      : stage_model(model, outputs, console);
+  if (!conversion.per_component) {
+    Result<void> staged = stage_part(conversion, model, paths.front(), files, console);
     if (!staged) return staged.error();
-    std::move(staged->begin(), staged->end(), std::back_inserter(files));
+    return files;
+  }
+  for (std::size_t c = 0; c < paths.size(); ++c) {
+    const Model part = component_of(model, ComponentId(c));
+    if (part.tets.empty()) {
+      console.warn({io::in_quotes(part.about.name) + " has no tets, and no file", {}});
+      continue;
+    }
+    Result<void> staged = stage_part(conversion, part, paths[c], files, console);
+    if (!staged) return staged.error();
   }
   return files;
 }
@@ -157,12 +185,8 @@ std::string to_json(const Model& model, const std::vector<std::string>& paths,
 }
 
 std::string to_text(const Model& model, const std::vector<std::string>& paths) {
-  std::string text = counted(model.tets.size(), "tet") + ", " +
-                     counted(model.component_count, "component") + "\nwritten: ";
-  for (std::size_t i = 0; i < paths.size(); ++i) {
-    text += (i == 0 ? "" : ", ") + printable(paths[i]);
-  }
-  return text + '\n';
+  return counted(model.tets.size(), "tet") + ", " + counted(model.component_count, "component") +
+         '\n' + written_line(paths);
 }
 
 // Who has a stack, and wants a solid, is told how.
@@ -205,8 +229,7 @@ bool converts_model(const Arguments& arguments, const std::string& output) {
 Result<int> convert_model(const Arguments& arguments, const std::string& output, Console& console) {
   const auto conversion = conversion_of(arguments, output);
   if (!conversion) return conversion.error();
-  const auto model =
-      read_model_input(input_path(conversion->input), conversion->model_format, console);
+  const auto model = read_model_input(conversion->input, conversion->model_format, console);
   if (!model) return with_way_out(model.error(), conversion->input);
   if (model->tets.empty()) {
     return in_file({ErrorCode::invalid_input, "the model has no tets", {}}, conversion->input);
@@ -218,7 +241,8 @@ Result<int> convert_model(const Arguments& arguments, const std::string& output,
          {}});
   }
   if (conversion->per_component && model->component_count == 0) {
-    return Error{ErrorCode::invalid_input, "the model does not tell of components", {}};
+    return in_file({ErrorCode::invalid_input, "the model does not tell of components", {}},
+                   conversion->input);
   }
   const std::vector<std::string> paths = outputs_for(*conversion, *model);
   if (Result<void> apart = check_parts(*conversion, paths); !apart) return apart.error();

@@ -10,7 +10,8 @@
 
 namespace tetloft::cli {
 
-/// --model-format, --to and --per-component, which are of models alone.
+/// --model-format, --to and --per-component, which are of models alone; and --ascii and --compress,
+/// which are of stacks, too.
 [[nodiscard]] std::vector<Option> model_conversion_options();
 
 /// Whether the input is to be read as a model: what --model-format and --to say, else what the

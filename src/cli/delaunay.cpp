@@ -131,7 +131,7 @@ Result<int> run_delaunay(const Arguments& arguments, Console& console) {
     told = counted(points, "point") + " (" + counted(delaunay->duplicates, "duplicate") + "), " +
            counted(delaunay->mesh.tet_count(), "tet") + ", " + readable_seconds(seconds) +
            " seconds\n";
-    if (output) told += "written: " + printable(*output) + '\n';
+    if (output) told += written_line(paths_of(files));
   }
   const Result<void> done = deliver_with(files, told, console);
   if (!done) return done.error();

@@ -87,7 +87,7 @@ std::string to_text(const GeigerModel& made, const StackInput& input, double sec
   text += counted(made.model.tets.size(), "tet") + ", " + std::to_string(made.model.points.size()) +
           " vertices, " + counted(made.model.component_count, "component") + ", volume " +
           readable(volume(made.model)) + ", " + readable_seconds(seconds) + " seconds\n";
-  return text + describe(outputs);
+  return text + written_line(paths_of(outputs));
 }
 
 }  // namespace

@@ -129,28 +129,20 @@ namespace {
 // what is thinner than that turns over.
 void warn_of_turned(const Model& model, Console& console) {
   const bool rounded = !is_exact(model.frame);
-  IdVector<VertexId, Point3> placed;
-  if (rounded) {
-    for (const Point3& p : model.points) placed.push_back(place(model.frame, p));
-  }
-  const IdVector<VertexId, Point3>& at = rounded ? placed : model.points;
+  const auto at = [&](VertexId v) {
+    return rounded ? place(model.frame, model.points[v]) : model.points[v];
+  };
   std::size_t turned = 0;
   for (const TetVertices& t : model.tets) {
-    if (orient3d(at[t[0]], at[t[1]], at[t[2]], at[t[3]]) != Sign::positive) ++turned;
+    if (orient3d(at(t[0]), at(t[1]), at(t[2]), at(t[3])) != Sign::positive) ++turned;
   }
   if (turned == 0) return;
-  if (!rounded) {
-    console.warn({std::to_string(turned) + " of " + counted(model.tets.size(), "tet") +
-                      (turned == 1 ? " is" : " are") +
-                      " flat or turned over: simulations refuse such tets",
-                  {}});
-    return;
-  }
+  const char* const why =
+      rounded ? " where the planes lie in the file: its coordinates are oblique, and rounded; the "
+                "guarantees hold in those of the stack, which a .vtu keeps as stack_point"
+              : ": simulations refuse such tets";
   console.warn({std::to_string(turned) + " of " + counted(model.tets.size(), "tet") +
-                    (turned == 1 ? " is" : " are") +
-                    " flat or turned over where the planes lie in the file: its coordinates are "
-                    "oblique, and rounded; the guarantees hold in those of the stack, which a "
-                    ".vtu keeps as stack_point",
+                    (turned == 1 ? " is" : " are") + " flat or turned over" + why,
                 {}});
 }
 
@@ -178,23 +170,24 @@ Result<StagedFiles> stage_model(const Model& model, const ModelOutputs& outputs,
   return files;
 }
 
-std::string describe(const ModelOutputs& outputs) {
-  std::string files;
-  const auto add = [&files](const std::string& path) {
-    files += (files.empty() ? "" : ", ") + printable(path);
-  };
-  if (outputs.solid) {
-    for (const std::string& path : written_with(*outputs.solid)) add(path);
-  }
-  if (outputs.surface) add(*outputs.surface);
-  if (outputs.repaired) add(*outputs.repaired);
-  return "written: " + files + '\n';
+std::vector<std::string> paths_of(const ModelOutputs& outputs) {
+  std::vector<std::string> paths;
+  if (outputs.solid) paths = written_with(*outputs.solid);
+  if (outputs.surface) paths.push_back(*outputs.surface);
+  if (outputs.repaired) paths.push_back(*outputs.repaired);
+  return paths;
 }
 
 std::vector<std::string> paths_of(const StagedFiles& files) {
   std::vector<std::string> paths;
   for (const io::PendingFile& file : files) paths.push_back(file.path());
   return paths;
+}
+
+std::string written_line(const std::vector<std::string>& paths) {
+  std::string files;
+  for (const std::string& path : paths) files += (files.empty() ? "" : ", ") + printable(path);
+  return "written: " + files + '\n';
 }
 
 Result<void> deliver_with(StagedFiles& files, const std::string& result, Console& console) {

@@ -18,8 +18,7 @@
 namespace tetloft::cli {
 
 /// Usage error where `path` (the value of `option`) has none of the extensions, if there are any,
-/// or is one of
-/// the files `taken`; io error where its folder does not take files.
+/// or is one of the files `taken`; io error where its folder does not take files.
 [[nodiscard]] Result<void> check_output(std::string_view option, const std::string& path,
                                         const std::vector<std::string_view>& extensions,
                                         const std::vector<std::string>& taken);
@@ -54,10 +53,11 @@ using StagedFiles = std::vector<internal::io::PendingFile>;
 /// The surface and the solid, up to the last step.
 [[nodiscard]] Result<StagedFiles> stage_model(const Model& model, const ModelOutputs& outputs,
                                               Console& console);
-/// "written: a.vtu, b.ply", a line; with what a format has beside the one that was asked for.
-[[nodiscard]] std::string describe(const ModelOutputs& outputs);
-/// Where they will appear.
+/// Where they will appear; of outputs with what a format has beside the one that was asked for.
+[[nodiscard]] std::vector<std::string> paths_of(const ModelOutputs& outputs);
 [[nodiscard]] std::vector<std::string> paths_of(const StagedFiles& files);
+/// "written: a.vtu, b.ply", a line.
+[[nodiscard]] std::string written_line(const std::vector<std::string>& paths);
 
 /// The last step of a command that writes files: its result (none where empty) reaches the reader,
 /// then all files appear. Where the result or a file fails, none does.

@@ -156,7 +156,7 @@ std::string to_text(const Reconstruction& result, const StackInput& input, const
   text += ", write " + readable_seconds(seconds.write) + ", total " +
           readable_seconds(seconds.total) + '\n';
   if (request.verify) text += "verified: all guarantees hold\n";
-  return text + describe(request.outputs);
+  return text + written_line(paths_of(request.outputs));
 }
 
 Result<int> run_reconstruct(const Arguments& arguments, Console& console) {

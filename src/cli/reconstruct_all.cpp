@@ -138,13 +138,7 @@ void write_outcome(JsonWriter& json, const Structure& structure, const Outcome& 
   if (outcome.error) {
     write_error(json, *outcome.error);
   } else {
-    json.key("written");
-    json.begin_array();
-    for (const auto& path :
-         {outcome.outputs.solid, outcome.outputs.surface, outcome.outputs.repaired}) {
-      if (path) json.value(*path);
-    }
-    json.end_array();
+    json.member("written", paths_of(outcome.outputs));
     json.member("slices", outcome.report.slices);
     json.member("contours", outcome.report.contours);
     json.member("vertices", outcome.vertices);
@@ -176,7 +170,8 @@ std::string to_text(const AllStructures& all) {
     if (outcome.error) continue;
     text += title(all.structures()[i]) + ": " + counted(outcome.report.slices, "section") + ", " +
             counted(outcome.tets, "tet") + ", " + counted(outcome.components, "component") +
-            ", volume " + readable(outcome.report.volume) + "; " + describe(outcome.outputs);
+            ", volume " + readable(outcome.report.volume) + "; " +
+            written_line(paths_of(outcome.outputs));
   }
   return text;
 }
@@ -229,7 +224,9 @@ Result<int> reconstruct_all(const Arguments& arguments, const ReconstructRequest
     const Outcome& outcome = all.outcomes()[i];
     for (Warning warning : outcome.warnings) {
       // What the file itself is odd in has been told.
-      const auto same = [&](const Warning& told) { return told.message == warning.message; };
+      const auto same = [&](const Warning& told) {
+        return told.message == warning.message && to_string(told) == to_string(warning);
+      };
       if (std::any_of(of_file.begin(), of_file.end(), same)) continue;
       warning.message = title(all.structures()[i]) + ": " + warning.message;
       console.warn(warning);

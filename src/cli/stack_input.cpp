@@ -71,7 +71,7 @@ Result<Model> read_model_input(const std::string& path, const std::string& forma
                                Console& console) {
   ReadOptions reading;
   reading.format = format;
-  Result<ReadModel> read = read_model(path, reading);
+  Result<ReadModel> read = read_model(input_path(path), reading);
   if (!read) return read.error();
   for (const Warning& warning : read->warnings) console.warn(warning);
   return std::move(read->model);

@@ -1,6 +1,7 @@
 // tetloft convert of models: to solids and surfaces of other formats, whole and by components.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -125,8 +126,95 @@ TEST_F(ConvertModel, WritesAllFilesOfAFormatOrNone) {
   test::put(file("p.node"), "4 3 0 0\n0 0 0 0\n1 1 0 0\n2 0 1 0\n3 0 0 1\n");
   expect_failure({"delaunay", file("p.node"), "-o", file("p.ele")}, 2, "usage", "overwrite",
                  {file("p.ele")});
-  expect_failure({"convert", model_, file("x.obj"), "--to", "tetgen"}, 2, "usage", ".ele",
+  // Refused before the model is read.
+  expect_failure({"convert", file("none.vtu"), file("x.obj"), "--to", "tetgen"}, 2, "usage", ".ele",
                  {file("x.obj")});
+}
+
+TEST_F(ConvertModel, EveryCommandTellsAllFilesOfAFormat) {
+  test::put(file("p.xyz"), "0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
+  EXPECT_NE(run({"delaunay", file("p.xyz"), "-o", file("p.ele")}).out.find("p.face"),
+            std::string::npos);
+  EXPECT_NE(run({"reconstruct", stack_, "-o", file("r.ele")}).out.find("r.face"),
+            std::string::npos);
+  test::put(file("labelled.csl"),
+            "CSLC\n2 2\n\n1 4 1 0 0 1 0\n\n0 0 0\n9 0 0\n9 9 0\n0 9 0\n\n4 1 0 1 2 3\n"
+            "\n2 4 1 0 0 1 -3\n\n0 0 3\n9 0 3\n9 9 3\n0 9 3\n\n4 1 0 1 2 3\n");
+  const JsonValue told =
+      run_json({"reconstruct", file("labelled.csl"), "--label", "all", "-o", file("l.ele")});
+  std::vector<std::string> written;
+  for (const JsonValue& path : told.at("structures").array[0].at("written").array) {
+    written.push_back(path.string);
+  }
+  EXPECT_EQ(written,
+            (std::vector<std::string>{file("l-1.ele"), file("l-1.node"), file("l-1.face")}));
+}
+
+// A grid of one tet of component 0 and one of component 2; the same without components, and
+// without tets.
+std::string grid(const std::string& tets, const std::string& offsets, const std::string& types,
+                 const std::string& components) {
+  const auto array = [](const std::string& attributes, const std::string& values) {
+    return "<DataArray format=\"ascii\" " + attributes + ">" + values + "</DataArray>";
+  };
+  const std::string data =
+      components.empty() ? "" : array("type=\"Int32\" Name=\"component\"", components);
+  return "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\">"
+         "<UnstructuredGrid><Piece NumberOfPoints=\"8\" NumberOfCells=\"" +
+         std::to_string(std::count(types.begin(), types.end(), '1')) + "\"><Points>" +
+         array("type=\"Float64\" NumberOfComponents=\"3\"",
+               "0 0 0 1 0 0 0 1 0 0 0 1 5 0 0 6 0 0 5 1 0 5 0 1") +
+         "</Points><Cells>" + array("type=\"Int64\" Name=\"connectivity\"", tets) +
+         array("type=\"Int64\" Name=\"offsets\"", offsets) +
+         array("type=\"UInt8\" Name=\"types\"", types) + "</Cells><CellData>" + data +
+         "</CellData></Piece></UnstructuredGrid></VTKFile>\n";
+}
+
+TEST_F(ConvertModel, MakesNoFileOfAComponentWithoutTets) {
+  test::put(file("gap.vtu"), grid("0 1 2 3 4 5 6 7", "4 8", "10 10", "0 2"));
+  const JsonValue told = run_json({"convert", file("gap.vtu"), file("g.stl"), "--per-component"});
+  EXPECT_EQ(told.at("written").array.size(), 2U);
+  ASSERT_EQ(told.at("warnings").array.size(), 1U);
+  EXPECT_NE(told.at("warnings").array[0].at("message").string.find("'component 2' has no tets"),
+            std::string::npos);
+  EXPECT_FALSE(fs::exists(file("g-component_2.stl")));
+  EXPECT_TRUE(fs::exists(file("g-component_3.stl")));
+}
+
+TEST_F(ConvertModel, ErrorsNameTheModel) {
+  test::put(file("bare.vtu"), grid("0 1 2 3 4 5 6 7", "4 8", "10 10", ""));
+  expect_failure({"convert", file("bare.vtu"), file("x.stl"), "--per-component"}, 3,
+                 "invalid_input", "bare.vtu: the model does not tell of components",
+                 {file("x.stl")});
+  test::put(file("void.vtu"), grid("", "", "", ""));
+  expect_failure({"convert", file("void.vtu"), file("x.stl")}, 3, "invalid_input",
+                 "void.vtu: the model has no tets", {file("x.stl")});
+}
+
+// It is empty here.
+TEST_F(ConvertModel, EveryCommandReadsModelsFromStandardInput) {
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"convert", "-", file("x.ply"), "--to", "ply"},
+        {"check", "-", stack_},
+        {"render", "-", "-o", file("x.svg")},
+        {"report", "-", "-o", file("x.html")}}) {
+    expect_failure(words, 3, "invalid_input", "/dev/stdin");
+  }
+}
+
+TEST_F(ConvertModel, StacksHaveTheEncodingThatWasAskedFor) {
+  for (const char* name : {"plain.vtp", "ascii.vtp", "compressed.vtp"}) {
+    std::vector<std::string> words{"convert", stack_, file(name)};
+    if (name[0] != 'p') words.push_back(name[0] == 'a' ? "--ascii" : "--compress");
+    ASSERT_EQ(run(words).code, 0);
+    ASSERT_EQ(run({"convert", file(name), file("back.cnt")}).code, 0);
+    EXPECT_EQ(run({"check", model_, file("back.cnt")}).code, 0) << name;
+  }
+  EXPECT_NE(test::get(file("ascii.vtp")).find("format=\"ascii\""), std::string::npos);
+  EXPECT_NE(test::get(file("compressed.vtp")).find("vtkZLibDataCompressor"), std::string::npos);
+  EXPECT_EQ(test::get(file("plain.vtp")).find("format=\"ascii\""), std::string::npos);
+  expect_failure({"convert", stack_, file("x.vtp"), "--ascii", "--compress"}, 2, "usage", "exclude",
+                 {file("x.vtp")});
 }
 
 // Planes x = const: files of other formats do not tell that, but the stack does.
@@ -149,7 +237,7 @@ TEST_F(ConvertModel, KeepsSolidsOfSagittalPlanesCheckable) {
 
 TEST_F(ConvertModel, RefusesWhatIsEmpty) {
   test::put(file("empty.vtk"), "");
-  expect_failure({"convert", file("empty.vtk"), file("x.obj")}, 3, "invalid_input", "",
+  expect_failure({"convert", file("empty.vtk"), file("x.obj")}, 3, "invalid_input", "empty.vtk",
                  {file("x.obj")});
 }
 
