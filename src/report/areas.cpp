@@ -58,7 +58,6 @@ double region_area(const Section& section) {
 
 // Of the tets that lie between the first and the last plane.
 double volume_within(const Subject& subject, const MeasuringPoints& points) {
-  using render::operator-;
   const auto last = static_cast<checking::Level>(2 * (subject.planes.size() - 1));
   double sum = 0;
   for (const TetVertices& v : subject.view.tets) {
@@ -66,11 +65,7 @@ double volume_within(const Subject& subject, const MeasuringPoints& points) {
       const checking::Level level = subject.view.level[corner.index()];
       return level >= 0 && level <= last;
     });
-    if (!within) continue;
-    const Point3 from = points[v[0]];
-    sum +=
-        render::dot(render::cross(points[v[1]] - from, points[v[2]] - from), points[v[3]] - from) /
-        6;
+    if (within) sum += tet_volume(points.corners(v));
   }
   return points.back(sum, 3);
 }

@@ -11,6 +11,14 @@ namespace tetloft::internal::report {
 namespace {
 
 constexpr double kLargest = std::numeric_limits<double>::max();
+// Numbers of fewer digits are read as they are.
+constexpr std::size_t kGroupedDigits = 5;
+// Quotients and logarithms of doubles are off by a few units in the last place where they are
+// whole: what is so near to a whole number stands for it. It decides whether there is a tick at the
+// end.
+constexpr double kWhole = 1e-9;
+// Multiples of a step are told apart by doubles up to 2^53, near this.
+constexpr double kMostSteps = 1e15;
 
 // mantissa · 10^exponent, as near as the decimal number is read.
 double decimal(int mantissa, int exponent) {
@@ -44,16 +52,6 @@ RoundNumber round_number_below(double length) {
   return number;
 }
 
-// Narrow spaces between thousands, from five digits on.
-void group_thousands(std::string& digits) {
-  const std::size_t whole = std::min(digits.find('.'), digits.size());
-  if (whole < 5) return;
-  for (std::size_t at = whole; at > 3;) {
-    at -= 3;
-    digits.insert(at, "\xE2\x80\xAF");
-  }
-}
-
 std::string superscript(int exponent) {
   constexpr std::array<const char*, 10> kDigits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
   std::string text;
@@ -66,11 +64,18 @@ std::string superscript(int exponent) {
 // The digits that the step needs.
 std::string tick_label(double value, const RoundNumber& step) {
   if (value == 0) return "0";
-  const int top = static_cast<int>(std::floor(std::log10(std::abs(value)) + 1e-9));
+  const int top = static_cast<int>(std::floor(std::log10(std::abs(value)) + kWhole));
   return number_text(value, std::clamp(top - step.exponent + 1, 1, 15));
 }
 
 }  // namespace
+
+void group_thousands(std::string& digits, std::size_t whole) {
+  for (std::size_t at = whole; at > 3;) {
+    at -= 3;
+    digits.insert(at, "\xE2\x80\xAF");
+  }
+}
 
 double round_down(double length) { return round_number_below(length).value(); }
 
@@ -95,7 +100,8 @@ std::string number_text(double value, int digits) {
     mantissa.erase(mantissa.find_last_not_of('0') + 1);
     if (mantissa.back() == '.') mantissa.pop_back();
   }
-  group_thousands(mantissa);
+  const std::size_t whole = std::min(mantissa.find('.'), mantissa.size());
+  if (whole >= kGroupedDigits) group_thousands(mantissa, whole);
   const std::string sign = value < 0 && mantissa != "0" ? "−" : "";
   return plain ? sign + mantissa : sign + mantissa + "·10" + superscript(exponent);
 }
@@ -131,9 +137,9 @@ void Axis::make_linear_ticks(std::size_t wanted, bool to_ticks) {
   while ((high_ - low_) / step.value() > 1.5 * static_cast<double>(wanted)) step = step.next();
   const double width = step.value();
   // Far from 0 the step may be less than what doubles tell apart: then the ends are all that is.
-  const double first = to_ticks ? std::floor(low_ / width) : std::ceil(low_ / width - 1e-9);
-  const double last = to_ticks ? std::ceil(high_ / width) : std::floor(high_ / width + 1e-9);
-  if (std::abs(first) > 1e15 || std::abs(last) > 1e15 || last < first) {
+  const double first = to_ticks ? std::floor(low_ / width) : std::ceil(low_ / width - kWhole);
+  const double last = to_ticks ? std::ceil(high_ / width) : std::floor(high_ / width + kWhole);
+  if (std::abs(first) > kMostSteps || std::abs(last) > kMostSteps || last < first) {
     ticks_ = {{low_, number_text(low_, 6)}, {high_, number_text(high_, 6)}};
     return;
   }

@@ -37,6 +37,9 @@ class Axis {
   std::vector<Tick> ticks_;
 };
 
+/// Narrow spaces (U+202F) between the thousands of the first `whole` characters.
+void group_thousands(std::string& digits, std::size_t whole);
+
 /// The largest of 1, 2 and 5 times a power of ten up to `length`. Requires it positive and finite.
 [[nodiscard]] double round_down(double length);
 

@@ -45,11 +45,6 @@ double cut_area(const std::array<Point3, 4>& p, const CutHeight& height) {
   return std::abs(twice_area_of(at(0, 0), at(1, 0), at(2, 0))) / 2;
 }
 
-// An edge as one number, whichever end comes first.
-std::uint64_t edge_key(VertexId a, VertexId b) {
-  return std::uint64_t{std::min(a, b).value()} << 32 | std::max(a, b).value();
-}
-
 // A surface triangle crosses a height from one edge to another, the solid on its left.
 struct Crossing {
   std::uint32_t component;

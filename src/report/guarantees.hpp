@@ -13,7 +13,7 @@ namespace tetloft::internal::report {
 
 [[nodiscard]] std::string guarantee_table(const std::vector<ReportGuarantee>& guarantees);
 
-/// "All five guarantees hold", or what does not, or was not checked.
+/// "5 of 5 guarantees hold", or how many fail, and how many were not checked.
 [[nodiscard]] std::string verdict_sentence(const std::vector<ReportGuarantee>& guarantees);
 
 }  // namespace tetloft::internal::report

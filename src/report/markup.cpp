@@ -36,10 +36,7 @@ std::string escaped(std::string_view text) {
 
 std::string count_text(std::size_t count) {
   std::string text = std::to_string(count);
-  for (std::size_t at = text.size(); at > 3;) {
-    at -= 3;
-    text.insert(at, "\xE2\x80\xAF");  // U+202F
-  }
+  group_thousands(text, text.size());
   return text;
 }
 

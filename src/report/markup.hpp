@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -15,6 +16,11 @@ namespace tetloft::internal::report {
 [[nodiscard]] std::string count_text(std::size_t count);
 /// "1 tet", "2 tets".
 [[nodiscard]] std::string counted_text(std::size_t count, std::string_view singular);
+/// The number, or a dash for none.
+template <class Number>
+[[nodiscard]] std::string known_text(const std::optional<Number>& number) {
+  return number ? std::to_string(*number) : "–";
+}
 /// "12.3 mm²": power 1 to 3; the unit may be empty, and is any text.
 [[nodiscard]] std::string with_unit(double value, std::string_view unit, int power);
 /// "mm²", escaped; empty for none.

@@ -25,9 +25,7 @@ void add_tets(const Subject& subject, const MeasuringPoints& points, ReportFigur
     const TetVertices& v = view.tets[t];
     ReportMeasures& measures = figures.components[subject.component[t]].measures;
     ++measures.tets;
-    const Point3 from = points[v[0]];
-    measures.volume +=
-        dot(cross(points[v[1]] - from, points[v[2]] - from), points[v[3]] - from) / 6;
+    measures.volume += tet_volume(points.corners(v));
     for (const VertexId corner : v) {
       const checking::Level level = view.level[corner.index()];
       if (subject.planes.empty() || !checking::on_plane(level)) continue;
@@ -86,6 +84,10 @@ MeasuringPoints::MeasuringPoints(const Subject& subject) {
 
 double MeasuringPoints::back(double measure, int power) const {
   return std::ldexp(measure, -power * exponent_);
+}
+
+double tet_volume(const std::array<Point3, 4>& p) {
+  return dot(cross(p[1] - p[0], p[2] - p[0]), p[3] - p[0]) / 6;
 }
 
 void measure(const Subject& subject, const MeasuringPoints& points, ReportFigures& figures) {

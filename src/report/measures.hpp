@@ -1,6 +1,7 @@
 // Tets, volume, area, genus and sections: of all and of each component. In plain doubles.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include <tetloft/report_page.hpp>
@@ -15,6 +16,9 @@ class MeasuringPoints {
  public:
   explicit MeasuringPoints(const Subject& subject);
   [[nodiscard]] const Point3& operator[](VertexId v) const { return points_[v.index()]; }
+  [[nodiscard]] std::array<Point3, 4> corners(const TetVertices& tet) const {
+    return {(*this)[tet[0]], (*this)[tet[1]], (*this)[tet[2]], (*this)[tet[3]]};
+  }
   /// A length, area or volume (power 1 to 3) of these points, in the unit of the file.
   [[nodiscard]] double back(double measure, int power) const;
 
@@ -22,6 +26,9 @@ class MeasuringPoints {
   std::vector<Point3> points_;
   int exponent_ = 0;
 };
+
+/// Positive where the tet is.
+[[nodiscard]] double tet_volume(const std::array<Point3, 4>& corners);
 
 /// Fills `all`, `components`, `vertices`, `boundary_triangles` and `kinds`.
 void measure(const Subject& subject, const MeasuringPoints& points, ReportFigures& figures);

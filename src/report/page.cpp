@@ -4,12 +4,12 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
 #include <vector>
 
 #include <tetloft/version.hpp>
 
+#include "render/vector.hpp"
 #include "report/axis.hpp"
 #include "report/guarantees.hpp"
 #include "report/markup.hpp"
@@ -40,15 +40,12 @@ std::vector<Point2> plotted(const std::vector<ReportArea>& areas) {
 
 // The sides of the box around the points in use, where they lie in their file.
 Point3 extent_in_file(const Subject& subject) {
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  Point3 low{kFar, kFar, kFar}, high{-kFar, -kFar, -kFar};
+  Box3 box;
   for (std::size_t v = 0; v < subject.view.points.size(); ++v) {
-    if (subject.view.used[v] == 0) continue;
-    const Point3 p = place(subject.model.frame, subject.view.points[v]);
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    if (subject.view.used[v] != 0) box.include(place(subject.model.frame, subject.view.points[v]));
   }
-  return {high.x - low.x, high.y - low.y, high.z - low.z};
+  using render::operator-;
+  return box.high - box.low;
 }
 
 class Page {
@@ -95,16 +92,13 @@ class Page {
 
   [[nodiscard]] std::string tiles() const {
     const ReportFigures& figures = report_.figures;
-    const auto known = [](const auto& number) {
-      return number ? std::to_string(*number) : std::string("–");
-    };
     const Point3 size = extent_in_file(subject_);
     std::vector<std::pair<const char*, std::string>> all{
         {"volume", with_unit(figures.all.volume, unit_, 3)},
         {"surface area", with_unit(figures.all.surface_area, unit_, 2)},
         {"components", count_text(figures.components.size())},
-        {"genus", known(figures.all.genus)},
-        {"cavities", known(figures.all.cavities)},
+        {"genus", known_text(figures.all.genus)},
+        {"cavities", known_text(figures.all.cavities)},
         {"sections", subject_.planes.empty() ? "–" : count_text(subject_.planes.size())},
         {"tetrahedra", count_text(figures.all.tets)},
         {"smallest dihedral angle", number_text(figures.quality.dihedral.least, 3) + "°"}};

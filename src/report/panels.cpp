@@ -23,6 +23,7 @@ constexpr double kMargin = 90;
 constexpr double kBarRoom = 260;
 // Vertices nearer than this to the one before are left out.
 constexpr double kFinest = 5;
+// Within this long holds the difference of two, and a browser's floats are right to a unit.
 constexpr double kFarthest = 1e7;
 
 // The same for all drawings.

@@ -9,37 +9,33 @@
 #include <tetloft/tet_mesh.hpp>
 
 #include "check/dihedral.hpp"
+#include "core/sort_distinct.hpp"
 #include "render/vector.hpp"
 
 namespace tetloft::internal::report {
 
 namespace {
 
-using render::cross;
 using render::dot;
 using render::operator-;
 
 constexpr std::size_t kAngleBins = 36;
 constexpr std::size_t kLengthBins = 40;
 
-// Each edge once, as (lower vertex, higher vertex) in one number.
 std::vector<std::uint64_t> distinct_edges(const std::vector<TetVertices>& tets) {
   std::vector<std::uint64_t> edges;
   edges.reserve(6 * tets.size());
   for (const TetVertices& tet : tets) {
     for (const auto& [i, j] : kEdgeVertex) {
-      const std::uint64_t a = tet[static_cast<std::size_t>(i)].value();
-      const std::uint64_t b = tet[static_cast<std::size_t>(j)].value();
-      edges.push_back(std::min(a, b) << 32 | std::max(a, b));
+      edges.push_back(edge_key(tet[static_cast<std::size_t>(i)], tet[static_cast<std::size_t>(j)]));
     }
   }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  sort_distinct(edges);
   return edges;
 }
 
 double mean_ratio(const std::array<Point3, 4>& p) {
-  const double volume = dot(cross(p[1] - p[0], p[2] - p[0]), p[3] - p[0]) / 6;
+  const double volume = tet_volume(p);
   double squares = 0;
   for (const auto& [i, j] : kEdgeVertex) {
     const Point3 d = p[static_cast<std::size_t>(j)] - p[static_cast<std::size_t>(i)];
@@ -57,7 +53,7 @@ void measure_tets(const Subject& subject, const MeasuringPoints& points, ReportQ
   smallest.reserve(tets.size());
   ratio.reserve(tets.size());
   for (const TetVertices& tet : tets) {
-    const std::array<Point3, 4> p{points[tet[0]], points[tet[1]], points[tet[2]], points[tet[3]]};
+    const std::array<Point3, 4> p = points.corners(tet);
     const std::array<double, 6> angles = checking::dihedral_degrees(p);
     all.insert(all.end(), angles.begin(), angles.end());
     smallest.push_back(*std::min_element(angles.begin(), angles.end()));

@@ -1,6 +1,7 @@
 // Measures, checks and draws a model, and puts it all on a page.
 #include <tetloft/report_page.hpp>
 
+#include <string>
 #include <utility>
 
 #include "check/alone.hpp"
@@ -56,7 +57,9 @@ Result<Report> render_report(const Model& model, const SectionStack* stack,
                              const ReportOptions& options) {
   return guard_internal([&]() -> Result<Report> {
     if (options.sections < 1 || options.sections > kMostReportSections) {
-      return Error{ErrorCode::usage, "a report shows 1 to 12 sections", {}};
+      return Error{ErrorCode::usage,
+                   "a report shows 1 to " + std::to_string(kMostReportSections) + " sections",
+                   {}};
     }
     WatchedWork work(options.execution, kReportSteps);
     work.go_on();

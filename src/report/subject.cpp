@@ -1,15 +1,15 @@
 #include "report/subject.hpp"
 
 #include <algorithm>
-#include <limits>
 
+#include "core/sort_distinct.hpp"
 #include "model/well_formed.hpp"
 
 namespace tetloft::internal::report {
 
 namespace {
 
-// Of the lowest vertex of each section that the model names: all lie in it.
+// Of a sound model all vertices of a section lie in its plane; one that is not has more planes.
 std::vector<double> planes_of(const Model& model, const SectionStack* stack) {
   std::vector<double> planes;
   if (stack != nullptr) {
@@ -19,8 +19,7 @@ std::vector<double> planes_of(const Model& model, const SectionStack* stack) {
   for (std::size_t v = 0; v < model.section.size(); ++v) {
     if (model.section[VertexId(v)].valid()) planes.push_back(model.points[VertexId(v)].z);
   }
-  std::sort(planes.begin(), planes.end());
-  planes.erase(std::unique(planes.begin(), planes.end()), planes.end());
+  sort_distinct(planes);
   return planes;
 }
 
@@ -79,17 +78,12 @@ void find_components(Subject& subject) {
 }
 
 void find_box(Subject& subject) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  Point3 low{kInfinity, kInfinity, kInfinity};
-  Point3 high{-kInfinity, -kInfinity, -kInfinity};
+  Box3 box;
   for (std::size_t v = 0; v < subject.view.points.size(); ++v) {
-    if (subject.view.used[v] == 0) continue;
-    const Point3& p = subject.view.points[v];
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    if (subject.view.used[v] != 0) box.include(subject.view.points[v]);
   }
-  subject.low = low;
-  subject.high = high;
+  subject.low = box.low;
+  subject.high = box.high;
 }
 
 }  // namespace

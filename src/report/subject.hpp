@@ -2,7 +2,9 @@
 // component each of them and of the faces of its surface belongs.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -15,14 +17,32 @@
 
 namespace tetloft::internal::report {
 
+/// An edge as one number, whichever end comes first: the lower one is in the upper half.
+[[nodiscard]] inline std::uint64_t edge_key(VertexId a, VertexId b) {
+  return std::uint64_t{std::min(a, b).value()} << 32 | std::max(a, b).value();
+}
+
+/// The box of points; of none nothing is in it.
+struct Box3 {
+  Point3 low{kBeyond, kBeyond, kBeyond};
+  Point3 high{-kBeyond, -kBeyond, -kBeyond};
+  void include(const Point3& p) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+
+ private:
+  static constexpr double kBeyond = std::numeric_limits<double>::infinity();
+};
+
 struct Subject {
   const Model& model;
   const SectionStack* stack;  ///< null: none was given
 
   /// The model's, and what it does not tell the stack's.
   Description about = {};
-  std::vector<double> planes =
-      {};  ///< z of the stack's sections, else of those that the model names
+  /// z of the stack's sections, else of all vertices that the model puts into sections.
+  std::vector<double> planes = {};
   checking::ModelView view = {};
   SurfaceComponents surface = {};             ///< of view.boundary
   std::vector<std::uint32_t> behind = {};     ///< of each boundary face, its tet in view.tets

@@ -45,11 +45,6 @@ std::string swatch(const render::Rgb& colour) {
   return "<span class=\"swatch\" style=\"background:" + render::hex(colour) + "\"></span>";
 }
 
-template <class Number>
-std::string known(const std::optional<Number>& number) {
-  return number ? std::to_string(*number) : "–";
-}
-
 std::string section_range(const ReportMeasures& measures) {
   if (!measures.first || !measures.last) return "–";
   const std::string first = std::to_string(measures.first->index());
@@ -59,8 +54,8 @@ std::string section_range(const ReportMeasures& measures) {
 
 std::string measure_cells(const ReportMeasures& measures) {
   return number_cell(number_text(measures.volume)) +
-         number_cell(number_text(measures.surface_area)) + number_cell(known(measures.genus)) +
-         number_cell(known(measures.cavities)) + number_cell(section_range(measures)) +
+         number_cell(number_text(measures.surface_area)) + number_cell(known_text(measures.genus)) +
+         number_cell(known_text(measures.cavities)) + number_cell(section_range(measures)) +
          number_cell(count_text(measures.tets));
 }
 
