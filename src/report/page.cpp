@@ -221,7 +221,7 @@ class Page {
     text += std::string("; voids: ") + kVoids[static_cast<std::size_t>(rule.voids.rule)];
     const std::size_t given = rule.labels.size() + rule.decisions.size() +
                               rule.voids.labels.size() + rule.voids.decisions.size();
-    if (given > 0) text += "; " + counted_text(given, "label or decision") + " given";
+    if (given > 0) text += "; labels and decisions given: " + count_text(given);
     return text;
   }
 
