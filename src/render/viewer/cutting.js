@@ -29,9 +29,6 @@ class Cut {
     return this.flipped ? all.reverse() : all;
   }
 
-  // The number of the k-th of them.
-  sectionNumber(k) { return this.flipped ? this.along.sections.length - 1 - k : k; }
-
   // The heights of what there is: from one end, where nothing is left, to the other.
   findRange() {
     this.low = Infinity;
