@@ -1,6 +1,10 @@
 // The plane that cuts: in the page's space, and as each model has it.
 'use strict';
 
+// Heights are those of points in single precision, of at most 1: known to 6e-8, and what is computed of them to a
+// few times that. Nearer than this they are the same; a pixel at first is a thousand times as much.
+const SAME_HEIGHT = 2e-6;
+
 // What lies below the plane dot(normal, p) = at stays. From the top of what is shown on nothing is cut.
 class Cut {
   constructor(layers) {
@@ -60,10 +64,12 @@ class Cut {
     if (this.on) this.at = -this.at;
   }
 
+  // Heights along the normal that are told apart: of a solid that is thin that way they are finer.
+  get near() { return SAME_HEIGHT * (this.high - this.low) / 2; }
+
   set(at) {
     // Rounded from a height of a section, the top is no cut either.
-    const top = this.high - 1e-6 * (this.high - this.low);
-    this.at = at >= top ? Infinity : Math.max(this.low, at);
+    this.at = at >= this.high - this.near ? Infinity : Math.max(this.low, at);
     if (this.on) this.remembered = (this.at - this.low) / (this.high - this.low || 1);
   }
 
@@ -75,7 +81,7 @@ class Cut {
   // To the next section up or down, or by a fiftieth; past the last: the whole solid.
   step(way) {
     const from = Math.min(this.at, this.high);
-    const near = 1e-6 * (this.high - this.low);
+    const {near} = this;
     const stops = this.sectionsAt();
     if (stops.length === 0) {
       this.set(from + way * (this.high - this.low) / 50);
@@ -93,10 +99,11 @@ class Cut {
     const length = Math.hypot(...normal) || 1;
     normal = times(1 / length, normal);
     let height = (at - dot(this.normal, column(layer.place, 3))) / length;
+    // What double precision leaves of a normal that is ±z; it moves no point by what single precision tells apart.
     if (Math.abs(normal[0]) < 1e-7 && Math.abs(normal[1]) < 1e-7) {
       const sign = Math.sign(normal[2]);
       normal = [0, 0, sign];
-      const near = layer.sections.find((z) => Math.abs(sign * z - height) < 2e-6);
+      const near = layer.sections.find((z) => Math.abs(sign * z - height) < SAME_HEIGHT);
       if (near !== undefined) height = sign * near;
     }
     return {normal, height};
@@ -123,9 +130,9 @@ class Cut {
 function sectionText(layer, z) {
   const {sections} = layer;
   if (sections.length === 0) return '';
-  const below = sections.filter((at) => at <= z + 1e-6).length - 1;
+  const below = sections.filter((at) => at <= z + SAME_HEIGHT).length - 1;
   if (below < 0) return 'below section 0';
-  if (Math.abs(sections[below] - z) < 2e-6) return `section ${below}`;
+  if (Math.abs(sections[below] - z) < SAME_HEIGHT) return `section ${below}`;
   return below + 1 === sections.length ? `above section ${below}` : `sections ${below} to ${below + 1}`;
 }
 
