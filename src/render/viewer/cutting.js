@@ -47,14 +47,36 @@ class Cut {
     }
   }
 
+  // A height as a part of the way up, and back.
+  partOf(at) { return (at - this.low) / (this.high - this.low || 1); }
+
+  heightAt(part) { return this.low + part * (this.high - this.low); }
+
+  // The cut that the page asks for at first, across an axis of the stack. Of x and y the part away from the eye stays.
+  start({cutAxis, cut}, toward) {
+    if (cut === null) return;
+    const {place, inverse} = this.along;
+    if (cutAxis !== 2) {
+      this.mode = 'xy'[cutAxis];
+      this.normal = unitOf(inverse[cutAxis]);
+      this.findRange();
+    }
+    const at = dot(this.normal, column(place, 3)) + cut * dot(this.normal, column(place, cutAxis));
+    this.set(at);
+    if (cutAxis !== 2 && dot(this.normal, toward) < 0) {
+      this.flip();
+      this.set(-at);
+    }
+  }
+
   point(mode, normal) {
-    const part = this.on ? (this.at - this.low) / (this.high - this.low || 1) : null;
+    const part = this.on ? this.partOf(this.at) : null;
     this.mode = mode;
     this.flipped = false;
     this.normal = unitOf(normal);
     this.findRange();
     // Who asks for a direction wants to see a cut.
-    this.set(this.low + (part === null ? 0.5 : part) * (this.high - this.low));
+    this.set(this.heightAt(part === null ? 0.5 : part));
   }
 
   flip() {
@@ -70,12 +92,12 @@ class Cut {
   set(at) {
     // Rounded from a height of a section, the top is no cut either.
     this.at = at >= this.high - this.near ? Infinity : Math.max(this.low, at);
-    if (this.on) this.remembered = (this.at - this.low) / (this.high - this.low || 1);
+    if (this.on) this.remembered = this.partOf(this.at);
   }
 
   toggle() {
     const part = this.remembered === null ? 0.5 : this.remembered;
-    this.set(this.on ? Infinity : this.low + part * (this.high - this.low));
+    this.set(this.on ? Infinity : this.heightAt(part));
   }
 
   // To the next section up or down, or by a fiftieth; past the last: the whole solid.

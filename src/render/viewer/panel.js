@@ -145,6 +145,6 @@ class Panel {
     document.querySelector('main').classList.toggle('folded', folded);
     this.foldButton.textContent = folded ? 'Controls' : 'Hide';
     this.foldButton.setAttribute('aria-expanded', String(!folded));
-    this.viewer.placeCard(folded || SMALL.matches);
+    this.viewer.card.place(folded || SMALL.matches);
   }
 }
