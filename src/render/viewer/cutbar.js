@@ -1,8 +1,6 @@
 // The controls of the cut: the bar below the picture, and its direction in the panel.
 'use strict';
 
-const CUT_AXES = {x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1]};
-
 class CutBar {
   constructor(viewer) {
     this.viewer = viewer;
@@ -46,7 +44,7 @@ class CutBar {
   point(mode) {
     const {camera, current} = this.viewer;
     if (mode === 'sections') this.cut.along = current;
-    let normal = CUT_AXES[mode];
+    let normal = AXES[mode];
     if (mode === 'sections') normal = this.cut.sectionNormal();
     if (mode === 'facing') normal = camera.axes().toward;
     this.do(() => this.cut.point(mode, normal));

@@ -5,6 +5,12 @@
 // few times that. Nearer than this they are the same; a pixel at first is a thousand times as much.
 const SAME_HEIGHT = 2e-6;
 
+// What double precision leaves of unit vectors that are the same, or opposite; it moves no point by what single
+// precision tells apart.
+const parallel = (a, b) => Math.hypot(...cross(a, b)) < 1e-7;
+
+const AXES = {x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1]};
+
 // What lies below the plane dot(normal, p) = at stays. From the top of what is shown on nothing is cut.
 class Cut {
   constructor(layers) {
@@ -57,8 +63,8 @@ class Cut {
     if (cut === null) return;
     const {place, inverse} = this.along;
     if (cutAxis !== 2) {
-      this.mode = 'xy'[cutAxis];
       this.normal = unitOf(inverse[cutAxis]);
+      this.mode = Object.keys(AXES).find((name) => parallel(AXES[name], this.normal)) || 'oblique';
       this.findRange();
     }
     const at = dot(this.normal, column(place, 3)) + cut * dot(this.normal, column(place, cutAxis));
@@ -121,8 +127,7 @@ class Cut {
     const length = Math.hypot(...normal) || 1;
     normal = times(1 / length, normal);
     let height = (at - dot(this.normal, column(layer.place, 3))) / length;
-    // What double precision leaves of a normal that is ±z; it moves no point by what single precision tells apart.
-    if (Math.abs(normal[0]) < 1e-7 && Math.abs(normal[1]) < 1e-7) {
+    if (parallel(normal, AXES.z)) {
       const sign = Math.sign(normal[2]);
       normal = [0, 0, sign];
       const near = layer.sections.find((z) => Math.abs(sign * z - height) < SAME_HEIGHT);
@@ -137,8 +142,11 @@ class Cut {
     const {normal, height} = this.planeOf(this.along);
     const own = times(height, normal);
     const file = mapped(this.along.file, own);
-    const axis = {x: 0, y: 1, z: 2}[this.mode];
-    if (axis !== undefined) return `${this.mode} = ${page.number(file[axis])}${page.unitText}`;
+    const axis = AXES[this.mode];
+    // Heights that are stretched across an oblique plane leave it no one coordinate.
+    if (axis && parallel(unitOf(pulledBack(this.along.file, axis)), normal)) {
+      return `${this.mode} = ${page.number(dot(axis, file))}${page.unitText}`;
+    }
     if (this.mode !== 'sections') {
       return `${page.number((this.at - (this.low + this.high) / 2) * page.length)}${page.unitText} from the middle`;
     }
