@@ -67,6 +67,13 @@ std::string file_name(const std::string& path) {
   return path == "-" ? "standard input" : std::filesystem::path(path).filename().string();
 }
 
+Result<void> check_nothing_of_stack(const Arguments& arguments) {
+  for (const Option& option : stack_options()) {
+    if (arguments.has(option.name)) return usage_error("option " + option.name + " needs IN");
+  }
+  return {};
+}
+
 struct ReportRequest {
   std::string output;
   ReportOptions options;
@@ -75,26 +82,9 @@ struct ReportRequest {
   std::optional<std::string> stack;  ///< its operand
 };
 
-Result<ReportRequest> report_request_of(const Arguments& arguments, Console& console) {
-  ReportRequest request;
-  const auto output = arguments.text("--output");
-  if (!output) return usage_error("missing option --output (-o) OUT.html");
-  request.output = *output;
-  std::vector<std::string> taken{arguments.operand(0)};
-  if (arguments.operand_count() > 1) {
-    request.stack = arguments.operand(1);
-    taken.push_back(*request.stack);
-  }
-  if (!request.stack) {
-    for (const Option& option : stack_options()) {
-      if (arguments.has(option.name)) return usage_error("option " + option.name + " needs IN");
-    }
-  }
-  if (const auto labels = arguments.text("--labels")) taken.push_back(*labels);
-  Result<void> checked = check_output("--output (-o)", *output, {".html"}, taken);
-  if (!checked) return checked.error();
-
-  ReportOptions& options = request.options;
+// What the page shows, and how it is checked.
+Result<ReportOptions> report_options(const Arguments& arguments, Console& console) {
+  ReportOptions options;
   auto check = check_options(arguments, console);
   if (!check) return check.error();
   options.check = *std::move(check);
@@ -107,8 +97,30 @@ Result<ReportRequest> report_request_of(const Arguments& arguments, Console& con
   options.date = arguments.text("--date").value_or("");
   options.command = command_line(arguments);
   options.model_file = file_name(arguments.operand(0));
-  if (request.stack) options.stack_file = file_name(*request.stack);
+  if (arguments.operand_count() > 1) options.stack_file = file_name(arguments.operand(1));
+  return options;
+}
 
+Result<ReportRequest> report_request_of(const Arguments& arguments, Console& console) {
+  ReportRequest request;
+  const auto output = arguments.text("--output");
+  if (!output) return usage_error("missing option --output (-o) OUT.html");
+  request.output = *output;
+  std::vector<std::string> taken{arguments.operand(0)};
+  if (arguments.operand_count() > 1) {
+    request.stack = arguments.operand(1);
+    taken.push_back(*request.stack);
+  }
+  if (!request.stack) {
+    if (Result<void> none = check_nothing_of_stack(arguments); !none) return none.error();
+  }
+  if (const auto labels = arguments.text("--labels")) taken.push_back(*labels);
+  Result<void> checked = check_output("--output (-o)", *output, {".html"}, taken);
+  if (!checked) return checked.error();
+
+  auto options = report_options(arguments, console);
+  if (!options) return options.error();
+  request.options = *std::move(options);
   auto prepared = preparation(arguments);
   if (!prepared) return prepared.error();
   request.preparation = *std::move(prepared);
