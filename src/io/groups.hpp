@@ -60,8 +60,8 @@ class GroupedSolid {
   [[nodiscard]] Model take(IdVector<VertexId, Point3> points,
                            const std::map<std::int64_t, std::string>& names, WarningList& warnings);
 
-  /// The group of tets that are in none.
-  static constexpr std::int64_t kNoGroup = -1;
+  /// The group of tets that are in none, in the files that are read as well.
+  static constexpr std::int64_t kNoGroup = 0;
 
  private:
   IdVector<TetId, TetVertices> tets_;

@@ -136,13 +136,14 @@ class EleReader {
     std::int64_t group = GroupedSolid::kNoGroup;
     if (attributes_ > 0) {
       const ParsedNumber region = parse_number(row[5]);
-      // TetGen takes any number for a region, and writes it as such.
+      // TetGen takes any number for a region, and writes it as such. Above 2^53, and this is a round
+      // number below, doubles no longer tell integers apart.
       constexpr double kMost = 9e15;
       if (!region.ok() || region.value != std::floor(region.value) ||
           std::fabs(region.value) > kMost) {
         return complain(in_quotes(row[5]) + " is no number of a region");
       }
-      if (region.value != 0) group = static_cast<std::int64_t>(region.value);
+      group = static_cast<std::int64_t>(region.value);
     }
     solid_.add_tet(tet, group);
     return {};

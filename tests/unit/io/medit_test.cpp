@@ -104,6 +104,18 @@ TEST(ReadMedit, TakesBackWhatIsWritten) {
   EXPECT_TRUE(parse_model(medit_of({}), "a")->model.tets.empty());
 }
 
+// Of references only 0 is none.
+TEST(ReadMedit, TakesNegativeReferencesForComponents) {
+  const auto read = parse_model(
+      "MeshVersionFormatted 2\nDimension 3\nVertices 5\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n"
+      "1 1 1 0\nTetrahedra 3\n1 2 3 4 7\n2 5 3 4 -1\n1 2 3 4 0\nEnd\n",
+      "a.mesh");
+  ASSERT_TRUE(read.ok()) << to_string(read.error());
+  EXPECT_EQ(read->model.component_count, 2U);
+  EXPECT_EQ(read->model.component.raw(),
+            (std::vector<ComponentId>{ComponentId(1), ComponentId(0), ComponentId()}));
+}
+
 // Words on one line or many, in any order of sections, with what else there may be.
 TEST(ReadMedit, TakesTheFormsOfOthers) {
   const std::string forms[] = {

@@ -107,7 +107,7 @@ const std::string kNodes =
 
 TEST(ReadTetgen, CountsFromOneAndTakesRegions) {
   const auto read = read_pair(
-      "# a comment\n2  4  2\n    1      1     2     3     4    7.0 3\n    2  2 4 3 5    -2 3\n# "
+      "# a comment\n2  4  2\n    1      1     2     3     4    7.0 3\n    2  2 4 3 5    -1 3\n# "
       "Generated",
       kNodes);
   ASSERT_TRUE(read.ok()) << to_string(read.error());
