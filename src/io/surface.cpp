@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/text.hpp"
+#include "io/description_texts.hpp"
 #include "io/groups.hpp"
 
 namespace tetloft::internal::io {
@@ -89,17 +90,6 @@ std::vector<std::uint32_t> by_part(const std::vector<SurfacePart>& parts) {
     triangles.insert(triangles.end(), part.triangles.begin(), part.triangles.end());
   }
   return triangles;
-}
-
-std::vector<std::string> description_lines(const Description& about) {
-  std::vector<std::string> lines;
-  const auto tell = [&](const char* what, const std::string& text) {
-    if (!text.empty()) lines.push_back(what + printable(text));
-  };
-  tell("name: ", about.name);
-  tell("unit: ", about.unit);
-  tell("orientation: ", about.orientation);
-  return lines;
 }
 
 std::vector<std::string> surface_comments(const Model& model,
