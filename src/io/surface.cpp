@@ -98,10 +98,8 @@ std::vector<std::string> surface_comments(const Model& model,
   if (is_nameless(model, parts)) return lines;
   for (const SurfacePart& part : parts) {
     const std::size_t faces = part.triangles.size();
-    const std::string number =
-        part.component.valid() ? std::to_string(part.component.index() + 1) : "0";
-    lines.push_back("component " + number + ": " + std::to_string(faces) + " faces, " +
-                    printable(part.name));
+    lines.push_back("component " + std::to_string(component_tag(part.component)) + ": " +
+                    std::to_string(faces) + " faces, " + printable(part.name));
   }
   return lines;
 }
