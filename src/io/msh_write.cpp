@@ -68,6 +68,12 @@ Result<std::vector<MshGroup>> msh_groups(const Model& model) {
                {}};
 }
 
+std::size_t count_elements(const Model& model, const std::vector<MshGroup>& groups) {
+  std::size_t count = model.tets.size();
+  for (const MshGroup& g : groups) count += g.group.triangles.size();
+  return count;
+}
+
 std::vector<Warning> append_msh_head(MshWriter& out, std::string_view version, const Model& model,
                                      const std::vector<MshGroup>& groups) {
   std::vector<Warning> warnings;
