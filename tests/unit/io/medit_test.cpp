@@ -10,6 +10,7 @@
 
 #include "core/prng.hpp"
 #include "unit/io/io_support.hpp"
+#include "unit/io/solid_files.hpp"
 #include "unit/io/solid_support.hpp"
 
 namespace tetloft {
@@ -178,13 +179,7 @@ TEST(ReadMedit, NamesWhatIsWrongAndWhere) {
            Case{head + "Vertices x\n", 3, "'x' is no count of vertices"},
            Case{head + "7\n", 3, "'7' stands for a keyword"},
        }) {
-    const auto read = parse_model(wrong.text, "a.mesh");
-    ASSERT_FALSE(read.ok()) << wrong.text;
-    EXPECT_EQ(read.error().code, ErrorCode::invalid_input);
-    EXPECT_EQ(read.error().where.file, "a.mesh");
-    EXPECT_EQ(read.error().where.line, wrong.line) << wrong.text;
-    EXPECT_NE(read.error().message.find(wrong.message), std::string::npos)
-        << read.error().message << " for " << wrong.message;
+    test::expect_error_at(parse_model(wrong.text, "a.mesh"), "a.mesh", wrong.line, wrong.message);
   }
 }
 

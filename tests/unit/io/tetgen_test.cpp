@@ -9,6 +9,7 @@
 
 #include "core/prng.hpp"
 #include "unit/io/io_support.hpp"
+#include "unit/io/solid_files.hpp"
 #include "unit/io/solid_support.hpp"
 
 namespace tetloft {
@@ -147,13 +148,7 @@ TEST(ReadTetgen, NamesWhatIsWrongAndWhere) {
            Case{"1 4 1\n1 1 2 3 4 1e300\n", 2, "'1e300'"},
            Case{"1 4 999999999999999999\n1 1 2 3 4 1\n", 2, "attributes, got 6"},
        }) {
-    const auto read = read_pair(wrong.ele, kNodes);
-    ASSERT_FALSE(read.ok()) << wrong.ele;
-    EXPECT_EQ(read.error().code, ErrorCode::invalid_input);
-    EXPECT_TRUE(read.error().where.file.ends_with("a.ele"));
-    EXPECT_EQ(read.error().where.line.value_or(0), wrong.line) << wrong.ele;
-    EXPECT_NE(read.error().message.find(wrong.message), std::string::npos)
-        << read.error().message << " for " << wrong.message;
+    test::expect_error_at(read_pair(wrong.ele, kNodes), "a.ele", wrong.line, wrong.message);
   }
   const auto node = read_pair("1 4 0\n1 1 2 3 4\n", "5 3\n1 0 0 x\n");
   ASSERT_FALSE(node.ok());
