@@ -118,6 +118,8 @@ TEST(ReadTetgen, CountsFromOneAndTakesRegions) {
   EXPECT_EQ(read->model.component.raw(),
             (std::vector<ComponentId>{ComponentId(1), ComponentId(0)}));
   ASSERT_EQ(read->warnings.size(), 3U);  // of points, of tets, and that one is turned over
+  EXPECT_TRUE(read->warnings[0].where.file.ends_with("a.node"));
+  EXPECT_TRUE(read->warnings[1].where.file.ends_with("a.ele"));
   EXPECT_EQ(read->model.tets[TetId(1)],
             (TetVertices{VertexId(1), VertexId(3), VertexId(4), VertexId(2)}));
   const auto plain = read_pair("1 4\n0 0 1 2 3\n", "4 3\n0 0 0 0\n1 1 0 0\n2 0 1 0\n3 0 0 1\n");
