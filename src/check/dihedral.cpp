@@ -5,29 +5,18 @@
 
 #include <tetloft/tet_mesh.hpp>
 
+#include "core/vector.hpp"
+
 namespace tetloft::internal::checking {
-
-namespace {
-
-struct Vector3 {
-  double x, y, z;
-};
-Vector3 cross(const Vector3& a, const Vector3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-double dot(const Vector3& a, const Vector3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-
-}  // namespace
 
 std::array<double, 6> dihedral_degrees(const std::array<Point3, 4>& corner) {
   constexpr double kDegrees = 180 / 3.14159265358979323846;
-  const auto difference = [&](std::size_t i, std::size_t j) {
-    return Vector3{corner[j].x - corner[i].x, corner[j].y - corner[i].y, corner[j].z - corner[i].z};
-  };
+  using namespace vectors;
+  const auto difference = [&](std::size_t i, std::size_t j) { return corner[j] - corner[i]; };
   std::array<double, 6> angles{};
   const double six_volumes = dot(cross(difference(0, 1), difference(0, 2)), difference(0, 3));
   if (!(six_volumes > 0)) return angles;
-  std::array<Vector3, 4> normal;
+  std::array<Point3, 4> normal;
   for (std::size_t i = 0; i < 4; ++i) {
     const auto& f = kFaceVertex[i];
     const auto a = static_cast<std::size_t>(f[0]);
@@ -41,7 +30,7 @@ std::array<double, 6> dihedral_degrees(const std::array<Point3, 4>& corner) {
     const auto j = static_cast<std::size_t>(kEdgeVertex[e][1]);
     const auto n = static_cast<std::size_t>(kEdgeVertex[5 - e][0]);
     const auto m = static_cast<std::size_t>(kEdgeVertex[5 - e][1]);
-    const Vector3 along = difference(i, j);
+    const Point3 along = difference(i, j);
     const double sine = six_volumes * std::sqrt(dot(along, along));
     angles[e] = std::atan2(sine, -dot(normal[n], normal[m])) * kDegrees;
   }

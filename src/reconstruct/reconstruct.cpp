@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "reconstruct/hints.hpp"
-#include "reconstruct/label_names.hpp"
+#include "reconstruct/component_names.hpp"
 #include "reconstruct/phases.hpp"
 
 namespace tetloft {

@@ -51,7 +51,8 @@ class LinePainter {
     if (x0 >= x1 || y0 >= y1 || items_.pyramid.hides(x0, y0, x1, y1, nearest)) return;
     for (std::size_t y = y0; y < y1; ++y) {
       const double py = static_cast<double>(y) + 0.5 - a.y;
-      // Where the row meets the strip of points near the whole straight line.
+      // Where the row meets the strip of points near the whole straight line; of one that rises by
+      // less than can be seen, all of the row, since a division would leave no digits of it.
       const bool crosses = std::abs(dy) > 1e-6;
       const double middle = crosses ? a.x + dx * py / dy : a.x;
       const double half = crosses ? reach_ * std::sqrt(square) / std::abs(dy) + 1 : right - left;

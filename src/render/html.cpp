@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -12,7 +13,9 @@
 #include "core/guard.hpp"
 #include "core/text.hpp"
 #include "core/watched_work.hpp"
+#include "io/json_write.hpp"
 #include "io/numbers.hpp"
+#include "model/component_colour.hpp"
 #include "render/page_json.hpp"
 #include "render/page_layer.hpp"
 #include "render/subject.hpp"
@@ -60,49 +63,54 @@ std::string first_text(const std::vector<PageLayer>& layers, std::string Descrip
   return {};
 }
 
+// Of components the first: all that differ (model/component_colour.hpp); the viewer begins again
+// after these.
+void add_palettes(io::JsonWriter& json) {
+  render::json_colours(json, "componentColours", kComponentColours, component_colour);
+  render::json_colours(json, "dihedralColours", 256, [](std::size_t k) {
+    return render::dihedral_colour(static_cast<double>(k) / 255);
+  });
+  render::json_colours(json, "kindColours", kTetKinds,
+                       [](std::size_t k) { return render::kind_colour(static_cast<TetKind>(k)); });
+  render::json_list(json, "kindNames", kTetKinds,
+                    [](std::size_t k) { return name_of(static_cast<TetKind>(k)); });
+  render::json_colours(json, "evidenceColours", kEvidences + 1, render::evidence_colour);
+  render::json_list(json, "evidenceNames", kEvidences,
+                    [](std::size_t k) { return name_of(static_cast<Evidence>(k)); });
+}
+
 // `given`: contours were, which all models share.
 std::string page_header(const std::vector<PageLayer>& layers, const PageSpace& space, bool given,
                         const RenderOptions& options) {
-  render::JsonMembers members;
-  members.text("title", options.title);
-  members.text("unit", first_text(layers, &Description::unit));
-  members.text("orientation", first_text(layers, &Description::orientation));
-  members.number("length", std::ldexp(space.scale, space.exponent));
-  members.number("stretch", options.stretch);
-  members.text("colour", name_of(options.colour));
-  members.number("azimuth", options.azimuth);
-  members.number("elevation", options.elevation);
-  members.number("explode", options.explode);
-  members.flag("edges", options.edges);
-  members.flag("drawContours", options.contours);
-  members.flag("contoursGiven", given);
+  io::JsonWriter json;
+  json.begin_object();
+  render::json_text(json, "title", options.title);
+  render::json_text(json, "unit", first_text(layers, &Description::unit));
+  render::json_text(json, "orientation", first_text(layers, &Description::orientation));
+  json.member("length", std::ldexp(space.scale, space.exponent));
+  json.member("stretch", options.stretch);
+  json.member("colour", name_of(options.colour));
+  json.member("azimuth", options.azimuth);
+  json.member("elevation", options.elevation);
+  json.member("explode", options.explode);
+  json.member("edges", options.edges);
+  json.member("drawContours", options.contours);
+  json.member("contoursGiven", given);
+  std::optional<double> cut;
   if (options.cut) {
-    members.number("cutAxis", options.cut->axis);
-    members.number("cut",
-                   render::page_layer_cut(layers.front(), space, *options.cut, options.stretch));
-  } else {
-    members.raw("cut", "null");
+    json.member("cutAxis", options.cut->axis);
+    cut = render::page_layer_cut(layers.front(), space, *options.cut, options.stretch);
   }
-  // Of the first components; the viewer begins again after these.
-  members.list("componentColours", 48,
-               [](std::size_t k) { return render::json_colour(render::component_colour(k)); });
-  members.list("dihedralColours", 256, [](std::size_t k) {
-    return render::json_colour(render::dihedral_colour(static_cast<double>(k) / 255));
-  });
-  members.list("kindColours", kTetKinds, [](std::size_t k) {
-    return render::json_colour(render::kind_colour(static_cast<TetKind>(k)));
-  });
-  members.list("kindNames", kTetKinds,
-               [](std::size_t k) { return render::json_string(name_of(static_cast<TetKind>(k))); });
-  members.list("evidenceColours", kEvidences + 1,
-               [](std::size_t k) { return render::json_colour(render::evidence_colour(k)); });
-  members.list("evidenceNames", kEvidences, [](std::size_t k) {
-    return render::json_string(name_of(static_cast<Evidence>(k)));
-  });
-  members.list("models", layers.size(), [&](std::size_t k) {
-    return render::page_layer_header(layers[k], space, options.stretch);
-  });
-  return members.object();
+  json.member("cut", cut);
+  add_palettes(json);
+  json.key("models");
+  json.begin_array();
+  for (const PageLayer& layer : layers) {
+    render::add_page_layer_header(json, layer, space, options.stretch);
+  }
+  json.end_array();
+  json.end_object();
+  return render::json_script(json.text());
 }
 
 std::string page_text(const std::vector<PageLayer>& layers, bool given,

@@ -1,26 +1,8 @@
 #include "render/page_json.hpp"
 
-#include <cmath>
-
 #include "core/text.hpp"
 
 namespace tetloft::internal::render {
-
-std::string json_string(std::string_view text) {
-  constexpr char kDigits[] = "0123456789abcdef";
-  std::string out = "\"";
-  for (const char c : valid_utf8(text)) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x20 || c == '<' || c == '"' || c == '\\') {
-      out += "\\u00";
-      out += kDigits[byte >> 4];
-      out += kDigits[byte & 15U];
-    } else {
-      out += c;
-    }
-  }
-  return out + '"';
-}
 
 std::string html_text(std::string_view text) {
   std::string out;
@@ -36,16 +18,22 @@ std::string html_text(std::string_view text) {
   return out;
 }
 
-std::string json_colour(const Rgb& colour) {
-  return '[' + std::to_string(colour.r) + ',' + std::to_string(colour.g) + ',' +
-         std::to_string(colour.b) + ']';
+std::string json_script(std::string_view json) {
+  std::string out;
+  out.reserve(json.size());
+  // In JSON it stands in strings only.
+  for (const char c : json) {
+    if (c == '<') {
+      out += "\\u003c";
+    } else {
+      out += c;
+    }
+  }
+  return out;
 }
 
-std::string json_number(double value) {
-  if (!std::isfinite(value)) return "null";
-  std::string text;
-  io::append_number(text, value);
-  return text;
+void json_text(io::JsonWriter& json, std::string_view name, std::string_view text) {
+  json.member(name, valid_utf8(text));
 }
 
 }  // namespace tetloft::internal::render

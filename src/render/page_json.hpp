@@ -2,47 +2,42 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
-#include "io/numbers.hpp"
+#include "io/json_write.hpp"
 #include "render/palette.hpp"
 
 namespace tetloft::internal::render {
 
-/// `text` as a JSON string, without a "<" that might be taken for a tag. Text that is not UTF-8
-/// becomes so.
-[[nodiscard]] std::string json_string(std::string_view text);
 /// `text` between tags.
 [[nodiscard]] std::string html_text(std::string_view text);
-[[nodiscard]] std::string json_colour(const Rgb& colour);
-/// The number, or null for one that is not finite.
-[[nodiscard]] std::string json_number(double value);
+/// JSON as a script: without a "<" that might be taken for a tag.
+[[nodiscard]] std::string json_script(std::string_view json);
 
-/// One member of a JSON object at a time.
-class JsonMembers {
- public:
-  void text(const char* name, std::string_view value) { raw(name, json_string(value)); }
-  void number(const char* name, double value) { raw(name, json_number(value)); }
-  void flag(const char* name, bool value) { raw(name, value ? "true" : "false"); }
-  void raw(const char* name, const std::string& value) {
-    if (!out_.empty()) out_ += ',';
-    out_ += json_string(name) + ':' + value;
+/// Text from outside, made UTF-8.
+void json_text(io::JsonWriter& json, std::string_view name, std::string_view text);
+/// value(k): entry k of the array.
+template <class Value>
+void json_list(io::JsonWriter& json, std::string_view name, std::size_t n, Value&& value) {
+  json.key(name);
+  json.begin_array();
+  for (std::size_t k = 0; k < n; ++k) json.value(value(k));
+  json.end_array();
+}
+/// colour(k): the Rgb of entry k, which becomes [r, g, b].
+template <class Colour>
+void json_colours(io::JsonWriter& json, std::string_view name, std::size_t n, Colour&& colour) {
+  json.key(name);
+  json.begin_array();
+  for (std::size_t k = 0; k < n; ++k) {
+    const Rgb c = colour(k);
+    json.begin_array();
+    for (const std::uint8_t part : {c.r, c.g, c.b}) json.value(part);
+    json.end_array();
   }
-  /// item(k): the JSON of entry k.
-  template <class Item>
-  void list(const char* name, std::size_t n, Item&& item) {
-    std::string all = "[";
-    for (std::size_t k = 0; k < n; ++k) {
-      if (k != 0) all += ',';
-      all += item(k);
-    }
-    raw(name, all + ']');
-  }
-  [[nodiscard]] std::string object() const { return '{' + out_ + '}'; }
-
- private:
-  std::string out_;
-};
+  json.end_array();
+}
 
 }  // namespace tetloft::internal::render

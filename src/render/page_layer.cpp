@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/text.hpp"
 #include "io/base64.hpp"
 #include "io/bytes/deflate.hpp"
 #include "render/page_json.hpp"
@@ -166,27 +167,26 @@ std::vector<double> volumes_of(const Subject& s, const Frame& frame, double stre
 }
 
 // Four columns of three numbers: what the axes become, and the origin.
-void list_map(JsonMembers& members, const char* name, const std::array<Point3, 4>& columns) {
-  members.list(name, 12, [&](std::size_t k) {
-    return json_number(coordinate(columns[k / 3], static_cast<int>(k % 3)));
-  });
+void add_map(io::JsonWriter& json, const char* name, const std::array<Point3, 4>& columns) {
+  json_list(json, name, 12,
+            [&](std::size_t k) { return coordinate(columns[k / 3], static_cast<int>(k % 3)); });
 }
 
-void list_maps(JsonMembers& members, const PageLayer& layer, const PageSpace& space,
-               double stretch) {
+void add_maps(io::JsonWriter& json, const PageLayer& layer, const PageSpace& space,
+              double stretch) {
   const Frame& frame = layer.model->frame;
   const OwnSpace own(layer, space);
   const Point3 at = (1 / space.scale) * (layer.placed(own.centre(), space.exponent) - space.centre);
-  list_map(members, "place", {frame.axes[0], frame.axes[1], frame.axes[2], at});
+  add_map(json, "place", {frame.axes[0], frame.axes[1], frame.axes[2], at});
   const double unit = std::ldexp(space.scale, space.exponent);
   Point3 centre = own.centre();
   centre.z /= stretch;
-  list_map(members, "file",
-           {unit * frame.axes[0], unit * frame.axes[1], (unit / stretch) * frame.axes[2],
-            place(frame, times_power(centre, layer.subject.exponent))});
+  add_map(json, "file",
+          {unit * frame.axes[0], unit * frame.axes[1], (unit / stretch) * frame.axes[2],
+           place(frame, times_power(centre, layer.subject.exponent))});
   // What the stack calls z: at own height 0, and for each unit of it.
-  members.raw("stackZ", '[' + json_number(std::ldexp(centre.z, layer.subject.exponent)) + ',' +
-                            json_number(unit / stretch) + ']');
+  const std::array stack_z{std::ldexp(centre.z, layer.subject.exponent), unit / stretch};
+  json_list(json, "stackZ", 2, [&](std::size_t k) { return stack_z[k]; });
 }
 
 }  // namespace
@@ -203,39 +203,35 @@ Point3 PageLayer::placed(const Point3& p, int exponent) const {
          times_power(model->frame.origin, -exponent);
 }
 
-std::string page_layer_header(const PageLayer& layer, const PageSpace& space, double stretch) {
+void add_page_layer_header(io::JsonWriter& json, const PageLayer& layer, const PageSpace& space,
+                           double stretch) {
   const Subject& s = layer.subject;
   const OwnSpace own(layer, space);
-  JsonMembers members;
-  members.text("name", layer.name);
-  list_maps(members, layer, space, stretch);
-  members.number("gap", own.length(s.mean_gap));
+  json.begin_object();
+  json_text(json, "name", layer.name);
+  add_maps(json, layer, space, stretch);
+  json.member("gap", own.length(s.mean_gap));
   std::vector<ColourBy> colourings{ColourBy::component, ColourBy::slab};
   if (!s.kind.empty()) colourings.push_back(ColourBy::kind);
   colourings.push_back(ColourBy::dihedral);
   if (!s.evidence.empty()) colourings.push_back(ColourBy::evidence);
-  members.list("colourings", colourings.size(),
-               [&](std::size_t k) { return json_string(name_of(colourings[k])); });
-  members.list("components", s.component_count, [&](std::size_t k) {
-    return json_string(component_name(*layer.model, ComponentId(s.component_number[k])));
+  json_list(json, "colourings", colourings.size(),
+            [&](std::size_t k) { return name_of(colourings[k]); });
+  json_list(json, "components", s.component_count, [&](std::size_t k) {
+    return valid_utf8(component_name(*layer.model, ComponentId(s.component_number[k])));
   });
   const std::vector<double> volumes = volumes_of(s, layer.model->frame, stretch);
-  members.list("volumes", s.component_count,
-               [&](std::size_t k) { return json_number(volumes[k]); });
-  members.list("slabFirst", s.slab_count + 1,
-               [&](std::size_t k) { return std::to_string(first_tet(s, k)); });
-  members.list("slabNumbers", s.slab_count,
-               [&](std::size_t k) { return std::to_string(s.slab_number[k]); });
-  members.list("sections", s.sections.size(), [&](std::size_t k) {
-    return json_number(static_cast<double>(own.coordinate(s.sections[k], 2)));
-  });
-  members.list("slabColours", s.slab_count, [&](std::size_t k) {
-    return json_colour(s.colour(first_tet(s, k), ColourBy::slab));
-  });
+  json_list(json, "volumes", s.component_count, [&](std::size_t k) { return volumes[k]; });
+  json_list(json, "slabFirst", s.slab_count + 1, [&](std::size_t k) { return first_tet(s, k); });
+  json_list(json, "slabNumbers", s.slab_count, [&](std::size_t k) { return s.slab_number[k]; });
+  json_list(json, "sections", s.sections.size(),
+            [&](std::size_t k) { return static_cast<double>(own.coordinate(s.sections[k], 2)); });
+  json_colours(json, "slabColours", s.slab_count,
+               [&](std::size_t k) { return s.colour(first_tet(s, k), ColourBy::slab); });
   if (!s.evidence.empty()) {
-    members.list("links", kEvidences, [&](std::size_t k) { return std::to_string(s.links[k]); });
+    json_list(json, "links", kEvidences, [&](std::size_t k) { return s.links[k]; });
   }
-  return members.object();
+  json.end_object();
 }
 
 double page_layer_cut(const PageLayer& layer, const PageSpace& space, const PictureCut& cut,

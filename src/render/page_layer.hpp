@@ -8,6 +8,7 @@
 #include <tetloft/render.hpp>
 
 #include "core/watched_work.hpp"
+#include "io/json_write.hpp"
 #include "render/subject.hpp"
 
 namespace tetloft::internal::render {
@@ -39,8 +40,8 @@ struct PageSpace {
 inline constexpr std::size_t kPageArrays = 11;
 
 /// What is told of a layer, as a JSON object.
-[[nodiscard]] std::string page_layer_header(const PageLayer& layer, const PageSpace& space,
-                                            double stretch);
+void add_page_layer_header(io::JsonWriter& json, const PageLayer& layer, const PageSpace& space,
+                           double stretch);
 /// A plane of the stack's coordinates in those of the layer.
 [[nodiscard]] double page_layer_cut(const PageLayer& layer, const PageSpace& space,
                                     const PictureCut& cut, double stretch);

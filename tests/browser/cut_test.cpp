@@ -203,6 +203,42 @@ TEST_P(ViewerCut, OfXAndYThePartAwayFromTheEyeStays) {
   expect_no_errors();
 }
 
+// A plane that is not across an axis of the file has no one coordinate to be told by.
+TEST_P(ViewerCut, TellsACoordinateOnlyWhereItIsThatOfTheWholePlane) {
+  start();
+  if (ended()) return;
+  Model model = test::solid_of(test::one_box());
+  const auto chosen = [&] {
+    return text("document.querySelector('[data-cut][aria-checked=true]')?.dataset.cut ?? ''");
+  };
+  RenderOptions options;
+  options.cut = PictureCut{0, 0.25};
+  // The stack's x is the file's y.
+  model.frame = {{Point3{0, 1, 0}, Point3{0, 0, 1}, Point3{1, 0, 0}}, {}};
+  show(model, options);
+  if (ended()) return;
+  EXPECT_NE(text_of("place").find("y = 0.25"), std::string::npos) << text_of("place");
+  EXPECT_EQ(chosen(), "y");
+  // It is oblique in the file.
+  model.frame = test::oblique_frame();
+  show(model, options);
+  if (ended()) return;
+  EXPECT_NE(text_of("place").find("from the middle"), std::string::npos) << text_of("place");
+  EXPECT_EQ(chosen(), "");
+  act(click("[data-cut=x]"));
+  EXPECT_NE(text_of("place").find("x = "), std::string::npos) << text_of("place");
+  // Stretched, what is across x on the page is not so in the file.
+  options.cut = {};
+  options.stretch = 3;
+  show(model, options);
+  if (ended()) return;
+  act(click("[data-cut=x]"));
+  EXPECT_NE(text_of("place").find("from the middle"), std::string::npos) << text_of("place");
+  act(click("[data-cut=y]"));
+  EXPECT_NE(text_of("place").find("y = "), std::string::npos) << text_of("place");
+  expect_no_errors();
+}
+
 INSTANTIATE_TEST_SUITE_P(Browsers, ViewerCut, test::browsers(), test::browser_name);
 
 }  // namespace

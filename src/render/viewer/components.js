@@ -44,15 +44,11 @@ class ComponentList {
     const {layer} = this;
     const item = make('li');
     item.dataset.component = c;
-    const toggle = make('button');
-    toggle.type = 'button';
-    toggle.className = 'component';
+    const toggle = make('button', {type: 'button', className: 'component'});
     toggle.title = layer.components[c] + ': show or hide';
-    const swatch = make('i');
-    swatch.style.setProperty('--colour', `rgb(${layer.componentColour(c).join()})`);
     const name = make('span', {className: 'name', textContent: layer.components[c]});
     const volume = make('span', {className: 'volume', textContent: this.viewer.page.volumeText(layer.volumes[c])});
-    toggle.append(swatch, name, volume);
+    toggle.append(makeSwatch(layer.componentColour(c)), name, volume);
     toggle.addEventListener('click', () => {
       layer.show(c, !layer.shown[c]);
       this.mark();

@@ -1,8 +1,6 @@
 // The controls of the cut: the bar below the picture, and its direction in the panel.
 'use strict';
 
-const CUT_AXES = {x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1]};
-
 class CutBar {
   constructor(viewer) {
     this.viewer = viewer;
@@ -10,14 +8,13 @@ class CutBar {
     this.slider = document.getElementById('cut');
     this.slider.addEventListener('input', () => {
       const t = Number(this.slider.value) / 1000;
-      this.cut.set(t >= 1 ? Infinity : this.cut.low + t * (this.cut.high - this.cut.low));
-      this.show();
+      this.do(() => this.cut.set(t >= 1 ? Infinity : this.cut.heightAt(t)));
     });
-    const act = (id, what) => document.getElementById(id).addEventListener('click', () => this.do(what));
-    act('down', () => this.cut.step(-1));
-    act('up', () => this.cut.step(1));
+    const act = (id, what) => document.getElementById(id).addEventListener('click', what);
+    act('down', () => this.step(-1));
+    act('up', () => this.step(1));
     act('flip', () => this.flip());
-    act('uncut', () => this.cut.toggle());
+    act('uncut', () => this.toggle());
     for (const button of document.querySelectorAll('[data-cut]')) {
       button.addEventListener('click', () => this.point(button.dataset.cut));
     }
@@ -32,16 +29,22 @@ class CutBar {
     this.show();
   }
 
+  step(way) { this.do(() => this.cut.step(way)); }
+
+  toggle() { this.do(() => this.cut.toggle()); }
+
   flip() {
-    if (!this.cut.on) this.cut.toggle();
-    this.cut.flip();
+    this.do(() => {
+      if (!this.cut.on) this.cut.toggle();
+      this.cut.flip();
+    });
   }
 
   // Along the sections, an axis, or what faces the eye, of which then the near part is taken away.
   point(mode) {
     const {camera, current} = this.viewer;
     if (mode === 'sections') this.cut.along = current;
-    let normal = CUT_AXES[mode];
+    let normal = AXES[mode];
     if (mode === 'sections') normal = this.cut.sectionNormal();
     if (mode === 'facing') normal = camera.axes().toward;
     this.do(() => this.cut.point(mode, normal));
@@ -55,14 +58,12 @@ class CutBar {
 
   show() {
     const {cut} = this;
-    const range = cut.high - cut.low || 1;
-    this.slider.value = cut.on ? 1000 * (cut.at - cut.low) / range : 1000;
+    this.slider.value = cut.on ? 1000 * cut.partOf(cut.at) : 1000;
     document.getElementById('place').textContent = cut.text(this.viewer.page);
     for (const button of document.querySelectorAll('[data-cut]')) {
       button.setAttribute('aria-checked', String(button.dataset.cut === cut.mode));
     }
-    const uncut = document.getElementById('uncut');
-    uncut.setAttribute('aria-pressed', String(cut.on));
+    document.getElementById('uncut').setAttribute('aria-pressed', String(cut.on));
     document.getElementById('flip').setAttribute('aria-pressed', String(cut.flipped));
     if (cut.mode !== 'angles') {
       const n = cut.flipped ? times(-1, cut.normal) : cut.normal;
@@ -79,12 +80,11 @@ class CutBar {
     const key = `${cut.mode} ${cut.normal} ${cut.along.number}`;
     if (key === this.ticked) return;
     this.ticked = key;
-    const range = cut.high - cut.low || 1;
     const all = cut.sectionsAt();
     const shown = all.filter((_, k) => k % Math.ceil(all.length / 100) === 0);
     document.getElementById('ticks').replaceChildren(...shown.map((at) => {
       const line = document.createElementNS('http://www.w3.org/2000/svg', 'line');
-      const x = 1000 * (at - cut.low) / range;
+      const x = 1000 * cut.partOf(at);
       for (const [name, value] of [['x1', x], ['x2', x], ['y1', 0], ['y2', 10]]) line.setAttribute(name, value);
       return line;
     }));

@@ -7,6 +7,7 @@ function keyTable(viewer) {
   const move = (dx, dy) => () => camera.move(dx, dy);
   const zoom = (factor) => () => camera.zoom(factor);
   const side = (k) => () => panel.lookFrom(k);
+  const step = (way) => () => cutBar.step(way);
   const point = (mode) => () => cutBar.point(mode);
   return [
     ['← → ↑ ↓', 'turn',
@@ -19,14 +20,12 @@ function keyTable(viewer) {
     ['1 … 6', panel.sides.map(([name]) => name).join(', '),
      Object.fromEntries([0, 1, 2, 3, 4, 5].map((k) => [String(k + 1), side(k)]))],
     ['Space', 'spin', {' ': () => viewer.spin()}],
-    ['c', 'cut, or whole', {c: () => cutBar.do(() => cutBar.cut.toggle())}],
-    ['[ ]', 'cut one section down, up', {
-      '[': () => cutBar.do(() => cutBar.cut.step(-1)), ']': () => cutBar.do(() => cutBar.cut.step(1)),
-      PageDown: () => cutBar.do(() => cutBar.cut.step(-1)), PageUp: () => cutBar.do(() => cutBar.cut.step(1))}],
+    ['c', 'cut, or whole', {c: () => cutBar.toggle()}],
+    ['[ ]', 'cut one section down, up', {'[': step(-1), ']': step(1), PageDown: step(-1), PageUp: step(1)}],
     ['x y z n', 'cut across x, y, z, along the sections',
      {x: point('x'), y: point('y'), z: point('z'), n: point('sections')}],
     ['v', 'cut facing you', {v: point('facing')}],
-    ['r', 'the other side of the cut', {r: () => cutBar.do(() => cutBar.flip())}],
+    ['r', 'the other side of the cut', {r: () => cutBar.flip()}],
     ['m', 'measure a distance', {m: () => viewer.setMeasuring(!viewer.measuring)}],
     ['s', 'save the picture', {s: () => viewer.picture.save()}],
     ['d', 'dark or light', {d: () => viewer.theme.toggle(() => viewer.refresh())}],

@@ -15,7 +15,7 @@ function axisLetters(orientation) {
   return ['x', 'y', 'z'].map((letter) => [letter, '']);
 }
 
-// 1, 2 or 5 times a power of ten, at most `most`.
+// 1, 2 or 5 times a power of ten, at most `most`, whose rounding must not shorten the bar.
 function roundLength(most) {
   const power = 10 ** Math.floor(Math.log10(most));
   return [5, 2, 1].map((k) => k * power).find((length) => length <= most * (1 + 1e-9)) || power;

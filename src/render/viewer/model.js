@@ -35,36 +35,17 @@ class Layer {
   }
 
   async unpackFirst() {
-    const of_colour = {kind: ['kind'], dihedral: ['dihedral'], evidence: ['evidence']}[this.colour] || [];
-    await this.unpack([...FIRST, ...of_colour, ...(this.page.explode > 0 ? ['walls'] : [])]);
+    const coloured = ['kind', 'dihedral', 'evidence'].filter((name) => name === this.colour);
+    await this.unpack([...FIRST, ...coloured, ...(this.page.explode > 0 ? ['walls'] : [])]);
     this.tetCount = this.arrays.tets.length / 4;
     this.slabCount = this.slabFirst.length - 1;
     this.middle = (this.slabCount - 1) / 2;
     this.slab = new Uint32Array(this.tetCount);
     for (let s = 0; s < this.slabCount; ++s) this.slab.fill(s, this.slabFirst[s], this.slabFirst[s + 1]);
-    this.findExtent();
+    this.findOutermost();
   }
 
   async unpackRest() { await this.unpack(Object.keys(ARRAYS)); }
-
-  // The box of each slab, in own coordinates: low and high x, y, z.
-  findExtent() {
-    const {points, tets} = this.arrays;
-    this.slabBoxes = [];
-    for (let s = 0; s < this.slabCount; ++s) {
-      const box = [Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity];
-      for (let i = 4 * this.slabFirst[s]; i < 4 * this.slabFirst[s + 1]; ++i) {
-        const v = 3 * tets[i];
-        for (let k = 0; k < 3; ++k) {
-          const x = points[v + k];
-          if (x < box[k]) box[k] = x;
-          if (x > box[3 + k]) box[3 + k] = x;
-        }
-      }
-      this.slabBoxes.push(box);
-    }
-    this.findOutermost();
-  }
 
   // For each slab its points that lie farthest in 26 directions, with the slab as fourth: what a camera must see.
   findOutermost() {
@@ -72,7 +53,7 @@ class Layer {
     const ways = [];
     for (let k = 0; k < 27; ++k) if (k !== 13) ways.push([k % 3 - 1, Math.floor(k / 3) % 3 - 1, Math.floor(k / 9) - 1]);
     this.outermost = [];
-    // Few slabs are looked at tet by tet, of many every so many-th tet: the fit leaves room.
+    // Of very many tets only some are looked at: the fit leaves room.
     const step = Math.max(1, Math.floor(this.tetCount / 40000));
     for (let s = 0; s < this.slabCount; ++s) {
       const most = ways.map(() => -Infinity);

@@ -18,6 +18,24 @@ function sidesOf(letters) {
   });
 }
 
+function legendRow(colour, text, count = '') {
+  const item = make('div', {className: 'row'});
+  item.append(makeSwatch(colour), text, make('span', {textContent: count}));
+  return item;
+}
+
+// A bar of colours, of very many some, and what its ends stand for.
+function legendRamp(colours, from, to) {
+  const bar = make('div', {className: 'ramp'});
+  const most = Math.min(24, colours.length);
+  const step = (colours.length - 1) / Math.max(1, most - 1);
+  const stops = Array.from({length: most}, (_, i) => cssColour(colours[Math.round(i * step)]));
+  bar.style.background = stops.length < 2 ? stops[0] : `linear-gradient(to right, ${stops.join()})`;
+  const ends = make('div', {className: 'ends'});
+  ends.append(...[from, to].map((text) => make('span', {textContent: text})));
+  return [bar, ends];
+}
+
 class Panel {
   constructor(viewer) {
     this.viewer = viewer;
@@ -61,38 +79,21 @@ class Panel {
   }
 
   fillLegend(layer, page) {
-    const css = (c) => `rgb(${c.join()})`;
-    const row = (colour, text, count = '') => {
-      const item = make('div', {className: 'row'});
-      const swatch = make('i');
-      swatch.style.setProperty('--colour', css(colour));
-      item.append(swatch, text, make('span', {textContent: count}));
-      return item;
-    };
-    const ramp = (colours, from, to) => {
-      const bar = make('div', {className: 'ramp'});
-      const most = Math.min(24, colours.length);
-      const step = (colours.length - 1) / Math.max(1, most - 1);
-      const stops = Array.from({length: most}, (_, i) => css(colours[Math.round(i * step)]));
-      bar.style.background = stops.length < 2 ? stops[0] : `linear-gradient(to right, ${stops.join()})`;
-      const ends = make('div', {className: 'ends'});
-      ends.append(...[from, to].map((text) => make('span', {textContent: text})));
-      return [bar, ends];
-    };
     const {kind, evidence} = layer.arrays;
     const rows = {
-      slab: () => ramp(layer.slabColours, 'first slab', 'last'),
-      dihedral: () => ramp(page.dihedralColours, '0°, flat', '70.5°, regular'),
-      kind: () => [...new Set(kind)].sort((a, b) => a - b).map((k) => row(page.kindColours[k], page.kindNames[k])),
+      slab: () => legendRamp(layer.slabColours, 'first slab', 'last'),
+      dihedral: () => legendRamp(page.dihedralColours, '0°, flat', '70.5°, regular'),
+      kind: () => [...new Set(kind)].sort((a, b) => a - b)
+        .map((k) => legendRow(page.kindColours[k], page.kindNames[k])),
       evidence: () => {
         const none = page.evidenceNames.length;
         const links = page.evidenceNames.flatMap((name, k) =>
-          layer.links[k] > 0 ? [row(page.evidenceColours[k], name, layer.links[k].toLocaleString('en'))] : []);
-        if (evidence.includes(none)) links.push(row(page.evidenceColours[none], 'no link'));
+          layer.links[k] > 0 ? [legendRow(page.evidenceColours[k], name, layer.links[k].toLocaleString('en'))] : []);
+        if (evidence.includes(none)) links.push(legendRow(page.evidenceColours[none], 'no link'));
         const note = 'Links, by what they rest on. A part of a slab has the colour of its least sure one.';
         return [...links, make('p', {textContent: note})];
       },
-      model: () => this.viewer.layers.map((each) => row(each.ownColour(), each.name)),
+      model: () => this.viewer.layers.map((each) => legendRow(each.ownColour(), each.name)),
     }[layer.colour];
     this.legend.replaceChildren(...(rows ? rows() : []));
   }
@@ -145,6 +146,6 @@ class Panel {
     document.querySelector('main').classList.toggle('folded', folded);
     this.foldButton.textContent = folded ? 'Controls' : 'Hide';
     this.foldButton.setAttribute('aria-expanded', String(!folded));
-    this.viewer.placeCard(folded || SMALL.matches);
+    this.viewer.card.place(folded || SMALL.matches);
   }
 }

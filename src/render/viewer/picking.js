@@ -55,7 +55,7 @@ class Ray {
     if (this.within(own)) this.nearest = {t, tet, slab, own, layer: this.layer};
   }
 
-  within(own) { return !this.plane || dot(this.plane.normal, own) <= this.plane.height + 1e-6; }
+  within(own) { return !this.plane || dot(this.plane.normal, own) <= this.plane.height + SAME_HEIGHT; }
 
   tryHalfFaces(halfFaces) {
     const {points, tets, component} = this.layer.arrays;

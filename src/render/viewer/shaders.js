@@ -42,8 +42,8 @@ void main() {
   vec3 facet = normalize(cross(dFdx(eye), dFdy(eye)));
   vec3 width = fwidth(corner);
   // Faces that lie in the cut are kept where they close what is below, and only there, whatever
-  // the interpolation of heights: rounded apart, it would speckle them. The page's unit is half the
-  // diagonal of the solid.
+  // the interpolation of heights: in single precision, and rounded apart, it would speckle them.
+  // The page's unit is half the diagonal of the solid.
   float outward = gl_FrontFacing ? dot(facet, up) : -dot(facet, up);
   if (height > cut + (outward > 0.0 ? 2e-5 : -2e-5) || base.a < 0.5) discard;
   vec3 n = smoothed && gl_FrontFacing ? normalize(eyeNormal) : facet;
@@ -93,7 +93,8 @@ uniform float cut;
 uniform vec4 ink, ghost;
 out vec4 result;
 void main() {
-  vec4 drawn = height > cut + 1e-6 ? ghost : ink;
+  // A contour in the cut is below it, however the heights are rounded (cutting.js).
+  vec4 drawn = height > cut + ${SAME_HEIGHT} ? ghost : ink;
   if (drawn.a == 0.0) discard;
   result = vec4(drawn.rgb * drawn.a, drawn.a);
 }`;

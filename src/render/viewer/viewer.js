@@ -12,7 +12,7 @@ class Viewer {
     this.overlay = document.getElementById('marks');
     this.camera = new Camera(page.azimuth, page.elevation);
     this.cut = new Cut(layers);
-    this.startCut();
+    this.cut.start(page, this.camera.axes().toward);
     this.state = {
       cut: this.cut, explode: page.explode, edges: page.edges, contours: page.drawContours, smooth: true,
       picked: null, sameContours: page.contoursGiven,
@@ -37,30 +37,12 @@ class Viewer {
     this.drawNow();
   }
 
-  // What the page is asked to show first. Of x and y the part away from the eye stays.
-  startCut() {
-    const {page, cut, camera} = this;
-    if (page.cut === null) return;
-    const axis = page.cutAxis;
-    const {place} = cut.along;
-    if (axis !== 2) {
-      cut.mode = 'xy'[axis];
-      cut.normal = unitOf(cut.along.inverse[axis]);
-      cut.findRange();
-    }
-    const at = dot(cut.normal, column(place, 3)) + page.cut * dot(cut.normal, column(place, axis));
-    cut.set(at);
-    if (axis !== 2 && dot(cut.normal, camera.axes().toward) < 0) {
-      cut.flip();
-      cut.set(-at);
-    }
-  }
-
   // Everything that can be used, once all arrays are there.
   connect() {
     document.getElementById('title').textContent = this.page.title;
     this.components = new ComponentList(this);
     this.layerList = new LayerList(this);
+    this.card = new Card(this);
     this.panel = new Panel(this);
     this.cutBar = new CutBar(this);
     this.picture = new Picture(this);
@@ -68,7 +50,6 @@ class Viewer {
     this.keys = new Keys(this);
     this.components.fill();
     document.getElementById('measure').addEventListener('click', () => this.setMeasuring(!this.measuring));
-    document.getElementById('forget').addEventListener('click', () => this.forget());
     document.getElementById('ask').addEventListener('click', () => this.help());
     // Phones take the graphics processor away from pages in the background, and give it back.
     this.canvas.addEventListener('webglcontextlost', (event) => event.preventDefault());
@@ -212,8 +193,9 @@ class Viewer {
     } else {
       this.state.picked = picked;
       this.drawing.mark(picked);
+      if (picked && picked.layer === this.current) this.components.point(picked.layer.arrays.component[picked.tet]);
     }
-    this.showCard();
+    this.card.show();
     this.refresh();
   }
 
@@ -225,39 +207,13 @@ class Viewer {
     document.getElementById('stage').classList.toggle('measuring', on);
     // Where the controls take the room of the picture, they make way.
     if (on && SMALL.matches) this.panel.fold(true);
-    this.showCard();
+    this.card.show();
     this.refresh();
   }
 
   forget() {
     this.setMeasuring(false);
     this.components.point(-1);
-  }
-
-  // The card tells what was picked, or measured.
-  showCard() {
-    const {picked} = this.state;
-    const rows = document.getElementById('facts');
-    let facts = picked ? describe(this.page, picked, this.layers.length > 1) : [];
-    if (this.measuring) {
-      const place = (end) => this.page.pointText(mapped(end.layer.file, end.own));
-      facts = this.ends.map((end, k) => [k === 0 ? 'From' : 'To', place(end)]);
-      if (this.ends.length === 2) facts.unshift(['Distance', this.page.lengthText(distanceOf(this.ends))]);
-      else facts.push(['Distance', this.ends.length === 0 ? 'pick the first point' : 'pick the second point']);
-    }
-    rows.replaceChildren(...facts.map(([what, value]) => {
-      const pair = make('div');
-      pair.append(make('dt', {textContent: what}),
-                  make('dd', {textContent: value}));
-      return pair;
-    }));
-    document.getElementById('card').hidden = facts.length === 0;
-    if (picked && picked.layer === this.current) this.components.point(picked.layer.arrays.component[picked.tet]);
-  }
-
-  // Beside the picture where there is room.
-  placeCard(overPicture) {
-    document.getElementById(overPicture ? 'stage' : 'panel').append(document.getElementById('card'));
   }
 
   help() { document.getElementById('help').showModal(); }

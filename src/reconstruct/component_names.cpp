@@ -1,4 +1,4 @@
-#include "reconstruct/label_names.hpp"
+#include "reconstruct/component_names.hpp"
 
 #include <algorithm>
 #include <cstdint>
