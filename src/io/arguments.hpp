@@ -11,7 +11,7 @@ namespace tetloft::internal::io {
 
 [[nodiscard]] inline Result<void> check_encoding(Encoding encoding) {
   if (is_enumerator(encoding, Encoding::compressed)) return {};
-  return Error{ErrorCode::usage, "there is no such encoding: binary or ascii", {}};
+  return Error{ErrorCode::usage, "there is no such encoding: binary, ascii or compressed", {}};
 }
 
 [[nodiscard]] inline Result<void> check_validity(Validity validity) {

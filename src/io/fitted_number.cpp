@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <string_view>
 
 #include "io/numbers.hpp"
@@ -79,8 +80,12 @@ std::string FittedCoordinates::text_of(double coordinate) {
 
 std::vector<Warning> FittedCoordinates::warnings() const {
   if (rounded_ == 0) return {};
+  // In the few digits of float32, where it has such a number.
+  const bool is_beyond =
+      largest_ > std::numeric_limits<float>::max() || largest_ < std::numeric_limits<float>::min();
   std::string difference;
-  append_number(difference, static_cast<float>(largest_));
+  is_beyond ? append_number(difference, largest_)
+            : append_number(difference, static_cast<float>(largest_));
   return {{std::to_string(rounded_) + " of " + std::to_string(count_) +
                " coordinates have more digits than fit into the " + std::to_string(width_) +
                " characters of a field: they are rounded, by " + difference + " at most",

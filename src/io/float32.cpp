@@ -139,9 +139,10 @@ std::vector<Warning> Float32Loss::warnings() const {
   }
   const double change = std::fabs(written_volume_ / volume_ - 1);
   if (all.empty() && std::isfinite(change) && change > 0.001) {
-    const auto percent = std::max(1L, std::lround(1000 * change));
+    // Of slivers, which may grow without bound, no more digits than an integer holds.
+    const long long permille = std::llround(std::min(1000 * change, 1e15));
     all.push_back({"rounding to the float32 of " + format_ + " changes the volume by " +
-                       std::to_string(percent / 10) + '.' + std::to_string(percent % 10) +
+                       std::to_string(permille / 10) + '.' + std::to_string(permille % 10) +
                        " %; .obj, .ply and .vtp keep double precision",
                    {}});
   }

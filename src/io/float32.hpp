@@ -35,7 +35,8 @@ class Float32Loss {
            const std::vector<FloatPoint>& written);
 
   /// One of vertices and one of triangles, each naming the first place; without any, one of
-  /// the volume, if more than a thousandth of it changes.
+  /// the volume, if more than a thousandth of it changes: less is what float32 takes from any
+  /// surface that its digits suffice for.
   [[nodiscard]] std::vector<Warning> warnings() const;
 
  private:

@@ -25,19 +25,23 @@ using io::Written;
 /// Writes one value by the format that was chosen.
 using Body = std::function<Written(const Format&, Sink&, const Target&)>;
 
-// The format is chosen, the encoding checked, and what the writer tells gets the file's name.
+// What a writer tells gets the file's name.
+Written told_of(const std::string& file, Written written) {
+  if (!written) return io::at_file(file, written.error());
+  for (Warning& warning : *written) {
+    if (warning.where.file.empty()) warning.where.file = file;
+  }
+  return written;
+}
+
+// The format is chosen, and the encoding checked.
 Written write_to(Sink& sink, Contents contents, const Target& target, const Body& body) {
   const Result<const Format*> format =
       io::choose_writer(io::format_table(), contents, target.name, target.options.format);
   if (!format) return format.error();
   Result<void> known = io::check_encoding(target.options.encoding);
   if (!known) return known.error();
-  Written written = body(**format, sink, target);
-  if (!written) return io::at_file(target.name, written.error());
-  for (Warning& warning : *written) {
-    if (warning.where.file.empty()) warning.where.file = target.name;
-  }
-  return written;
+  return told_of(target.name, body(**format, sink, target));
 }
 
 Result<io::Staged> stage_as(Contents contents, const std::string& path, const WriteOptions& options,
@@ -101,11 +105,9 @@ Result<void> stage_companions(io::Staged& staged, const Model& model, const std:
   if (!format) return format.error();
   const std::vector<std::string> paths = io::companion_paths(**format, path);
   for (std::size_t k = 0; k < paths.size(); ++k) {
-    Result<io::Staged> beside = io::stage(paths[k], watcher, [&](Sink& sink) -> Written {
-      Written written =
-          write_placed(sink, model, {paths[k], options}, (*format)->companions[k].write);
-      if (!written) return io::at_file(paths[k], written.error());
-      return written;
+    Result<io::Staged> beside = io::stage(paths[k], watcher, [&](Sink& sink) {
+      return told_of(
+          paths[k], write_placed(sink, model, {paths[k], options}, (*format)->companions[k].write));
     });
     if (!beside) return beside.error();
     staged.files.push_back(std::move(beside->files.front()));

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "core/little_endian.hpp"
+#include "io/description_texts.hpp"
 #include "io/float32.hpp"
 #include "io/format.hpp"
 #include "io/json_write.hpp"
@@ -227,9 +228,10 @@ class GlbDocument {
     if (about_ == Description()) return;
     json_.key("extras");
     json_.begin_object();
-    if (!about_.name.empty()) json_.member("name", about_.name);
-    if (!about_.unit.empty()) json_.member("unit", about_.unit);
-    if (!about_.orientation.empty()) json_.member("orientation", about_.orientation);
+    for (const auto& [name, text] : kDescriptionTexts) {
+      const std::string& value = about_.*text;
+      if (!value.empty()) json_.member(name, value);
+    }
     json_.end_object();
   }
 

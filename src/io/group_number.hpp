@@ -12,13 +12,12 @@
 
 namespace tetloft::internal::io {
 
-/// As ComponentGroup::tag(); `of_none` of a tet that is of no component. Requires a well formed
+/// component_tag(); `of_none` of a tet that is of no component. Requires a well formed
 /// model.
 [[nodiscard]] inline std::int64_t group_number(const Model& model, TetId tet,
                                                std::int64_t of_none = 0) {
-  if (model.component.empty()) return 1;
-  const ComponentId component = model.component[tet];
-  return component.valid() ? std::int64_t{component.value()} + 1 : of_none;
+  const ComponentId component = component_at(model, tet);
+  return component.valid() ? component_tag(component) : of_none;
 }
 
 /// The place in component_groups(model) of the group of each tet.

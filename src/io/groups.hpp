@@ -16,6 +16,10 @@ namespace tetloft::internal::io {
 
 /// Of a model that tells no components all tets are of the first.
 [[nodiscard]] ComponentId component_at(const Model& model, TetId tet);
+/// The number of a component in files, from 1 on, as in its name; 0 of tets that are of none.
+[[nodiscard]] inline std::int64_t component_tag(ComponentId component) {
+  return component.valid() ? std::int64_t{component.value()} + 1 : 0;
+}
 /// component_name(); of tets without component "no component".
 [[nodiscard]] std::string group_name(const Model& model, ComponentId component);
 
@@ -26,10 +30,7 @@ struct ComponentGroup {
   /// Faces of its tets that no other tet has, outward. A face between two components is of neither.
   std::vector<TriangleVertices> triangles;
 
-  /// Its number in files, from 1 on, as in the name; 0 for the tets that are of none.
-  [[nodiscard]] std::int64_t tag() const {
-    return component.valid() ? std::int64_t{component.value()} + 1 : 0;
-  }
+  [[nodiscard]] std::int64_t tag() const { return component_tag(component); }
 };
 
 /// Those that have tets, by number, the tets of none last; tets and triangles in the order of the
@@ -60,8 +61,8 @@ class GroupedSolid {
   [[nodiscard]] Model take(IdVector<VertexId, Point3> points,
                            const std::map<std::int64_t, std::string>& names, WarningList& warnings);
 
-  /// The group of tets that are in none.
-  static constexpr std::int64_t kNoGroup = -1;
+  /// The group of tets that are in none, in the files that are read as well.
+  static constexpr std::int64_t kNoGroup = 0;
 
  private:
   IdVector<TetId, TetVertices> tets_;

@@ -111,7 +111,7 @@ class MeditReader {
                     std::to_string(here));
   }
 
-  // The reference of a vertex or tetrahedron, which some write with a fraction.
+  // The reference of a vertex or tetrahedron.
   Result<std::int64_t> take_reference() {
     const std::string_view word = next();
     if (const auto reference = parse_integer(word)) return *reference;
@@ -156,7 +156,7 @@ class MeditReader {
       }
       const Result<std::int64_t> reference = take_reference();
       if (!reference) return reference.error();
-      solid_.add_tet(tet, *reference == 0 ? GroupedSolid::kNoGroup : *reference);
+      solid_.add_tet(tet, *reference);
     }
     return {};
   }

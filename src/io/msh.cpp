@@ -31,9 +31,9 @@ struct MshBox {
   }
 };
 
-class Msh4Writer {
+class Msh4Sections {
  public:
-  Msh4Writer(MshWriter& out, const Model& model, const std::vector<MshGroup>& groups)
+  Msh4Sections(MshWriter& out, const Model& model, const std::vector<MshGroup>& groups)
       : out_(out), model_(model), groups_(groups) {}
 
   void append() {
@@ -102,8 +102,8 @@ class Msh4Writer {
     }
     std::vector<std::vector<VertexId>> nodes(2 * groups_.size());
     for (const VertexId v : model_.points.ids()) {
-      nodes[entity[v] == kNone ? 1 : entity[v]].push_back(
-          v);  // those of no tet to the first volume
+      // Those of no tet to the first volume.
+      nodes[entity[v] == kNone ? 1 : entity[v]].push_back(v);
     }
     return nodes;
   }
@@ -150,13 +150,11 @@ class Msh4Writer {
   // Tets have the numbers of the model, by which their order can be had back; triangles follow.
   void append_elements() {
     std::size_t blocks = 0;
-    std::size_t triangles = 0;
     for (const MshGroup& g : groups_) {
       blocks += (has_surface(g) ? 1U : 0U) + (g.group.tets.empty() ? 0U : 1U);
-      triangles += g.group.triangles.size();
     }
     out_.line("$Elements");
-    begin_blocks(blocks, triangles + model_.tets.size());
+    begin_blocks(blocks, count_elements(model_, groups_));
     std::size_t next = model_.tets.size() + 1;
     for (const MshGroup& g : groups_) {
       if (!has_surface(g)) continue;
@@ -185,11 +183,7 @@ class Msh4Writer {
 Written write_msh4(Sink& sink, const Model& model, const Target& target) {
   const Result<std::vector<MshGroup>> groups = msh_groups(model);
   if (!groups) return groups.error();
-  MshWriter out(sink, target.options.encoding);
-  std::vector<Warning> warnings = append_msh_head(out, "4.1", model, *groups);
-  Msh4Writer(out, model, *groups).append();
-  out.finish();
-  return warnings;
+  return append_msh<Msh4Sections>(sink, target.options.encoding, "4.1", model, *groups);
 }
 
 }  // namespace

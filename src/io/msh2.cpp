@@ -15,9 +15,9 @@ namespace tetloft::internal::io {
 
 namespace {
 
-class Msh2Writer {
+class Msh2Sections {
  public:
-  Msh2Writer(MshWriter& out, const Model& model, const std::vector<MshGroup>& groups)
+  Msh2Sections(MshWriter& out, const Model& model, const std::vector<MshGroup>& groups)
       : out_(out), model_(model), groups_(groups) {}
 
   void append() {
@@ -34,10 +34,8 @@ class Msh2Writer {
 
  private:
   void append_elements() {
-    std::size_t count = model_.tets.size();
-    for (const MshGroup& g : groups_) count += g.group.triangles.size();
     out_.line("$Elements");
-    out_.line(std::to_string(count));
+    out_.line(std::to_string(count_elements(model_, groups_)));
     std::size_t next = model_.tets.size() + 1;
     for (const MshGroup& g : groups_) {
       begin_elements(kMshTriangle, g.group.triangles.size());
@@ -85,17 +83,11 @@ class Msh2Writer {
 Written write_msh2(Sink& sink, const Model& model, const Target& target) {
   const Result<std::vector<MshGroup>> groups = msh_groups(model);
   if (!groups) return groups.error();
-  std::size_t elements = model.tets.size();
-  for (const MshGroup& g : *groups) elements += g.group.triangles.size();
   constexpr auto kMost = static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max());
-  if (model.points.size() > kMost || elements > kMost) {
+  if (model.points.size() > kMost || count_elements(model, *groups) > kMost) {
     return Error{ErrorCode::invalid_input, "Gmsh 2.2 holds less points and tets: msh", {}};
   }
-  MshWriter out(sink, target.options.encoding);
-  std::vector<Warning> warnings = append_msh_head(out, "2.2", model, *groups);
-  Msh2Writer(out, model, *groups).append();
-  out.finish();
-  return warnings;
+  return append_msh<Msh2Sections>(sink, target.options.encoding, "2.2", model, *groups);
 }
 
 }  // namespace

@@ -16,15 +16,7 @@ std::string physical_name(const std::string& name) {
   constexpr std::size_t kLongestName = 127;
   std::string shown = printable(name);
   std::replace(shown.begin(), shown.end(), '"', '\'');
-  if (shown.size() <= kLongestName) return shown;
-  std::size_t end = 0;
-  for (;;) {
-    const std::size_t next = end + first_unit(std::string_view(shown).substr(end)).length;
-    if (next > kLongestName) break;
-    end = next;
-  }
-  shown.resize(end);
-  return shown;
+  return std::string(beginning(shown, kLongestName));
 }
 
 void append_names(MshWriter& out, const std::vector<MshGroup>& groups,
@@ -74,6 +66,12 @@ Result<std::vector<MshGroup>> msh_groups(const Model& model) {
   return Error{ErrorCode::invalid_input,
                "component " + std::to_string(last) + " has a number above those of Gmsh",
                {}};
+}
+
+std::size_t count_elements(const Model& model, const std::vector<MshGroup>& groups) {
+  std::size_t count = model.tets.size();
+  for (const MshGroup& g : groups) count += g.group.triangles.size();
+  return count;
 }
 
 std::vector<Warning> append_msh_head(MshWriter& out, std::string_view version, const Model& model,

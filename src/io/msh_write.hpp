@@ -72,11 +72,27 @@ struct MshGroup {
 /// do not fit the 32 bits that Gmsh has for them.
 [[nodiscard]] Result<std::vector<MshGroup>> msh_groups(const Model& model);
 
-/// The format's section, the names of physical groups, and what else is known about the whole as
-/// comments. Warnings tell which names had to be written otherwise.
+/// What stands before nodes and elements, for append_msh().
 [[nodiscard]] std::vector<Warning> append_msh_head(MshWriter& out, std::string_view version,
                                                    const Model& model,
                                                    const std::vector<MshGroup>& groups);
+
+/// Tets, and triangles of boundaries.
+[[nodiscard]] std::size_t count_elements(const Model& model, const std::vector<MshGroup>& groups);
+
+/// A file: the format's section, the names of physical groups, what else is known about the whole
+/// as comments, and the sections that are `Sections(out, model, groups).append()`. Warnings tell
+/// which names had to be written otherwise.
+template <class Sections>
+[[nodiscard]] std::vector<Warning> append_msh(Sink& sink, Encoding encoding,
+                                              std::string_view version, const Model& model,
+                                              const std::vector<MshGroup>& groups) {
+  MshWriter out(sink, encoding);
+  std::vector<Warning> warnings = append_msh_head(out, version, model, groups);
+  Sections(out, model, groups).append();
+  out.finish();
+  return warnings;
+}
 
 /// The elements that are written, in Gmsh's numbers.
 inline constexpr std::int64_t kMshTriangle = 2;

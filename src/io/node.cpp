@@ -86,7 +86,11 @@ Result<NodePoints> read_node_points(const Source& source) {
                       std::to_string(count) + " points are announced, here are " +
                           std::to_string(read.points.size()));
   }
-  read.has_attributes = attributes > 0 || markers > 0;
+  if (attributes > 0 || markers > 0) {
+    Warning warning{"left out: attributes and markers of points", {}};
+    warning.where.file = source.name;
+    read.warnings.push_back(std::move(warning));
+  }
   return read;
 }
 
@@ -95,13 +99,7 @@ namespace {
 Result<ReadPoints> read_node(const Source& source, const ReadOptions& /*options*/) {
   Result<NodePoints> nodes = read_node_points(source);
   if (!nodes) return nodes.error();
-  ReadPoints read{std::move(nodes->points), {}};
-  if (nodes->has_attributes) {
-    Warning warning{"left out: attributes and markers of points", {}};
-    warning.where.file = source.name;
-    read.warnings.push_back(std::move(warning));
-  }
-  return read;
+  return ReadPoints{std::move(nodes->points), std::move(nodes->warnings)};
 }
 
 }  // namespace

@@ -12,9 +12,9 @@
 namespace tetloft::internal::io {
 
 struct NodePoints {
-  std::vector<Point3> points;   ///< finite
-  std::int64_t first = 0;       ///< the number of the first: 0 or 1
-  bool has_attributes = false;  ///< or markers, of points, which are left out
+  std::vector<Point3> points;  ///< finite
+  std::int64_t first = 0;      ///< the number of the first: 0 or 1
+  std::vector<Warning> warnings;
 };
 
 [[nodiscard]] Result<NodePoints> read_node_points(const Source& source);

@@ -7,6 +7,7 @@
 
 #include "core/text.hpp"
 #include "io/cursor.hpp"
+#include "io/description_texts.hpp"
 #include "io/format.hpp"
 #include "io/numbers.hpp"
 #include "io/obj_read.hpp"

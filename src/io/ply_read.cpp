@@ -23,31 +23,27 @@ namespace tetloft::internal::io {
 
 namespace {
 
-struct PlyTypeName {
-  std::string_view name;
-  ScalarType type;
-};
-constexpr std::array<PlyTypeName, 16> kPlyTypes{{{"char", ScalarType::int8},
-                                                 {"int8", ScalarType::int8},
-                                                 {"uchar", ScalarType::uint8},
-                                                 {"uint8", ScalarType::uint8},
-                                                 {"short", ScalarType::int16},
-                                                 {"int16", ScalarType::int16},
-                                                 {"ushort", ScalarType::uint16},
-                                                 {"uint16", ScalarType::uint16},
-                                                 {"int", ScalarType::int32},
-                                                 {"int32", ScalarType::int32},
-                                                 {"uint", ScalarType::uint32},
-                                                 {"uint32", ScalarType::uint32},
-                                                 {"float", ScalarType::float32},
-                                                 {"float32", ScalarType::float32},
-                                                 {"double", ScalarType::float64},
-                                                 {"float64", ScalarType::float64}}};
+constexpr std::array<ScalarName, 16> kPlyTypes{{{"char", ScalarType::int8},
+                                                {"int8", ScalarType::int8},
+                                                {"uchar", ScalarType::uint8},
+                                                {"uint8", ScalarType::uint8},
+                                                {"short", ScalarType::int16},
+                                                {"int16", ScalarType::int16},
+                                                {"ushort", ScalarType::uint16},
+                                                {"uint16", ScalarType::uint16},
+                                                {"int", ScalarType::int32},
+                                                {"int32", ScalarType::int32},
+                                                {"uint", ScalarType::uint32},
+                                                {"uint32", ScalarType::uint32},
+                                                {"float", ScalarType::float32},
+                                                {"float32", ScalarType::float32},
+                                                {"double", ScalarType::float64},
+                                                {"float64", ScalarType::float64}}};
 
 struct PlyProperty {
   std::string_view name;
-  PlyTypeName type;
-  std::optional<PlyTypeName> count;  // of lists
+  ScalarType type = ScalarType::float32;
+  std::optional<ScalarType> count;  // of lists
 };
 
 struct PlyElement {
@@ -137,18 +133,12 @@ class PlyReader {
     if (words[0] != "property" || words.size() < 3 || elements_.empty()) {
       return complain("this is no line of a header: " + in_quotes(words[0]));
     }
-    const auto type_of = [](std::string_view word) -> std::optional<PlyTypeName> {
-      for (const PlyTypeName& type : kPlyTypes) {
-        if (type.name == word) return type;
-      }
-      return std::nullopt;
-    };
     PlyProperty property;
     const bool list = words[1] == "list";
     if (words.size() != (list ? 5U : 3U)) return complain("a property has too many words, or few");
-    const auto type = type_of(words[list ? 3 : 1]);
-    if (list) property.count = type_of(words[2]);
-    const bool countable = !list || (property.count && !is_float(property.count->type));
+    const auto type = find_scalar(kPlyTypes, words[list ? 3 : 1]);
+    if (list) property.count = find_scalar(kPlyTypes, words[2]);
+    const bool countable = !list || (property.count && !is_float(*property.count));
     if (!type || !countable) return complain("a property has no known type");
     property.type = *type;
     property.name = words.back();
@@ -157,20 +147,20 @@ class PlyReader {
   }
 
   // The next value, at the end nothing.
-  std::optional<double> take(const PlyTypeName& type) {
+  std::optional<double> take(ScalarType type) {
     if (form_ == PlyForm::text) {
       while (at_ < bytes_.size() && is_white(bytes_[at_])) line_ += bytes_[at_++] == '\n' ? 1U : 0U;
       const std::size_t from = at_;
       while (at_ < bytes_.size() && !is_white(bytes_[at_])) ++at_;
       const ParsedNumber number = parse_number(bytes_.substr(from, at_ - from));
       if (!number.ok()) return std::nullopt;
-      return type.type == ScalarType::float32 ? static_cast<float>(number.value) : number.value;
+      return type == ScalarType::float32 ? static_cast<float>(number.value) : number.value;
     }
-    const std::size_t size = size_of(type.type);
+    const std::size_t size = size_of(type);
     if (bytes_.size() - at_ < size) return std::nullopt;
     const char* const from = bytes_.data() + at_;
     at_ += size;
-    return visit_scalar(type.type, [&](auto number) {
+    return visit_scalar(type, [&](auto number) {
       return static_cast<double>(number_in<decltype(number)>(from, form_ == PlyForm::big));
     });
   }

@@ -1,6 +1,7 @@
 // Names of types.
 #include "io/scalar_type.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace tetloft::internal::io {
@@ -11,6 +12,13 @@ std::string_view name_of(ScalarType type) {
                                                           "float32", "float64"};
   const auto index = static_cast<std::size_t>(type);
   return index < kScalarNames.size() ? kScalarNames[index] : "unknown";
+}
+
+std::optional<ScalarType> find_scalar(std::span<const ScalarName> names, std::string_view name) {
+  const auto found = std::find_if(names.begin(), names.end(),
+                                  [&](const ScalarName& known) { return known.name == name; });
+  if (found == names.end()) return std::nullopt;
+  return found->type;
 }
 
 }  // namespace tetloft::internal::io

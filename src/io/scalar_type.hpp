@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -50,5 +52,13 @@ constexpr decltype(auto) visit_scalar(ScalarType type, Visit&& visit) {
 
 /// "int8", …
 [[nodiscard]] std::string_view name_of(ScalarType type);
+
+/// What a format calls a type; it may have several names for one.
+struct ScalarName {
+  std::string_view name;
+  ScalarType type;
+};
+[[nodiscard]] std::optional<ScalarType> find_scalar(std::span<const ScalarName> names,
+                                                    std::string_view name);
 
 }  // namespace tetloft::internal::io

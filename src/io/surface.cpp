@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/text.hpp"
+#include "io/description_texts.hpp"
 #include "io/groups.hpp"
 
 namespace tetloft::internal::io {
@@ -91,27 +92,14 @@ std::vector<std::uint32_t> by_part(const std::vector<SurfacePart>& parts) {
   return triangles;
 }
 
-std::vector<std::string> description_lines(const Description& about) {
-  std::vector<std::string> lines;
-  const auto tell = [&](const char* what, const std::string& text) {
-    if (!text.empty()) lines.push_back(what + printable(text));
-  };
-  tell("name: ", about.name);
-  tell("unit: ", about.unit);
-  tell("orientation: ", about.orientation);
-  return lines;
-}
-
 std::vector<std::string> surface_comments(const Model& model,
                                           const std::vector<SurfacePart>& parts) {
   std::vector<std::string> lines = description_lines(model.about);
   if (is_nameless(model, parts)) return lines;
   for (const SurfacePart& part : parts) {
     const std::size_t faces = part.triangles.size();
-    const std::string number =
-        part.component.valid() ? std::to_string(part.component.index() + 1) : "0";
-    lines.push_back("component " + number + ": " + std::to_string(faces) + " faces, " +
-                    printable(part.name));
+    lines.push_back("component " + std::to_string(component_tag(part.component)) + ": " +
+                    std::to_string(faces) + " faces, " + printable(part.name));
   }
   return lines;
 }

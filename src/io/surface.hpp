@@ -43,8 +43,6 @@ struct SurfacePart {
 /// many triangles each component has; of a nameless one nothing. Each in one line.
 [[nodiscard]] std::vector<std::string> surface_comments(const Model& model,
                                                         const std::vector<SurfacePart>& parts);
-/// The first of these: "name: liver", "unit: mm", "orientation: LPS", as far as they are known.
-[[nodiscard]] std::vector<std::string> description_lines(const Description& about);
 
 /// A part with numbers of its own.
 struct PartMesh {

@@ -66,13 +66,13 @@ class EleReader {
   }
 
   ReadModel take(std::vector<Point3> points) {
-    if (nodes_.has_attributes) warnings_.add("left out: attributes and markers of points");
     if (attributes_ > 1) warnings_.add("left out: attributes of tets but the first");
     ReadModel read;
     read.model =
         solid_.take(IdVector<VertexId, Point3>(std::move(points)), comments_.names(), warnings_);
     read.model.about = comments_.about();
-    read.warnings = warnings_.take();
+    read.warnings = nodes_.warnings;
+    for (Warning& warning : warnings_.take()) read.warnings.push_back(std::move(warning));
     return read;
   }
 
@@ -136,13 +136,14 @@ class EleReader {
     std::int64_t group = GroupedSolid::kNoGroup;
     if (attributes_ > 0) {
       const ParsedNumber region = parse_number(row[5]);
-      // TetGen takes any number for a region, and writes it as such.
+      // TetGen takes any number for a region, and writes it as such. Above 2^53, and this is a
+      // round number below, doubles no longer tell integers apart.
       constexpr double kMost = 9e15;
       if (!region.ok() || region.value != std::floor(region.value) ||
           std::fabs(region.value) > kMost) {
         return complain(in_quotes(row[5]) + " is no number of a region");
       }
-      if (region.value != 0) group = static_cast<std::int64_t>(region.value);
+      group = static_cast<std::int64_t>(region.value);
     }
     solid_.add_tet(tet, group);
     return {};

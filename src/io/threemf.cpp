@@ -9,6 +9,7 @@
 
 #include "core/text.hpp"
 #include "io/bytes/zip.hpp"
+#include "io/description_texts.hpp"
 #include "io/format.hpp"
 #include "io/length_unit.hpp"
 #include "io/numbers.hpp"

@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <string>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 #include "core/little_endian.hpp"
@@ -37,16 +36,8 @@ constexpr const char* legacy_type_name() {
 // The second line: what the solid is, in the 255 bytes that readers have for it.
 std::string title_of(const Model& model) {
   constexpr std::size_t kLongest = 255;
-  std::string title = printable(model.about.name);
-  if (title.size() > kLongest) {
-    std::size_t end = 0;
-    for (std::string_view rest = title; end + first_unit(rest).length <= kLongest;
-         rest = std::string_view(title).substr(end)) {
-      end += first_unit(rest).length;
-    }
-    title.resize(end);
-  }
-  return title.empty() ? "solid" : title;
+  const std::string title = printable(model.about.name);
+  return title.empty() ? "solid" : std::string(beginning(title, kLongest));
 }
 
 class LegacyWriter {
@@ -90,19 +81,15 @@ class LegacyWriter {
 constexpr std::size_t kRow = 16;
 
 void append_texts(LegacyWriter& out, const Model& model) {
-  std::vector<std::pair<std::string_view, std::string>> texts;
-  for_each_text([&](const VtkText& text) {
-    texts.emplace_back(text.array, valid_utf8(model.about.*text.text));
-  });
-  texts.emplace_back(kComponentNames, joined_names(model));
-  std::erase_if(texts, [](const auto& text) { return text.second.empty(); });
+  const std::vector<VtkText> texts = texts_of(model);
   if (texts.empty()) return;
   out.line("FIELD FieldData " + std::to_string(texts.size()));
-  for (const auto& [array, text] : texts) {
-    out.line(std::string(array) + " 1 " + std::to_string(text.size()) + " unsigned_char");
-    const std::string& bytes = text;
-    out.values<std::uint8_t>(
-        text.size(), kRow, [&bytes](std::size_t i) { return static_cast<std::uint8_t>(bytes[i]); });
+  for (const VtkText& text : texts) {
+    const std::string& bytes = text.bytes;
+    out.line(std::string(text.array) + " 1 " + std::to_string(bytes.size()) + " unsigned_char");
+    out.values<std::uint8_t>(bytes.size(), kRow, [&bytes](std::size_t i) {
+      return static_cast<std::uint8_t>(bytes[i]);
+    });
   }
 }
 

@@ -14,12 +14,8 @@ namespace tetloft::internal::io {
 
 namespace {
 
-struct LegacyType {
-  std::string_view name;
-  ScalarType type;
-};
 // vtkIdType is written as int, long by the programs of systems where it has 64 bits.
-constexpr std::array<LegacyType, 16> kLegacyTypes{{{"unsigned_char", ScalarType::uint8},
+constexpr std::array<ScalarName, 16> kLegacyTypes{{{"unsigned_char", ScalarType::uint8},
                                                    {"char", ScalarType::int8},
                                                    {"signed_char", ScalarType::int8},
                                                    {"unsigned_short", ScalarType::uint16},
@@ -49,11 +45,7 @@ LegacyIntegers offset_array(DataCursor& cursor, std::string_view keyword, std::s
 }  // namespace
 
 std::optional<ScalarType> legacy_type(std::string_view name) {
-  const std::string lower = lower_case(name);
-  for (const LegacyType& type : kLegacyTypes) {
-    if (type.name == lower) return type.type;
-  }
-  return std::nullopt;
+  return find_scalar(kLegacyTypes, lower_case(name));
 }
 
 ScalarType take_type(DataCursor& cursor) {

@@ -206,7 +206,9 @@ class LegacyReader {
       return true;
     }
     const bool wanted = components == 1 && !is_float(*type);
-    if (wanted && part_ == Part::whole && *type == ScalarType::uint8 && is_text_array(name)) {
+    const bool is_text =
+        std::find(kTextArrays.begin(), kTextArrays.end(), name) != kTextArrays.end();
+    if (wanted && part_ == Part::whole && *type == ScalarType::uint8 && is_text) {
       take_text(name, tuples);
     } else if (wanted && is_field(name) && !arrays_.contains({part_, name})) {
       arrays_.emplace(std::pair(part_, name), take_integers(cursor_, tuples, *type));

@@ -20,14 +20,7 @@ void set_names(Model& model, std::string_view joined) {
   }
 }
 
-VtkArray text_array(std::string_view name, const std::string& text) {
-  return vtk_array<std::uint8_t>(std::string(name), 1, text.size(), [text](std::size_t i) {
-    return static_cast<std::uint8_t>(text[i]);
-  });
-}
-
-}  // namespace
-
+// Empty where all of them are.
 std::string joined_names(const Model& model) {
   const auto& names = model.component_names;
   std::string joined;
@@ -41,26 +34,31 @@ std::string joined_names(const Model& model) {
   return joined;
 }
 
-void add_texts(const Model& model, VtkGroup& field_data) {
-  for_each_text([&](const VtkText& text) {
-    const std::string& value = model.about.*text.text;
-    if (!value.empty()) field_data.arrays.push_back(text_array(text.array, valid_utf8(value)));
-  });
-  const std::string names = joined_names(model);
-  if (!names.empty()) field_data.arrays.push_back(text_array(kComponentNames, names));
+}  // namespace
+
+std::vector<VtkText> texts_of(const Model& model) {
+  std::vector<VtkText> texts;
+  for (const auto& [name, text] : kDescriptionTexts) {
+    texts.push_back({name, valid_utf8(model.about.*text)});
+  }
+  texts.push_back({kComponentNames, joined_names(model)});
+  std::erase_if(texts, [](const VtkText& text) { return text.bytes.empty(); });
+  return texts;
 }
 
-bool is_text_array(std::string_view array) {
-  bool found = array == kComponentNames;
-  for_each_text([&](const VtkText& text) { found = found || text.array == array; });
-  return found;
+void add_texts(const Model& model, VtkGroup& field_data) {
+  for (const VtkText& text : texts_of(model)) {
+    field_data.arrays.push_back(vtk_array<std::uint8_t>(
+        std::string(text.array), 1, text.bytes.size(),
+        [bytes = text.bytes](std::size_t i) { return static_cast<std::uint8_t>(bytes[i]); }));
+  }
 }
 
 void set_text(Model& model, std::string_view array, std::string_view bytes) {
   if (!is_utf8(bytes)) return;
-  for_each_text([&](const VtkText& text) {
-    if (text.array == array) model.about.*text.text = valid_utf8(bytes);
-  });
+  for (const auto& [name, text] : kDescriptionTexts) {
+    if (name == array) model.about.*text = valid_utf8(bytes);
+  }
   if (array == kComponentNames) set_names(model, bytes);
 }
 

@@ -2,36 +2,37 @@
 // grid. Not arrays of type String, which few readers beside VTK's own take.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <tetloft/model.hpp>
 
+#include "io/description_texts.hpp"
 #include "io/vtk_write.hpp"
 
 namespace tetloft::internal::io {
 
-/// A text of the model: the name of its array, and where it stands.
+/// Its names have a zero byte between two of them.
+inline constexpr std::string_view kComponentNames = "component_names";
+/// The names of all such arrays.
+inline constexpr auto kTextArrays = [] {
+  std::array<std::string_view, kDescriptionTexts.size() + 1> all;
+  for (std::size_t i = 0; i < kDescriptionTexts.size(); ++i) all[i] = kDescriptionTexts[i].name;
+  all.back() = kComponentNames;
+  return all;
+}();
+
 struct VtkText {
   std::string_view array;
-  std::string Description::*text;
+  std::string bytes;  ///< valid UTF-8
 };
-/// visit(text), for each.
-template <class Visit>
-void for_each_text(Visit&& visit) {
-  visit(VtkText{"name", &Description::name});
-  visit(VtkText{"unit", &Description::unit});
-  visit(VtkText{"orientation", &Description::orientation});
-}
-inline constexpr std::string_view kComponentNames = "component_names";
-
-/// The names of the components, a zero byte between two of them; empty where all are.
-[[nodiscard]] std::string joined_names(const Model& model);
-/// Appends an array for each text that there is.
+/// Those that are not empty, the names of components last.
+[[nodiscard]] std::vector<VtkText> texts_of(const Model& model);
+/// Appends an array for each of these.
 void add_texts(const Model& model, VtkGroup& field_data);
-/// Whether an array of this name holds one of these.
-[[nodiscard]] bool is_text_array(std::string_view array);
 /// Sets what an array of this name says. Nothing is done where its bytes are no UTF-8; or of names
 /// where there is not one for each component, or there are more components than tets: a small file
 /// would make a large model.

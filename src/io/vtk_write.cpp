@@ -113,7 +113,7 @@ bool has_ambiguous_offsets(const VtkFile& file) {
   std::uint64_t offset = 0;
   std::uint64_t moved_offset = 0;
   for (const std::uint64_t length : plain_lengths(file)) {
-    if (offset != 0 && moved.count(offset) != 0) return true;
+    if (moved.contains(offset)) return true;
     moved.insert(moved_offset);
     offset += length;
     moved_offset += base64_length(length);

@@ -1,6 +1,6 @@
 // The part that all VTK XML files share: a head of DataArray elements, and their values as
-// text inside them or as bytes in one appended block (raw, UInt64 byte counts), plain or packed by
-// zlib in blocks.
+// text inside them or as bytes in one appended block (UInt64 byte counts): raw, as base64 where raw
+// ones would mislead a reader, or packed by zlib in blocks.
 #pragma once
 
 #include <concepts>

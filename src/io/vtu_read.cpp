@@ -184,11 +184,10 @@ class GridDecoder {
   }
 
   Result<void> read_texts() {
-    Result<void> done;
-    for_each_text([&](const VtkText& text) {
-      if (done) done = read_text(text.array);
-    });
-    return done ? read_text(kComponentNames) : done;
+    for (const std::string_view array : kTextArrays) {
+      if (Result<void> done = read_text(array); !done) return done;
+    }
+    return {};
   }
 
   // Where the points are no longer those that were placed, the model stays as it lies.

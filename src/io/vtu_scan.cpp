@@ -50,10 +50,9 @@ std::optional<KnownArray> known_array(std::string_view group, std::string_view n
     }
   });
   if (group != "FieldData") return found;
-  for_each_text([&](const VtkText& text) {
-    if (name == text.array) found = KnownArray{group, text.array, VtuRole::column};
-  });
-  if (name == kComponentNames) found = KnownArray{group, kComponentNames, VtuRole::column};
+  for (const std::string_view text : kTextArrays) {
+    if (name == text) found = KnownArray{group, text, VtuRole::column};
+  }
   for_each_table([&](const auto& table) {
     for_each_column(table, [&](const auto& column) {
       if (name == column.name) found = KnownArray{group, column.name, VtuRole::column};

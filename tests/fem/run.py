@@ -22,6 +22,7 @@ except ImportError:
     numpy = getfem = None
 
 NOT_THERE = 77
+PRINTED = 1e-6  # of a number that CalculiX prints, in seven digits
 
 
 def tetloft(*arguments):
@@ -78,17 +79,17 @@ def bar(folder):
         x, y, z = mesh.points[int(row[0])]
         due = (-poisson * strain * x, -poisson * strain * y, strain * z)
         for got, wanted in zip(row[1:], due):
-            if not abs(got - wanted) <= 1e-6 * strain * length:
+            if not abs(got - wanted) <= PRINTED * strain * length:
                 raise AssertionError(f"node {row[0]}: {got} where {wanted} is due")
     top = [row[3] for row in moved if mesh.points[int(row[0])][2] == length]
-    expect("displacement of the end", max(top), force * length / (young * width**2), 1e-6)
-    expect("and at least", min(top), force * length / (young * width**2), 1e-6)
+    expect("displacement of the end", max(top), force * length / (young * width**2), PRINTED)
+    expect("and at least", min(top), force * length / (young * width**2), PRINTED)
     stresses = decks.table(answer, "stresses")
     assert len(stresses) == len(mesh.tets)
-    expect("stress", max(row[4] for row in stresses), stress, 1e-6)
-    expect("and at least", min(row[4] for row in stresses), stress, 1e-6)
+    expect("stress", max(row[4] for row in stresses), stress, PRINTED)
+    expect("and at least", min(row[4] for row in stresses), stress, PRINTED)
     total = decks.table(answer, "total force")
-    expect("reaction", -total[0][2], force, 1e-6)
+    expect("reaction", -total[0][2], force, PRINTED)
 
 
 def bunny(folder):
@@ -99,6 +100,7 @@ def bunny(folder):
     checked = json.loads(tetloft("check", folder / "bunny.vtu", sample, "--json"))
     mesh = decks.read_mesh(folder / "bunny.inp")
     volumes = {t: decks.volume(mesh, t) for t in mesh.tets}
+    # Both are sums over the same tets, in doubles.
     expect("volume", sum(volumes.values()), checked["volume"], 1e-12)
     print(f"{len(mesh.tets)} tets")
     return mesh, volumes, checked["volume"]
@@ -122,8 +124,8 @@ def weight(folder):
     load = density * gravity * whole
     total = decks.table(answer, "total force")[0]
     of_foot = sum(v / 4 * len(foot.intersection(mesh.tets[t])) for t, v in volumes.items())
-    expect("reaction", total[2] + density * gravity * of_foot, load, 1e-6)
-    if max(abs(total[0]), abs(total[1])) > 1e-6 * load:
+    expect("reaction", total[2] + density * gravity * of_foot, load, PRINTED)
+    if max(abs(total[0]), abs(total[1])) > PRINTED * load:
         raise AssertionError(f"a force sideways: {total}")
 
     # No less than a column of one section all the way up is shortened; no more than a cantilever
@@ -170,7 +172,7 @@ def pressure(folder):
     size = max(math.hypot(*due(n)) for n in mesh.points)
     off = max(math.dist(row[1:], due(int(row[0]))) for row in moved)
     print(f"displacements up to {size:.6g}, off by {off:.2g}")
-    assert off <= 1e-5 * size
+    assert off <= 10 * PRINTED * size  # of three coordinates, of a system that is solved in doubles
 
 
 def read_medit(path):
@@ -217,6 +219,7 @@ def poisson(folder):
     model.solve()
     off = abs(model.variable("u") - due).max()
     print(f"{len(tets)} tets, {elements.nbdof()} unknowns, u up to {abs(due).max():.6g}, off by {off:.2g}")
+    # Nothing is printed: what is off is what the solver rounds, times the system's condition.
     assert off <= 1e-9 * abs(due).max()
 
 

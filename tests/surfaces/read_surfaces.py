@@ -17,6 +17,9 @@ import tempfile
 import xml.etree.ElementTree as tree
 import zipfile
 
+# Of the tolerances below 1e-9 is that of doubles; 1e-2 of float32, or six digits, 1000 away from the
+# origin; 1e-3 of their sums, in which the least component weighs little.
+
 # By component: the volume and the area of its box, in mm; and what it is called.
 TITLE = "left \"lung\" & <b>'x'</b> \\"
 VOLUMES = [6, 24, 0.125]
@@ -170,7 +173,7 @@ def read_lib3mf(folder):
         check(len(points) == 8 and len(triangles) == 12)
         parts.append((points, triangles))
     check(names == ONE_LINE, names)
-    expect_parts(parts, 1e-2)  # its coordinates are float32, 1000 away from the origin
+    expect_parts(parts, 1e-2)  # its coordinates are float32
 
 
 def read_obj_parts(path):

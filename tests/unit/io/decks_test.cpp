@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <map>
 #include <set>
 #include <string>
@@ -42,6 +43,23 @@ TEST(FittedNumber, IsExactWhereItFitsAndHasAPoint) {
 }
 
 // Against the nearest by another way: the C library's, with as many digits as leave the field full.
+// Also where float32, of few digits, has no such difference.
+TEST(FittedCoordinates, TellTheLargestDifference) {
+  for (const double scale : {1.0, 1e300, 1e-100}) {
+    const double value = scale / 3;
+    io::FittedCoordinates coordinates(16);
+    const double read = std::strtod(coordinates.text_of(value).c_str(), nullptr);
+    const std::vector<Warning> warnings = coordinates.warnings();
+    ASSERT_EQ(warnings.size(), 1U);
+    const std::string& message = warnings[0].message;
+    const std::size_t by = message.find(" by ");
+    ASSERT_NE(by, std::string::npos);
+    const double told = std::strtod(message.c_str() + by + 4, nullptr);
+    const double due = std::fabs(value - read);
+    EXPECT_NEAR(told / due, 1, 1e-6) << message;  // seven digits, as float32 has
+  }
+}
+
 TEST(FittedNumber, IsTheNearestOfTheField) {
   std::vector<double> values = test::hard_doubles();
   values.insert(values.end(), {0x1.fffffffffffffp1023, 9.9999999999999982, 0.0099999999999999985,

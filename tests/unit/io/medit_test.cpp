@@ -10,6 +10,7 @@
 
 #include "core/prng.hpp"
 #include "unit/io/io_support.hpp"
+#include "unit/io/solid_files.hpp"
 #include "unit/io/solid_support.hpp"
 
 namespace tetloft {
@@ -104,6 +105,18 @@ TEST(ReadMedit, TakesBackWhatIsWritten) {
   EXPECT_TRUE(parse_model(medit_of({}), "a")->model.tets.empty());
 }
 
+// Of references only 0 is none.
+TEST(ReadMedit, TakesNegativeReferencesForComponents) {
+  const auto read = parse_model(
+      "MeshVersionFormatted 2\nDimension 3\nVertices 5\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n"
+      "1 1 1 0\nTetrahedra 3\n1 2 3 4 7\n2 5 3 4 -1\n1 2 3 4 0\nEnd\n",
+      "a.mesh");
+  ASSERT_TRUE(read.ok()) << to_string(read.error());
+  EXPECT_EQ(read->model.component_count, 2U);
+  EXPECT_EQ(read->model.component.raw(),
+            (std::vector<ComponentId>{ComponentId(1), ComponentId(0), ComponentId()}));
+}
+
 // Words on one line or many, in any order of sections, with what else there may be.
 TEST(ReadMedit, TakesTheFormsOfOthers) {
   const std::string forms[] = {
@@ -166,13 +179,7 @@ TEST(ReadMedit, NamesWhatIsWrongAndWhere) {
            Case{head + "Vertices x\n", 3, "'x' is no count of vertices"},
            Case{head + "7\n", 3, "'7' stands for a keyword"},
        }) {
-    const auto read = parse_model(wrong.text, "a.mesh");
-    ASSERT_FALSE(read.ok()) << wrong.text;
-    EXPECT_EQ(read.error().code, ErrorCode::invalid_input);
-    EXPECT_EQ(read.error().where.file, "a.mesh");
-    EXPECT_EQ(read.error().where.line, wrong.line) << wrong.text;
-    EXPECT_NE(read.error().message.find(wrong.message), std::string::npos)
-        << read.error().message << " for " << wrong.message;
+    test::expect_error_at(parse_model(wrong.text, "a.mesh"), "a.mesh", wrong.line, wrong.message);
   }
 }
 

@@ -70,6 +70,18 @@ inline std::vector<double> coordinates_of(const Model& model) {
   return all;
 }
 
+/// The error of a file that ends in `name`, in this line, 0 where it has none.
+template <class Read>
+void expect_error_at(const Read& read, const std::string& name, std::size_t line,
+                     const std::string& reason) {
+  ASSERT_FALSE(read.ok()) << reason;
+  EXPECT_EQ(read.error().code, ErrorCode::invalid_input);
+  EXPECT_TRUE(read.error().where.file.ends_with(name)) << read.error().where.file;
+  EXPECT_EQ(read.error().where.line.value_or(0), line) << reason;
+  EXPECT_NE(read.error().message.find(reason), std::string::npos)
+      << read.error().message << " instead of " << reason;
+}
+
 inline void expect_refused(const std::string& bytes, const std::string& name,
                            const std::string& reason) {
   const auto read = parse_model(bytes, name);

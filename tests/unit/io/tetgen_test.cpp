@@ -9,6 +9,7 @@
 
 #include "core/prng.hpp"
 #include "unit/io/io_support.hpp"
+#include "unit/io/solid_files.hpp"
 #include "unit/io/solid_support.hpp"
 
 namespace tetloft {
@@ -107,7 +108,7 @@ const std::string kNodes =
 
 TEST(ReadTetgen, CountsFromOneAndTakesRegions) {
   const auto read = read_pair(
-      "# a comment\n2  4  2\n    1      1     2     3     4    7.0 3\n    2  2 4 3 5    -2 3\n# "
+      "# a comment\n2  4  2\n    1      1     2     3     4    7.0 3\n    2  2 4 3 5    -1 3\n# "
       "Generated",
       kNodes);
   ASSERT_TRUE(read.ok()) << to_string(read.error());
@@ -117,6 +118,8 @@ TEST(ReadTetgen, CountsFromOneAndTakesRegions) {
   EXPECT_EQ(read->model.component.raw(),
             (std::vector<ComponentId>{ComponentId(1), ComponentId(0)}));
   ASSERT_EQ(read->warnings.size(), 3U);  // of points, of tets, and that one is turned over
+  EXPECT_TRUE(read->warnings[0].where.file.ends_with("a.node"));
+  EXPECT_TRUE(read->warnings[1].where.file.ends_with("a.ele"));
   EXPECT_EQ(read->model.tets[TetId(1)],
             (TetVertices{VertexId(1), VertexId(3), VertexId(4), VertexId(2)}));
   const auto plain = read_pair("1 4\n0 0 1 2 3\n", "4 3\n0 0 0 0\n1 1 0 0\n2 0 1 0\n3 0 0 1\n");
@@ -147,13 +150,7 @@ TEST(ReadTetgen, NamesWhatIsWrongAndWhere) {
            Case{"1 4 1\n1 1 2 3 4 1e300\n", 2, "'1e300'"},
            Case{"1 4 999999999999999999\n1 1 2 3 4 1\n", 2, "attributes, got 6"},
        }) {
-    const auto read = read_pair(wrong.ele, kNodes);
-    ASSERT_FALSE(read.ok()) << wrong.ele;
-    EXPECT_EQ(read.error().code, ErrorCode::invalid_input);
-    EXPECT_TRUE(read.error().where.file.ends_with("a.ele"));
-    EXPECT_EQ(read.error().where.line.value_or(0), wrong.line) << wrong.ele;
-    EXPECT_NE(read.error().message.find(wrong.message), std::string::npos)
-        << read.error().message << " for " << wrong.message;
+    test::expect_error_at(read_pair(wrong.ele, kNodes), "a.ele", wrong.line, wrong.message);
   }
   const auto node = read_pair("1 4 0\n1 1 2 3 4\n", "5 3\n1 0 0 x\n");
   ASSERT_FALSE(node.ok());
