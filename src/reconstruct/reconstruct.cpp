@@ -6,8 +6,8 @@
 #include <optional>
 #include <utility>
 
-#include "reconstruct/hints.hpp"
 #include "reconstruct/component_names.hpp"
+#include "reconstruct/hints.hpp"
 #include "reconstruct/phases.hpp"
 
 namespace tetloft {
