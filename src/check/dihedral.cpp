@@ -11,7 +11,7 @@ namespace tetloft::internal::checking {
 
 std::array<double, 6> dihedral_degrees(const std::array<Point3, 4>& corner) {
   constexpr double kDegrees = 180 / 3.14159265358979323846;
-  using namespace vectors;
+  using vectors::cross, vectors::dot, vectors::operator-;
   const auto difference = [&](std::size_t i, std::size_t j) { return corner[j] - corner[i]; };
   std::array<double, 6> angles{};
   const double six_volumes = dot(cross(difference(0, 1), difference(0, 2)), difference(0, 3));
