@@ -56,8 +56,11 @@ class Slab {
   [[nodiscard]] std::array<SlabVertexId, 4> vertices(TetId t) const {
     return {vertex(t, 0), vertex(t, 1), vertex(t, 2), vertex(t, 3)};
   }
+  /// The corner of t at v, which is one of its vertices.
   [[nodiscard]] int index_in(TetId t, SlabVertexId v) const {
-    return mesh_.index_in(t, mesh_vertex(v));
+    const TetVertices& tet = mesh_.vertices(t);
+    const VertexId u = mesh_vertex(v);
+    return (tet[1] == u ? 1 : 0) + (tet[2] == u ? 2 : 0) + (tet[3] == u ? 3 : 0);
   }
   /// The corners of a vertex: its star, by tet id.
   [[nodiscard]] CornerRange corners(SlabVertexId v) const { return mesh_.corners(mesh_vertex(v)); }
@@ -69,6 +72,12 @@ class Slab {
   [[nodiscard]] TetKind kind(TetId t) const { return kind_[t]; }
   /// Bit i: corner i lies in the upper plane.
   [[nodiscard]] std::uint8_t upper_corners(TetId t) const { return upper_corners_[t]; }
+  /// Does a type-1 tet have its triangle in this plane?
+  [[nodiscard]] bool has_triangle(TetId t, bool upper) const {
+    // Three corners above: 7, 11, 13 or 14; one: 1, 2, 4 or 8.
+    const unsigned mask = upper_corners_[t];
+    return upper ? (mask & (mask - 1)) != 0 : (mask & (mask - 1)) == 0;
+  }
   [[nodiscard]] bool same_plane(TetId t, int i, int j) const {
     return has_corner(upper_corners_[t], i) == has_corner(upper_corners_[t], j);
   }
