@@ -5,7 +5,6 @@
 #include <cstdint>
 
 #include <sys/mman.h>
-#include <unistd.h>
 #endif
 
 namespace tetloft::internal::core {
@@ -13,12 +12,12 @@ namespace tetloft::internal::core {
 #if defined(__linux__)
 
 void give_back_pages(std::span<std::byte> bytes) {
-  // A few pages are not worth the call.
-  constexpr std::size_t kLeast = std::size_t{1} << 16;
-  if (bytes.size() < kLeast) return;
-  const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
-  const std::size_t before = (page - reinterpret_cast<std::uintptr_t>(bytes.data()) % page) % page;
-  const std::size_t length = (bytes.size() - before) / page * page;
+  // A multiple of the pages of all systems; less is not worth the call.
+  constexpr std::size_t kPages = std::size_t{1} << 16;
+  const std::size_t before =
+      (kPages - reinterpret_cast<std::uintptr_t>(bytes.data()) % kPages) % kPages;
+  if (bytes.size() < before + kPages) return;
+  const std::size_t length = (bytes.size() - before) / kPages * kPages;
   // A refusal leaves them in use, which is no error.
   (void)madvise(bytes.data() + before, length, MADV_DONTNEED);
 }
