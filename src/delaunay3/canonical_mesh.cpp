@@ -22,8 +22,8 @@ namespace {
 
 // A part of the mesh, so many tets one after the other: small enough to be filled within cache.
 constexpr unsigned kPartBits = 13;
-// Parts between two times that slots are given back.
-constexpr std::size_t kPartsOfRound = 16;
+// Parts that the mesh grows by at a time, after which the slots they were read from are given back.
+constexpr std::size_t kPartsOfRound = 32;
 
 // Fewer slots than this are renumbered before a second thread has started.
 constexpr std::size_t kSlotsForThreads = std::size_t{1} << 16;
@@ -111,7 +111,8 @@ class Renumbering {
       parallel_for(end - first, threads_, [&](std::size_t i) { fill_part(first + i); });
       for (std::size_t k = 0; k < stretches_.count; ++k) {
         const std::uint32_t* begin = &part_begin_[k * (parts_ + 1)];
-        core::give_back_pages(built_.subspan(begin[first], begin[end] - begin[first]));
+        core::give_back_pages(
+            built_.subspan(stretches_.begin(k), begin[end] - stretches_.begin(k)));
       }
     }
   }
