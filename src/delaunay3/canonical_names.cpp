@@ -235,10 +235,6 @@ class Naming {
 
 }  // namespace
 
-Stretches Stretches::of(std::size_t items, std::size_t length, std::size_t most) {
-  return {items, std::clamp<std::size_t>(items / length, 1, std::max<std::size_t>(most, 1))};
-}
-
 Stretches stretches_of(std::span<const TetSlot> built) {
   return Stretches::of(built.size(), kSlotsOfStretch, kMostStretches);
 }
