@@ -157,18 +157,6 @@ bool Inserter::in_sphere(const TetVertices& tet, const Point3& p) const {
   return insphere_perturbed(a, b, c, d, p) == Sign::positive;
 }
 
-Sign Inserter::orientation(const Point3& a, const Point3& b, const Point3& c,
-                           const Point3& d) const {
-  const int s = tets_->filter().orient3d(a, b, c, d);
-  if (s != 0 || tets_->filter().is_exact()) return static_cast<Sign>(s);
-  return orient3d(a, b, c, d);
-}
-
-bool Inserter::is_beyond(const TetVertices& tet, std::size_t i, const Point3& p) const {
-  const TriangleVertices facet = facet_of(tet, i);
-  return orientation(point(facet[0]), point(facet[1]), point(facet[2]), p) == Sign::positive;
-}
-
 TetId Inserter::star_cavity(VertexId v) {
   create_fillers(v);
   glue_fillers();

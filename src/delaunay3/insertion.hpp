@@ -21,6 +21,7 @@
 
 #include <tetloft/ids.hpp>
 #include <tetloft/point.hpp>
+#include <tetloft/predicates.hpp>
 #include <tetloft/tet_mesh.hpp>
 
 #include "delaunay3/growing_tets.hpp"
@@ -119,9 +120,16 @@ class Inserter {
   [[nodiscard]] bool in_sphere(const TetVertices& tet, const Point3& p) const;
   // As orient3d; for points of the set only.
   [[nodiscard]] Sign orientation(const Point3& a, const Point3& b, const Point3& c,
-                                 const Point3& d) const;
+                                 const Point3& d) const {
+    const int s = tets_->filter().orient3d(a, b, c, d);
+    if (s != 0 || tets_->filter().is_exact()) return static_cast<Sign>(s);
+    return orient3d(a, b, c, d);
+  }
   // Does p lie strictly beyond face i of the tet?
-  [[nodiscard]] bool is_beyond(const TetVertices& tet, std::size_t i, const Point3& p) const;
+  [[nodiscard]] bool is_beyond(const TetVertices& tet, std::size_t i, const Point3& p) const {
+    const TriangleVertices facet = facet_of(tet, i);
+    return orientation(point(facet[0]), point(facet[1]), point(facet[2]), p) == Sign::positive;
+  }
 
   // Gives every facet of the horizon its filler, glued to the outer tet only.
   void create_fillers(VertexId v);
