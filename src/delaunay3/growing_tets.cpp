@@ -8,10 +8,6 @@ namespace tetloft::internal::delaunay3_detail {
 
 namespace {
 
-// Points of uniform distribution have 6.77 tets each (Dwyer, DCG 6, 1991); hull and
-// recycled slots come on top.
-constexpr std::size_t kExpectedTetsPerPoint = 7;
-
 // Half-faces are 4 t + i in 32 bits.
 constexpr std::size_t kMostSlots = std::size_t{1} << 30;
 
@@ -20,11 +16,12 @@ static_assert(std::is_trivially_copyable_v<TetSlot> && std::is_trivially_destruc
 
 }  // namespace
 
-GrowingTets::GrowingTets(IdVector<VertexId, Point3> points) : filter_(points.raw()) {
+GrowingTets::GrowingTets(IdVector<VertexId, Point3> points, std::size_t tets_of_point)
+    : filter_(points.raw()) {
   vertices_.reserve(points.size());
   for (const Point3& p : points) vertices_.push_back({p});
   points = {};
-  reserve(kExpectedTetsPerPoint * vertices_.size());
+  reserve(tets_of_point * vertices_.size());
 }
 
 std::size_t GrowingTets::take(std::size_t count) {

@@ -47,8 +47,12 @@ class GrowingTets {
     Part part = 0;
   };
 
-  /// Room for tets as of a uniform set.
-  explicit GrowingTets(IdVector<VertexId, Point3> points);
+  /// Points of uniform distribution have 6.77 tets each (Dwyer, DCG 6, 1991); hull and recycled
+  /// slots come on top.
+  static constexpr std::size_t kExpectedTetsOfPoint = 7;
+
+  /// With room for so many tets of each point.
+  GrowingTets(IdVector<VertexId, Point3> points, std::size_t tets_of_point);
 
   [[nodiscard]] std::size_t vertex_count() const { return vertices_.size(); }
   [[nodiscard]] Vertex& vertex(VertexId v) { return vertices_[v.index()]; }

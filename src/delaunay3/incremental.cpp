@@ -19,15 +19,13 @@ namespace {
 constexpr std::size_t kSampleOfPart = 512;
 // Points tried for each part, to find one in a tet of the part.
 constexpr std::size_t kTriesOfPart = 32;
-// Slots that there is room for with every point to be inserted; a uniform set takes 6.77.
-constexpr std::size_t kRoomOfPoint = 6;
 // A thread that gave up all but a quarter of so many points, gives up the others untried.
 constexpr std::size_t kTrial = 256;
 
 }  // namespace
 
-Delaunay3Builder::Delaunay3Builder(IdVector<VertexId, Point3> points)
-    : tets_(std::move(points)), alone_(tets_) {
+Delaunay3Builder::Delaunay3Builder(IdVector<VertexId, Point3> points, std::size_t tets_of_point)
+    : tets_(std::move(points), tets_of_point), alone_(tets_) {
   make_first_tets();
 }
 
@@ -106,6 +104,7 @@ bool Delaunay3Builder::insert_round(std::size_t first, std::size_t end) {
     if (partition.parts() < 2) break;
     const std::size_t before = left.size();
     left = insert_within_parts(left, Shares(tets_, end, left, partition, sharing_.threads));
+    inserted_within_parts_ += before - left.size();
     // Tets reach from part to part, wherever they are cut: as of points on a sphere.
     if (left.size() > before - before / 4) break;
   }
@@ -115,7 +114,8 @@ bool Delaunay3Builder::insert_round(std::size_t first, std::size_t end) {
 std::size_t Delaunay3Builder::worthwhile_parts(std::size_t end, std::size_t left) const {
   // With as many slots as this at least, no thread comes to the last one there may be.
   const std::size_t inserted = end - left;
-  if (tets_.taken() + kRoomOfPoint * left + kMostThreads * Inserter::kSlotsAtATime > most_tets_) {
+  if (tets_.taken() + sharing_.room_of_point * left + kMostThreads * Inserter::kSlotsAtATime >
+      most_tets_) {
     return 1;
   }
   return std::min({std::size_t{sharing_.threads}, left / sharing_.least_points,
@@ -135,7 +135,7 @@ Partition Delaunay3Builder::cut(std::span<const VertexId> vertices, std::size_t 
 
 std::vector<VertexId> Delaunay3Builder::insert_within_parts(std::span<const VertexId> vertices,
                                                             const Shares& shares) {
-  tets_.reserve(kRoomOfPoint * vertices.size() + shares.size() * Inserter::kSlotsAtATime);
+  tets_.reserve(sharing_.room_of_point * vertices.size() + shares.size() * Inserter::kSlotsAtATime);
   while (within_.size() < shares.size()) within_.emplace_back(tets_);
   for (Part part = 0; part < shares.size(); ++part) find_start(shares[part], part);
   std::vector<std::vector<VertexId>> left(shares.size());

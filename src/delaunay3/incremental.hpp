@@ -29,6 +29,9 @@ struct Sharing {
   /// So many points to each thread at least. With fewer the parts are all border: a cavity is some
   /// 3 tets wide, a part of 1,000 points 10.
   std::size_t least_points = 1000;
+  /// Slots that there is room for with every point that threads are to insert. Where they need
+  /// more, they come back for it.
+  std::size_t room_of_point = 6;
 };
 
 class Delaunay3Builder {
@@ -36,8 +39,9 @@ class Delaunay3Builder {
   static constexpr std::size_t kPointsOfStep = 1024;
 
   /// Vertex i is points[i]. Requires: distinct finite points; the first four are affinely
-  /// independent; fewer than 2^30 points.
-  explicit Delaunay3Builder(IdVector<VertexId, Point3> points);
+  /// independent; fewer than 2^30 points. There is room for `tets_of_point` of each at first.
+  explicit Delaunay3Builder(IdVector<VertexId, Point3> points,
+                            std::size_t tets_of_point = GrowingTets::kExpectedTetsOfPoint);
 
   /// Inserts all vertices, once: in order, or, where they are shared out, roughly. The tets are the
   /// same. Returns false, leaving the triangulation without some vertices, where it would take more
@@ -46,6 +50,9 @@ class Delaunay3Builder {
   [[nodiscard]] bool insert_all(WatchedWork& work,
                                 std::size_t most_tets = (std::size_t{1} << 30) - 1,
                                 const Sharing& sharing = {});
+
+  /// How many vertices threads inserted side by side.
+  [[nodiscard]] std::size_t inserted_within_parts() const { return inserted_within_parts_; }
 
   /// All slots: of ghost tets vertex 0 is kGhost, of dead ones it is invalid. Valid after
   /// insert_all().
@@ -80,6 +87,7 @@ class Delaunay3Builder {
   Sharing sharing_;
   // Vertices inserted since the last step was told.
   std::size_t untold_ = 0;
+  std::size_t inserted_within_parts_ = 0;
   // A thread threw: the others need not go on.
   std::atomic<bool> failed_ = false;
 };
