@@ -11,6 +11,9 @@
 
 namespace tetloft::internal::delaunay3_detail {
 
+/// So many slots before one is worked on what it leads to is fetched.
+inline constexpr std::size_t kSlotsAhead = 16;
+
 /// The slots' stretches.
 [[nodiscard]] Stretches stretches_of(std::span<const TetSlot> built);
 
