@@ -183,7 +183,9 @@ Result<bool> insert_points(RankedPoints& ranked, const Delaunay3Options& options
   WatchedWork work(options.execution, inserted.size() / Delaunay3Builder::kPointsOfStep + 1);
   work.go_on();
   Delaunay3Builder builder{IdVector<VertexId, Point3>(std::move(inserted))};
-  if (!builder.insert_all(work, bound_on_tets(options.most_tets))) {
+  // How many tets there are at a time depends on the order: a limit is that of one thread's.
+  const unsigned threads = options.most_tets == 0 ? options.execution.threads : 1;
+  if (!builder.insert_all(work, bound_on_tets(options.most_tets), {.threads = threads})) {
     return too_many_tets(options.most_tets);
   }
   out.mesh = delaunay3_detail::canonical_mesh(

@@ -15,10 +15,8 @@ namespace {
 // A sort key is the round (4 bits) above the Hilbert index (20 bits for each axis).
 constexpr int kAxisBits = 20;
 constexpr int kHilbertBits = 3 * kAxisBits;
+// 8^15 exceeds any number of points, so round 0 needs no special case.
 constexpr std::uint64_t kLastRound = 15;
-// A point leaves the last round for the one before with probability 1 / kRoundRatio, and
-// so on; 8^15 exceeds any number of points, so round 0 needs no special case.
-constexpr std::uint64_t kRoundRatio = 8;
 // Points of one cell, up to so many, stay in canonical order: the walks between them are
 // short anyway.
 constexpr std::size_t kSmallRun = 8;

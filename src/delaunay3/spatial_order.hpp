@@ -8,6 +8,7 @@
 // curve cannot tell apart are ordered along finer ones.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -15,6 +16,9 @@
 #include <tetloft/point.hpp>
 
 namespace tetloft::internal::delaunay3_detail {
+
+/// A point leaves the last round for the one before with probability 1 / kRoundRatio, and so on.
+inline constexpr std::size_t kRoundRatio = 8;
 
 /// The places in `points` in the order they should be inserted.
 /// Requires: finite points in canonical order.

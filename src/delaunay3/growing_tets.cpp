@@ -1,0 +1,57 @@
+// See growing_tets.hpp.
+#include "delaunay3/growing_tets.hpp"
+
+#include <algorithm>
+#include <type_traits>
+
+namespace tetloft::internal::delaunay3_detail {
+
+namespace {
+
+// Half-faces are 4 t + i in 32 bits.
+constexpr std::size_t kMostSlots = std::size_t{1} << 30;
+
+// Slots are copied as bytes and never destroyed.
+static_assert(std::is_trivially_copyable_v<TetSlot> && std::is_trivially_destructible_v<TetSlot>);
+
+}  // namespace
+
+GrowingTets::GrowingTets(IdVector<VertexId, Point3> points, std::size_t tets_of_point)
+    : filter_(points.raw()) {
+  vertices_.reserve(points.size());
+  for (const Point3& p : points) vertices_.push_back({p});
+  points = {};
+  reserve(tets_of_point * vertices_.size());
+}
+
+std::size_t GrowingTets::take(std::size_t count) {
+  const std::size_t first = taken();
+  if (first + count > marks_.size()) reserve(count);
+  taken_.store(first + count, std::memory_order_relaxed);
+  return first;
+}
+
+bool GrowingTets::take_of_room(std::size_t count, std::size_t& first) {
+  first = taken();
+  do {
+    if (first + count > marks_.size()) return false;
+  } while (!taken_.compare_exchange_weak(first, first + count, std::memory_order_relaxed));
+  return true;
+}
+
+void GrowingTets::reserve(std::size_t more) {
+  if (taken() + more <= marks_.size()) return;
+  const std::size_t capacity = std::max(taken() + more, std::min(2 * marks_.size(), kMostSlots));
+  std::unique_ptr<TetSlot[], FreeSlots> slots(std::allocator<TetSlot>().allocate(capacity),
+                                              FreeSlots{capacity});
+  marks_.resize(capacity, Mark::unvisited);
+  std::copy_n(slots_.get(), taken(), slots.get());
+  slots_ = std::move(slots);
+}
+
+void GrowingTets::keep_slots_only() {
+  vertices_ = {};
+  marks_ = {};
+}
+
+}  // namespace tetloft::internal::delaunay3_detail
