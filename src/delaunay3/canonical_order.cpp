@@ -1,6 +1,5 @@
 #include "delaunay3/canonical_order.hpp"
 
-#include <bit>
 #include <cstddef>
 
 #include "spatial/sort_by_key.hpp"
@@ -13,13 +12,6 @@ using Coordinate = double Point3::*;
 
 /// Most significant first.
 constexpr Coordinate kSignificance[] = {&Point3::z, &Point3::x, &Point3::y};
-
-/// Ordered as the doubles are; the two zeros are one.
-std::uint64_t key_of(double value) {
-  const auto bits = std::bit_cast<std::uint64_t>(value + 0.0);
-  constexpr std::uint64_t sign = std::uint64_t{1} << 63;
-  return (bits & sign) != 0 ? ~bits : bits | sign;
-}
 
 /// Sorts points that agree in all coordinates before `coordinate`.
 void sort_from(std::size_t coordinate, std::span<const Point3> points, std::span<Keyed> run) {

@@ -14,6 +14,11 @@ namespace tetloft::internal::sections {
 IdVector<PlaneVertexId, PlaneVertexId> adopt(const Triangulation2& triangulation,
                                              ConformingSection& section);
 
+/// conform() of a section with its nesting at hand.
+[[nodiscard]] Result<ConformingSection> conform_nested(const Section& section, SectionId id,
+                                                       const Nesting& nesting,
+                                                       const ConformOptions& options);
+
 /// By triangle: the edges opposite its vertices. Linear.
 [[nodiscard]] IdVector<TriangleId, std::array<EdgeId, 3>> edges_of_sides(
     const ConformingSection& section);
