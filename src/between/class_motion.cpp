@@ -266,6 +266,10 @@ std::pair<std::int64_t, double> place_between(double at, std::int64_t low, std::
   return {low + whole, on - static_cast<double>(whole)};
 }
 
+Point2 part_of_way(const Point2& from, const Point2& to, double share) {
+  return {from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)};
+}
+
 }  // namespace
 
 Point2 MotionField::at(const Point2& p) const {
@@ -273,10 +277,38 @@ Point2 MotionField::at(const Point2& p) const {
   const auto [j, fy] = place_between(p.y / spacing, window.j0, window.j1);
   const Point2* const low = node.data() + window.place(i, j);
   const Point2* const high = low + window.nx();
-  const Point2 a{low[0].x + fx * (low[1].x - low[0].x), low[0].y + fx * (low[1].y - low[0].y)};
-  const Point2 b{high[0].x + fx * (high[1].x - high[0].x),
-                 high[0].y + fx * (high[1].y - high[0].y)};
-  return {a.x + fy * (b.x - a.x), a.y + fy * (b.y - a.y)};
+  return part_of_way(part_of_way(low[0], low[1], fx), part_of_way(high[0], high[1], fx), fy);
+}
+
+std::vector<Point2> MotionField::at_samples(const motion::LatticeWindow& samples,
+                                            double step) const {
+  std::vector<std::pair<std::int64_t, double>> columns;
+  for (std::int64_t i = samples.i0; i < samples.i1; ++i) {
+    columns.push_back(place_between(static_cast<double>(i) * step / spacing, window.i0, window.i1));
+  }
+  std::vector<Point2> result;
+  result.reserve(samples.size());
+  // At the columns, on the rows of nodes below and above; for one row of cells after the other.
+  std::vector<Point2> below(columns.size());
+  std::vector<Point2> above(columns.size());
+  std::optional<std::int64_t> cells;
+  for (std::int64_t j = samples.j0; j < samples.j1; ++j) {
+    const auto [row, fy] =
+        place_between(static_cast<double>(j) * step / spacing, window.j0, window.j1);
+    if (row != cells) {
+      for (std::size_t k = 0; k < columns.size(); ++k) {
+        const Point2* const low = node.data() + window.place(columns[k].first, row);
+        const Point2* const high = low + window.nx();
+        below[k] = part_of_way(low[0], low[1], columns[k].second);
+        above[k] = part_of_way(high[0], high[1], columns[k].second);
+      }
+      cells = row;
+    }
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      result.push_back(part_of_way(below[k], above[k], fy));
+    }
+  }
+  return result;
 }
 
 std::optional<MotionField> estimate_motion(const ClassOutlines& outlines) {

@@ -25,7 +25,6 @@ DistanceField::DistanceField(motion::DistanceSamples samples, double far)
   last_x_ = static_cast<double>(w.i1 - w.i0 - 1);
   last_y_ = static_cast<double>(w.j1 - w.j0 - 1);
   nx_ = w.i1 - w.i0;
-  find_depths();
 }
 
 void DistanceField::find_depths() {

@@ -22,11 +22,14 @@ class DistanceField {
   /// Of samples from −far to far.
   DistanceField(motion::DistanceSamples samples, double far);
 
+  /// Looks where there is nothing but ±far.
+  void find_depths();
+
   /// The samples (i, j) of a row with i0 ≤ i < i1: of the field's own, or put together in `row`.
   [[nodiscard]] const double* row(std::int64_t i0, std::int64_t i1, std::int64_t j,
                                   std::vector<double>& row) const;
 
-  /// What at() can be in the box.
+  /// What at() can be in the box; requires find_depths().
   [[nodiscard]] Depth depth(const Box2& box) const;
   /// Is at_sampled() all the same as at() there?
   [[nodiscard]] bool samples_all(const Box2& box) const;
@@ -54,7 +57,6 @@ class DistanceField {
   [[nodiscard]] bool is_sampled(double on_x, double on_y) const {
     return on_x >= 0 && on_y >= 0 && on_x < last_x_ && on_y < last_y_;
   }
-  void find_depths();
 
   motion::DistanceSamples samples_;
   double far_ = 0;

@@ -21,6 +21,9 @@ struct LayerPair {
   const LayerLabels& below;
   const LayerLabels& above;
   const ClassShape& shape;
+  // By place; empty where nothing moves.
+  const std::vector<std::uint32_t>& node_below;
+  const std::vector<std::uint32_t>& node_above;
 
   /// The node beyond the window.
   [[nodiscard]] std::uint32_t outside() const {
@@ -63,16 +66,18 @@ class SharedSamples {
   std::vector<Shared> runs_;
 };
 
-void share_row_at_rest(const LayerPair& pair, std::size_t j, SharedSamples& shared) {
-  const std::size_t nx = pair.shape.window.nx();
-  const std::uint32_t* const below = pair.below.node.data() + j * nx;
-  const std::uint32_t* const above = pair.above.node.data() + j * nx;
-  for (std::size_t i = 0; i < nx;) {
-    const std::size_t first = i;
-    const LayerEdge nodes{below[i], above[i]};
-    do ++i;
-    while (i < nx && below[i] == nodes.first && above[i] == nodes.second);
-    if (nodes.first != kNoNode && nodes.second != kNoNode) shared.add(nodes, i - first);
+void share_at_rest(const LayerPair& pair, SharedSamples& shared) {
+  auto low = pair.below.runs.begin();
+  auto high = pair.above.runs.begin();
+  while (low != pair.below.runs.end() && high != pair.above.runs.end()) {
+    const std::uint32_t first = std::max(low->first, high->first);
+    const std::uint32_t end = std::min(low->end, high->end);
+    if (first < end) {
+      shared.add({low->node, high->node}, end - first);
+      if (shared.suffice(pair)) return;
+    }
+    if (low->end == end) ++low;
+    if (high->end == end) ++high;
   }
 }
 
@@ -80,13 +85,15 @@ void share_row(const LayerPair& pair, std::size_t j, double share, SharedSamples
   const std::size_t nx = pair.shape.window.nx();
   const auto width = static_cast<double>(nx);
   const auto height = static_cast<double>(pair.shape.window.ny());
+  const auto stride = static_cast<std::int64_t>(nx);
   const std::uint32_t outside = pair.outside();
   // The node at (x, y) of the window, to the nearest sample: halves go up.
-  const auto node_at = [=](const LayerLabels& labels, double x, double y) {
+  const auto node_at = [=](const std::vector<std::uint32_t>& node, double x, double y) {
     const double i = x + 0.5;
     const double k = y + 0.5;
     if (!(i >= 0 && k >= 0 && i < width && k < height)) return outside;
-    return labels.node[static_cast<std::size_t>(k) * nx + static_cast<std::size_t>(i)];
+    const std::int64_t at = static_cast<std::int64_t>(k) * stride + static_cast<std::int64_t>(i);
+    return node[static_cast<std::size_t>(at)];
   };
   const Point2* const motion = pair.shape.motion.data() + j * nx;
   const auto y = static_cast<double>(j);
@@ -94,8 +101,8 @@ void share_row(const LayerPair& pair, std::size_t j, double share, SharedSamples
     const double by_x = share * motion[i].x;
     const double by_y = share * motion[i].y;
     const auto x = static_cast<double>(i);
-    const LayerEdge nodes{node_at(pair.below, x - by_x, y - by_y),
-                          node_at(pair.above, x + by_x, y + by_y)};
+    const LayerEdge nodes{node_at(pair.node_below, x - by_x, y - by_y),
+                          node_at(pair.node_above, x + by_x, y + by_y)};
     if (nodes.first != kNoNode && nodes.second != kNoNode) shared.add(nodes, 1);
   }
 }
@@ -104,12 +111,11 @@ void share_row(const LayerPair& pair, std::size_t j, double share, SharedSamples
 // each other, those without any left out; sorted. No more than it takes to be connected of two
 // nodes that are the only ones.
 std::vector<Shared> shared_samples(const LayerPair& pair, double share) {
-  const bool at_rest = share == 0 || pair.shape.motion.empty();
   SharedSamples shared;
-  for (std::size_t j = 0; j < pair.shape.window.ny() && !shared.suffice(pair); ++j) {
-    if (at_rest) {
-      share_row_at_rest(pair, j, shared);
-    } else {
+  if (share == 0 || pair.shape.motion.empty()) {
+    share_at_rest(pair, shared);
+  } else {
+    for (std::size_t j = 0; j < pair.shape.window.ny() && !shared.suffice(pair); ++j) {
       share_row(pair, j, share, shared);
     }
   }
@@ -180,11 +186,19 @@ std::vector<std::size_t> numbers_of(const LayerGraph& graph, const Numbering& nu
 LayerGraph connect_layers(NodeKind kind, const ClassShape& shape, const std::vector<double>& at,
                           std::vector<LayerLabels> layers) {
   LayerGraph graph{kind, std::move(layers), {}};
+  const auto nodes_of = [&](std::size_t k) {
+    const std::size_t places = shape.motion.empty() ? 0 : shape.window.size();
+    return places == 0 ? std::vector<std::uint32_t>() : graph.layers[k].nodes(places);
+  };
+  std::vector<std::uint32_t> node_below = nodes_of(0);
   for (std::size_t k = 0; k + 1 < graph.layers.size(); ++k) {
     const double low = k == 0 ? 0 : at[k - 1];
     const double high = k == at.size() ? 1 : at[k];
+    std::vector<std::uint32_t> node_above = nodes_of(k + 1);
     graph.edges.push_back(
-        edges_between({kind, graph.layers[k], graph.layers[k + 1], shape}, (high - low) / 2));
+        edges_between({kind, graph.layers[k], graph.layers[k + 1], shape, node_below, node_above},
+                      (high - low) / 2));
+    node_below = std::move(node_above);
   }
   return graph;
 }

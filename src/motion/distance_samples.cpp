@@ -192,23 +192,25 @@ Box2 LatticeEdges::reached_from(const LatticeWindow& w, double reach) {
 
 DistanceSamples sample_distances(const LatticeEdges& edges, const LatticeWindow& window,
                                  double farthest) {
-  DistanceSamples result{window, std::vector<double>(window.size(), farthest * farthest)};
-  std::vector<std::uint8_t> passed(window.size(), 0);
+  const double most = farthest * farthest;
+  DistanceSamples result{window, std::vector<double>(window.size(), most)};
+  std::vector<Sample> passed;
   const double reach = farthest + kSlack;
   const auto lower = edges.longest() + reach <= NearestRegion::kLongest ? measure_nearest : measure;
   edges.visit_near(window, reach, [&](const Edge& e) {
     lower(e, window, reach, result.value);
-    visit_passed(e, window, [&](std::int64_t i, std::int64_t j) {
-      if (i < window.i1) passed[window.place(i, j)] ^= 1U;
-    });
+    visit_passed(e, window, [&](std::int64_t i, std::int64_t j) { passed.push_back({i, j}); });
   });
-  std::size_t k = 0;
-  for (std::size_t j = 0; j < window.ny(); ++j) {
-    std::uint8_t inside = 0;
-    for (std::size_t i = 0; i < window.nx(); ++i, ++k) {
-      inside ^= passed[k];
-      const double d = std::sqrt(result.value[k]);
-      result.value[k] = inside != 0 ? -d : d;
+  // The root of a square that was rounded is the number squared.
+  for (double& value : result.value) value = value == most ? farthest : std::sqrt(value);
+  const ByRow by_row(passed, window);
+  for (std::int64_t j = window.j0; j < window.j1; ++j) {
+    const std::vector<std::int64_t> turns = by_row.row(j);
+    for (std::size_t k = 0; k + 1 < turns.size(); k += 2) {
+      double* const row = result.value.data() + window.place(window.i0, j);
+      for (std::int64_t i = turns[k]; i < turns[k + 1]; ++i) {
+        row[i - window.i0] = -row[i - window.i0];
+      }
     }
   }
   return result;
