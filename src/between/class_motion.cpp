@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 
 #include "between/smoother.hpp"
@@ -95,6 +96,28 @@ std::vector<LatticeWindow> tiles_of(const LatticeWindow& nodes) {
   return tiles;
 }
 
+// How many samples of a row are inside in both sections.
+std::int64_t shared_length(std::span<const motion::InsideSamples::Run> lower,
+                           std::span<const motion::InsideSamples::Run> upper) {
+  std::int64_t shared = 0;
+  for (auto low = lower.begin(), high = upper.begin(); low != lower.end() && high != upper.end();) {
+    shared += std::max(std::min(low->end, high->end) - std::max(low->first, high->first),
+                       std::int64_t{0});
+    if (low->end < high->end) {
+      ++low;
+    } else {
+      ++high;
+    }
+  }
+  return shared;
+}
+
+std::int64_t length(std::span<const motion::InsideSamples::Run> runs) {
+  std::int64_t sum = 0;
+  for (const auto& run : runs) sum += run.end - run.first;
+  return sum;
+}
+
 // The class's distances in a slab, in quarters of the gap, one gap at most.
 class Fit {
  public:
@@ -127,15 +150,15 @@ class Fit {
   }
   [[nodiscard]] bool at_rest() const {
     if (is_lone()) return false;
-    std::size_t both = 0;
-    std::size_t either = 0;
-    for (const LatticeWindow& tile : tiles_of(nodes_)) {
-      const DistanceSamples a = sample_distances(edges_[lower], samples_of(tile));
-      const DistanceSamples b = sample_distances(edges_[upper], samples_of(tile));
-      for (std::size_t k = 0; k < a.value.size(); ++k) {
-        both += a.value[k] < 0 && b.value[k] < 0 ? 1U : 0U;
-        either += a.value[k] < 0 || b.value[k] < 0 ? 1U : 0U;
-      }
+    const LatticeWindow window = samples_of(nodes_);
+    const motion::InsideSamples in_lower(edges_[lower], window);
+    const motion::InsideSamples in_upper(edges_[upper], window);
+    std::int64_t both = 0;
+    std::int64_t either = 0;
+    for (std::int64_t j = window.j0; j < window.j1; ++j) {
+      const std::int64_t shared = shared_length(in_lower.row(j), in_upper.row(j));
+      both += shared;
+      either += length(in_lower.row(j)) + length(in_upper.row(j)) - shared;
     }
     return static_cast<double>(both) >= kAtRest * static_cast<double>(either);
   }

@@ -1,41 +1,87 @@
+// Parts are found by runs of samples along rows, not by samples.
 #include "between/layer_labels.hpp"
 
-#include <array>
+#include <algorithm>
 #include <cstddef>
+
+#include "core/union_find.hpp"
 
 namespace tetloft::internal::between {
 
 namespace {
 
-// Labels the parts of the samples for which in(place) holds, through these neighbours.
-template <class In, std::size_t n>
-LayerLabels label_parts(const motion::LatticeWindow& window, const In& in,
-                        const std::array<std::array<std::int64_t, 2>, n>& neighbours) {
-  const auto nx = static_cast<std::int64_t>(window.nx());
-  const auto ny = static_cast<std::int64_t>(window.ny());
-  LayerLabels labels;
-  labels.node.assign(window.size(), kNoNode);
-  std::vector<std::uint32_t> waiting;
-  for (std::uint32_t start = 0; start < labels.node.size(); ++start) {
-    if (labels.node[start] != kNoNode || !in(start)) continue;
-    const auto node = static_cast<std::uint32_t>(labels.size.size());
-    labels.size.push_back(0);
-    labels.node[start] = node;
-    waiting.push_back(start);
-    while (!waiting.empty()) {
-      const auto at = static_cast<std::int64_t>(waiting.back());
-      waiting.pop_back();
-      ++labels.size.back();
-      for (const auto& [di, dj] : neighbours) {
-        const std::int64_t i = at % nx + di;
-        const std::int64_t j = at / nx + dj;
-        if (i < 0 || i >= nx || j < 0 || j >= ny) continue;
-        const auto next = static_cast<std::uint32_t>(j * nx + i);
-        if (labels.node[next] != kNoNode || !in(next)) continue;
-        labels.node[next] = node;
-        waiting.push_back(next);
+// Samples of one part side by side in a row.
+struct Run {
+  std::uint32_t first, end;  // places
+};
+
+// The runs of the samples for which in(value) holds, row by row; by row the number of its first.
+struct Runs {
+  std::vector<Run> all;
+  std::vector<std::size_t> row;
+
+  template <class In>
+  Runs(const motion::LatticeWindow& window, const std::vector<double>& value, const In& in) {
+    const auto nx = static_cast<std::uint32_t>(window.nx());
+    const auto size = static_cast<std::uint32_t>(window.size());
+    for (std::uint32_t begin = 0; begin < size; begin += nx) {
+      row.push_back(all.size());
+      const std::uint32_t end = begin + nx;
+      for (std::uint32_t at = begin; at < end;) {
+        while (at < end && !in(value[at])) ++at;
+        if (at == end) break;
+        const std::uint32_t first = at;
+        while (at < end && in(value[at])) ++at;
+        all.push_back({first, at});
       }
     }
+    row.push_back(all.size());
+  }
+};
+
+// Calls visit(run, run) for the runs of neighbouring rows that touch, or do so if each ends `aside`
+// samples later on either side.
+template <class Visit>
+void visit_touching(const Runs& runs, std::size_t nx, std::uint32_t aside, const Visit& visit) {
+  for (std::size_t j = 0; j + 2 < runs.row.size(); ++j) {
+    std::size_t low = runs.row[j];
+    std::size_t high = runs.row[j + 1];
+    while (low < runs.row[j + 1] && high < runs.row[j + 2]) {
+      const Run& below = runs.all[low];
+      const Run& above = runs.all[high];
+      const auto up = static_cast<std::uint32_t>(nx);
+      if (below.first + up < above.end + aside && above.first < below.end + up + aside) {
+        visit(low, high);
+      }
+      (below.end + up < above.end ? low : high) += 1;
+    }
+  }
+}
+
+// Labels the parts of the samples for which in(value) holds; those across are neighbours if
+// `aside` is 1.
+template <class In>
+LayerLabels label_parts(const motion::LatticeWindow& window, const std::vector<double>& value,
+                        std::uint32_t aside, const In& in) {
+  const Runs runs(window, value, in);
+  UnionFind parts(runs.all.size());
+  LayerLabels labels;
+  // In each part runs that touch are one more than a tree has for each void that they enclose.
+  visit_touching(runs, window.nx(), aside, [&](std::size_t low, std::size_t high) {
+    if (!parts.unite(low, high)) ++labels.enclosed;
+  });
+  labels.node.assign(window.size(), kNoNode);
+  std::vector<std::uint32_t> node_of(runs.all.size());
+  for (std::size_t r = 0; r < runs.all.size(); ++r) {
+    const std::size_t leader = parts.find(r);
+    if (leader == r) {
+      node_of[r] = static_cast<std::uint32_t>(labels.size.size());
+      labels.size.push_back(0);
+    }
+    const std::uint32_t node = node_of[r] = node_of[leader];
+    const auto [first, end] = runs.all[r];
+    std::fill(labels.node.begin() + first, labels.node.begin() + end, node);
+    labels.size[node] += end - first;
   }
   return labels;
 }
@@ -43,16 +89,12 @@ LayerLabels label_parts(const motion::LatticeWindow& window, const In& in,
 }  // namespace
 
 LayerLabels label_solids(const motion::LatticeWindow& window, const std::vector<double>& value) {
-  return label_parts(
-      window, [&](std::uint32_t at) { return value[at] < 0; },
-      std::array<std::array<std::int64_t, 2>, 4>{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}});
+  return label_parts(window, value, 0, [](double v) { return v < 0; });
 }
 
 LayerLabels label_voids(const motion::LatticeWindow& window, const std::vector<double>& value) {
-  LayerLabels labels = label_parts(
-      window, [&](std::uint32_t at) { return !(value[at] < 0); },
-      std::array<std::array<std::int64_t, 2>, 8>{
-          {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, 1}, {1, -1}, {-1, -1}}});
+  LayerLabels labels = label_parts(window, value, 1, [](double v) { return !(v < 0); });
+  labels.enclosed = 0;
   if (!labels.size.empty()) labels.size[kExterior] = kUnbounded;
   return labels;
 }

@@ -18,6 +18,8 @@ inline constexpr std::uint32_t kExterior = 0;
 struct LayerLabels {
   std::vector<std::uint32_t> node;  ///< by place in the window, or kNoNode
   std::vector<std::size_t> size;    ///< samples, by node; of the exterior the most there can be
+  /// Of solids: how many voids they enclose.
+  std::size_t enclosed = 0;
 };
 
 inline constexpr std::size_t kUnbounded = std::numeric_limits<std::size_t>::max();

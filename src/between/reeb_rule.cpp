@@ -40,7 +40,7 @@ class ClassRepair {
     for (int round = 0; round < kRounds; ++round) {
       LayerGraph graph = anchored_solids();
       const bool joined = join(graph);
-      const bool mended = repair_all_voids();
+      const bool mended = (joined || encloses_voids(graph)) && repair_all_voids();
       if (!joined && !mended) return graph;
     }
     return anchored_solids();
@@ -97,6 +97,12 @@ class ClassRepair {
                             graph.layers[k]);
     }
     return changed;
+  }
+
+  // Between the given layers, which stay as they are.
+  [[nodiscard]] static bool encloses_voids(const LayerGraph& solids) {
+    return std::any_of(solids.layers.begin() + 1, solids.layers.end() - 1,
+                       [](const LayerLabels& layer) { return layer.enclosed > 0; });
   }
 
   bool repair_all_voids() {

@@ -18,6 +18,7 @@
 #include "core/watched_work.hpp"
 #include "delaunay3/affine_basis.hpp"
 #include "delaunay3/canonical_mesh.hpp"
+#include "delaunay3/canonical_names.hpp"
 #include "delaunay3/canonical_order.hpp"
 #include "delaunay3/incremental.hpp"
 #include "delaunay3/slab_overlay.hpp"
@@ -112,9 +113,10 @@ std::vector<std::uint32_t> identity(std::size_t n) {
   return names;
 }
 
-// The most tets an engine may make: as many as half-faces have numbers for, or fewer.
+// The most tets an engine may make: as many as their half-faces have numbers for, and as
+// canonical_mesh() has names for, or fewer.
 std::size_t bound_on_tets(std::size_t most_tets) {
-  constexpr std::size_t kMaxTets = (std::size_t{1} << 30) - 1;
+  constexpr std::size_t kMaxTets = delaunay3_detail::renamed::kMostTets;
   return most_tets == 0 ? kMaxTets : std::min(kMaxTets, most_tets);
 }
 
@@ -147,14 +149,15 @@ Result<bool> overlay_planes(const RankedPoints& ranked, const Delaunay3Options& 
   if (!lower) return lower.error();
   if (!upper) return upper.error();
   if (lower->triangles.empty() || upper->triangles.empty()) return false;
-  const std::vector<delaunay3_detail::TetSlot> slab =
+  std::vector<delaunay3_detail::TetSlot> slab =
       delaunay3_detail::slab_overlay(*lower, *upper, work, bound_on_tets(options.most_tets));
   if (slab.empty()) return too_many_tets(options.most_tets);
   work.step_done_go_on();
   const std::vector<std::uint32_t> rank_of = identity(points.size());
   out.mesh = delaunay3_detail::canonical_mesh(
       slab,
-      {.rank_of = rank_of, .input_of = ranked.input_of, .input_count = out.representative.size()});
+      {.rank_of = rank_of, .input_of = ranked.input_of, .input_count = out.representative.size()},
+      options.execution.threads);
   out.dimension = 3;
   out.engine = DelaunayEngine::slab;
   work.step_done();
@@ -185,7 +188,8 @@ Result<bool> insert_points(RankedPoints& ranked, const Delaunay3Options& options
   }
   out.mesh = delaunay3_detail::canonical_mesh(
       builder.slots(),
-      {.rank_of = order, .input_of = ranked.input_of, .input_count = out.representative.size()});
+      {.rank_of = order, .input_of = ranked.input_of, .input_count = out.representative.size()},
+      options.execution.threads);
   work.step_done();
   return true;
 }
@@ -283,7 +287,7 @@ Result<TetMesh> triangulate_slab(const Triangulation2& lower, const Triangulatio
   if (Result<void> checked = fp_self_check(); !checked) return checked.error();
   if (Result<void> checked = check_planes(lower, upper); !checked) return checked.error();
   WatchedWork work(execution, 1);
-  const std::vector<delaunay3_detail::TetSlot> slab =
+  std::vector<delaunay3_detail::TetSlot> slab =
       delaunay3_detail::slab_overlay(lower, upper, work, bound_on_tets(most_tets));
   if (slab.empty()) return too_many_tets(most_tets);
   const std::size_t n = lower.points.size() + upper.points.size();
@@ -292,7 +296,7 @@ Result<TetMesh> triangulate_slab(const Triangulation2& lower, const Triangulatio
   for (std::size_t i = 0; i < n; ++i) input_of[i] = VertexId(i);
   work.step_done_go_on();
   return delaunay3_detail::canonical_mesh(
-      slab, {.rank_of = rank_of, .input_of = input_of, .input_count = n});
+      slab, {.rank_of = rank_of, .input_of = input_of, .input_count = n}, execution.threads);
 }
 
 }  // namespace

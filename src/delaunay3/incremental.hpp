@@ -49,7 +49,7 @@ class Delaunay3Builder {
 
   /// All slots: of ghost tets vertex 0 is kGhost, of dead ones it is invalid. Valid after
   /// insert_all().
-  [[nodiscard]] std::span<const TetSlot> slots() const { return slots_; }
+  [[nodiscard]] std::span<TetSlot> slots() { return slots_; }
 
  private:
   // A facet of the horizon, the boundary of the conflict zone: its half-face in the tet

@@ -220,6 +220,7 @@ class Conformer {
   // contour at its pieces, leaving it for its parent.
   void label_triangles() {
     const Triangulation2& t = result_.triangulation;
+    const IdVector<TriangleId, std::array<EdgeId, 3>> edges = sections::edges_of_sides(result_);
     around_.resize(t.triangles.size());
     result_.internal.assign(t.triangles.size(), 0);
     std::vector<bool> reached(t.triangles.size(), false);
@@ -240,9 +241,8 @@ class Conformer {
     while (!front.empty()) {
       const TriangleId triangle = front.back();
       front.pop_back();
-      const PlaneTriangleVertices& v = t.triangles[triangle];
       for (std::size_t i = 0; i < 3; ++i) {
-        const EdgeId edge = result_.find_edge(v[(i + 1) % 3], v[(i + 2) % 3]);
+        const EdgeId edge = edges[triangle][i];
         reach(t.neighbours[triangle][i], around_[triangle], contour_of_edge_[edge]);
       }
     }

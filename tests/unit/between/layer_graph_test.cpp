@@ -11,6 +11,7 @@
 
 #include "between/given_labels.hpp"
 #include "between/layer_labels.hpp"
+#include "core/prng.hpp"
 #include "unit/between/field_slab.hpp"
 
 namespace tetloft::testing {
@@ -57,6 +58,63 @@ TEST(LayerLabels, SolidsAreConnectedStraightAndVoidsAcrossToo) {
   EXPECT_EQ(voids.size, (std::vector<std::size_t>{kUnbounded, 1}));
   EXPECT_EQ(samples_by_node(voids)[1], std::vector<std::uint32_t>{12});
   EXPECT_TRUE(samples_by_node(voids)[kExterior].empty());
+}
+
+// Numbers of parts by flooding from one sample after the other; kNoNode elsewhere.
+std::vector<std::uint32_t> flooded(const motion::LatticeWindow& window,
+                                   const std::vector<double>& value, bool solid) {
+  const auto nx = static_cast<std::int64_t>(window.nx());
+  const auto size = static_cast<std::int64_t>(window.size());
+  std::vector<std::uint32_t> node(window.size(), kNoNode);
+  std::uint32_t parts = 0;
+  const auto is_in = [&](std::int64_t at) {
+    return (value[static_cast<std::size_t>(at)] < 0) == solid;
+  };
+  for (std::int64_t start = 0; start < size; ++start) {
+    if (!is_in(start) || node[static_cast<std::size_t>(start)] != kNoNode) continue;
+    std::vector<std::int64_t> waiting{start};
+    while (!waiting.empty()) {
+      const std::int64_t at = waiting.back();
+      waiting.pop_back();
+      if (at < 0 || at >= size || !is_in(at)) continue;
+      std::uint32_t& number = node[static_cast<std::size_t>(at)];
+      if (number != kNoNode) continue;
+      number = parts;
+      for (std::int64_t dj = -1; dj <= 1; ++dj) {
+        for (std::int64_t di = -1; di <= 1; ++di) {
+          if (solid && di != 0 && dj != 0) continue;
+          const std::int64_t i = at % nx + di;
+          if (i >= 0 && i < nx) waiting.push_back(at + dj * nx + di);
+        }
+      }
+    }
+    ++parts;
+  }
+  return node;
+}
+
+TEST(LayerLabels, AreThoseOfAFlood) {
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    Prng prng(seed);
+    const motion::LatticeWindow window{0, 0, 3 + static_cast<std::int64_t>(prng.below(25)),
+                                       3 + static_cast<std::int64_t>(prng.below(25))};
+    const double density = prng.between(0.2, 0.8);
+    std::vector<double> value(window.size(), 1);
+    for (std::int64_t j = 1; j + 1 < window.j1; ++j) {
+      for (std::int64_t i = 1; i + 1 < window.i1; ++i) {
+        if (prng.chance(density)) value[window.place(i, j)] = -1;
+      }
+    }
+    const LayerLabels solids = label_solids(window, value);
+    const LayerLabels voids = label_voids(window, value);
+    EXPECT_EQ(solids.node, flooded(window, value, true)) << seed;
+    EXPECT_EQ(voids.node, flooded(window, value, false)) << seed;
+    EXPECT_EQ(solids.enclosed, voids.size.size() - 1) << seed;
+    for (std::uint32_t n = 0; n < solids.size.size(); ++n) {
+      const auto samples = std::count(solids.node.begin(), solids.node.end(), n);
+      EXPECT_EQ(solids.size[n], static_cast<std::size_t>(samples)) << seed;
+    }
+  }
 }
 
 TEST(LayerGraph, SolidsNeedAFiftiethOfTheSmaller) {

@@ -1,0 +1,18 @@
+// Large pieces of memory, page by page.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+namespace tetloft::internal::core {
+
+/// Gives the whole pages within `bytes` back to the system, where it takes them: what they held is
+/// lost, but they may be used again.
+void give_back_pages(std::span<std::byte> bytes);
+
+template <class T>
+void give_back_pages(std::span<T> items) {
+  give_back_pages(std::as_writable_bytes(items));
+}
+
+}  // namespace tetloft::internal::core
