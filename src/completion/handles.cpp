@@ -14,32 +14,21 @@ namespace {
 
 class HandleFiller {
  public:
-  HandleFiller(const ChiGroups& groups, const SlabVoids& voids, Completion& completion)
-      : groups_(groups),
-        voids_(voids),
-        completion_(completion),
-        slab_(completion.slab()),
-        classes_(completion.classes()) {}
+  explicit HandleFiller(ComplexState& state)
+      : state_(state),
+        groups_(state.groups()),
+        slab_(state.completion().slab()),
+        classes_(state.completion().classes()) {}
 
   std::uint64_t run() {
     std::uint64_t filled = 0;
-    ChiGroups::Sums sums = groups_.sums(completion_.complex());
-    if (!groups_.any_low(sums)) return 0;
-    const std::vector<SlabVoidId> joined =
-        joined_voids(slab_, classes_, voids_, completion_.complex());
     bool again = true;
-    while (again && groups_.any_low(sums)) {
+    while (again && groups_.any_low(state_.sums())) {
       again = false;
-      for (const Candidate& candidate : candidates(sums)) {
-        Completion trial = completion_;
-        trial.build({{candidate.tet, 0xF, candidate.id}});
-        const ChiGroups::Sums after = groups_.sums(trial.complex());
-        const std::int32_t gain = groups_.deviation(sums) - groups_.deviation(after);
-        if (gain <= 0) continue;
-        if (joined_voids(slab_, classes_, voids_, trial.complex()) != joined) continue;
-        completion_.adopt(std::move(trial));
+      for (const Candidate& candidate : candidates(state_.sums())) {
+        const std::int32_t gain = state_.try_walls({{candidate.tet, 0xF, candidate.id}});
+        if (gain == 0) continue;
         filled += static_cast<std::uint64_t>(gain);
-        sums = after;
         again = true;
         break;
       }
@@ -58,7 +47,7 @@ class HandleFiller {
     const SlabVertexId u = slab_.vertex(t, i);
     const SlabVertexId v = slab_.vertex(t, j);
     slab_.ring(u, v, t, ring_);
-    const Complex& complex = completion_.complex();
+    const Complex& complex = state_.completion().complex();
     return std::any_of(ring_.begin(), ring_.end(), [&](TetId r) {
       return complex.is_attached(r, slab_.index_in(r, u)) &&
              complex.is_attached(r, slab_.index_in(r, v));
@@ -82,7 +71,7 @@ class HandleFiller {
   // Tets of one class that are not closed, and would close a tunnel.
   [[nodiscard]] std::vector<Candidate> candidates(const ChiGroups::Sums& sums) {
     std::vector<Candidate> result;
-    const VoidSpace space(slab_, classes_, voids_, completion_.complex());
+    const VoidSpace space(slab_, classes_, state_.voids(), state_.completion().complex());
     for (const TetId t : slab_.tets()) {
       const ClassId c = classes_.of(slab_.vertex(t, 0));
       if (!groups_.is_low(c, sums) || !space.of_one_class(t, 0xF) || !space.is_void(t)) continue;
@@ -105,9 +94,8 @@ class HandleFiller {
     return largest;
   }
 
+  ComplexState& state_;
   const ChiGroups& groups_;
-  const SlabVoids& voids_;
-  Completion& completion_;
   const Slab& slab_;
   const SlabClasses& classes_;
   std::vector<TetId> ring_;
@@ -115,9 +103,31 @@ class HandleFiller {
 
 }  // namespace
 
-std::uint64_t fill_handles(const ChiGroups& groups, const SlabVoids& voids,
-                           Completion& completion) {
-  return HandleFiller(groups, voids, completion).run();
+std::uint64_t fill_handles(ComplexState& state) { return HandleFiller(state).run(); }
+
+const ChiGroups::Sums& ComplexState::sums() {
+  if (!sums_) sums_ = groups_.sums(completion_.complex());
+  return *sums_;
+}
+
+const std::vector<SlabVoidId>& ComplexState::joined() {
+  if (!joined_) {
+    joined_ =
+        joined_voids(completion_.slab(), completion_.classes(), voids_, completion_.complex());
+  }
+  return *joined_;
+}
+
+std::int32_t ComplexState::try_walls(const std::vector<Wall>& walls) {
+  Completion trial = completion_;
+  trial.build(walls);
+  ChiGroups::Sums after = groups_.sums(trial.complex());
+  const std::int32_t gain = groups_.deviation(sums()) - groups_.deviation(after);
+  if (gain <= 0) return 0;
+  if (joined_voids(trial.slab(), trial.classes(), voids_, trial.complex()) != joined()) return 0;
+  completion_.adopt(std::move(trial));
+  sums_ = std::move(after);
+  return gain;
 }
 
 std::vector<SlabVoidId> joined_voids(const Slab& slab, const SlabClasses& classes,

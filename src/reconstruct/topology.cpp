@@ -58,14 +58,13 @@ Topology::Next Topology::make(const SlabView& view, Completion& completion, bool
   groups_ = expected_topology(*faces_, view.slab.lower(), view.slab.upper(),
                               {links_.regions, *links_.voids, united_});
   const ChiGroups groups(view.slab, view.classes, view.active, chi_ranges(view));
+  ComplexState state(groups, voids, completion);
   // Nearly always there is nothing to do.
-  if (voids.void_count() == 2 && groups.deviation(groups.sums(completion.complex())) == 0) {
-    return Next::go_on;
-  }
-  count(rules, Rule::filled_handle, fill_handles(groups, voids, completion));
-  bridge_faces(view, groups, completion, rules);
-  const Next next = open_faces(view, voids, groups, completion, may_ask);
-  if (next == Next::go_on) drop_unrealised(view, voids, completion);
+  if (voids.void_count() == 2 && groups.deviation(state.sums()) == 0) return Next::go_on;
+  count(rules, Rule::filled_handle, fill_handles(state));
+  bridge_faces(view, state, rules);
+  const Next next = open_faces(view, state, may_ask);
+  if (next == Next::go_on) drop_unrealised(view, state);
   return next;
 }
 
@@ -93,12 +92,11 @@ bool Topology::part_voids(const SlabView& view, SlabVoids& voids, Completion& co
 }
 
 // What is not open is no link; the rest implies another topology then.
-void Topology::drop_unrealised(const SlabView& view, const SlabVoids& voids,
-                               const Completion& completion) {
+void Topology::drop_unrealised(const SlabView& view, ComplexState& state) {
+  const SlabVoids& voids = state.voids();
   unrealised_.clear();
   if (voids.void_count() == 2) return;
-  const std::vector<SlabVoidId> joined =
-      joined_voids(view.slab, view.classes, voids, completion.complex());
+  const std::vector<SlabVoidId>& joined = state.joined();
   std::vector<Link> realised;
   for (const Link& link : *links_.voids) {
     (is_open_link(voids.numbering(), joined, link) ? realised : unrealised_).push_back(link);
@@ -141,20 +139,16 @@ std::vector<ChiRange> Topology::chi_ranges(const SlabView& view) const {
 
 // SS faces of a group above its range: what D holds over their middle becomes solid where that
 // brings it nearer.
-void Topology::bridge_faces(const SlabView& view, const ChiGroups& groups, Completion& completion,
-                            RuleCounts& rules) {
-  ChiGroups::Sums sums = groups.sums(completion.complex());
-  if (!groups.any_high(sums)) return;
-  const SlabVoids voids(view.slab.lower(), view.slab.upper(), *links_.voids);
-  const VoidSpace space(view.slab, view.classes, voids, completion.complex());
-  const auto joined = joined_voids(view.slab, view.classes, voids, completion.complex());
+void Topology::bridge_faces(const SlabView& view, ComplexState& state, RuleCounts& rules) {
+  if (!state.groups().any_high(state.sums())) return;
+  const VoidSpace space(view.slab, view.classes, state.voids(), state.completion().complex());
   const SlabRegions& regions = view.classes.regions();
   for (const sections::FaceId f : faces_->faces().ids()) {
     const sections::OverlayFace& face = faces_->faces()[f];
     if (!face.lower.solid || !face.upper.solid) continue;
     const ClassId c = view.classes.of_region(regions.in_slab(false, face.lower.id));
     if (view.classes.of_region(regions.in_slab(true, face.upper.id)) != c) continue;
-    if (!groups.is_high(c, sums)) continue;
+    if (!state.groups().is_high(c, state.sums())) continue;
     const std::optional<Point2> p = sections::inner_point(*faces_, f);
     if (!p) continue;
     std::vector<Wall> walls;
@@ -164,26 +158,17 @@ void Topology::bridge_faces(const SlabView& view, const ChiGroups& groups, Compl
         walls.push_back({t, 0xF, c});
       }
     }
-    if (walls.empty()) continue;
-    Completion trial = completion;
-    trial.build(walls);
-    const ChiGroups::Sums after = groups.sums(trial.complex());
-    if (groups.deviation(after) >= groups.deviation(sums)) continue;
-    if (joined_voids(view.slab, view.classes, voids, trial.complex()) != joined) continue;
-    completion.adopt(std::move(trial));
-    count(rules, Rule::bridged_face);
-    sums = after;
+    if (!walls.empty() && state.try_walls(walls) > 0) count(rules, Rule::bridged_face);
   }
 }
 
 // VV faces of a group above its range that are sealed get a vertex in their middle, in both planes.
-Topology::Next Topology::open_faces(const SlabView& view, const SlabVoids& voids,
-                                    const ChiGroups& groups, const Completion& completion,
-                                    bool may_ask) {
+Topology::Next Topology::open_faces(const SlabView& view, ComplexState& state, bool may_ask) {
   if (openings_ == Openings::given_up) return Next::go_on;
-  const ChiGroups::Sums sums = groups.sums(completion.complex());
-  const std::vector<SlabVoidId> joined =
-      joined_voids(view.slab, view.classes, voids, completion.complex());
+  const SlabVoids& voids = state.voids();
+  const ChiGroups& groups = state.groups();
+  const ChiGroups::Sums& sums = state.sums();
+  const std::vector<SlabVoidId>& joined = state.joined();
   const auto sealed = std::count_if(
       links_.voids->begin(), links_.voids->end(),
       [&](const Link& link) { return !is_open_link(voids.numbering(), joined, link); });
@@ -195,7 +180,7 @@ Topology::Next Topology::open_faces(const SlabView& view, const SlabVoids& voids
   }
   least_deviation_ = deviation;
   if (!groups.any_high(sums) && sealed == 0) return Next::go_on;
-  const VoidSpace space(view.slab, view.classes, voids, completion.complex());
+  const VoidSpace space(view.slab, view.classes, voids, state.completion().complex());
   const SlabRegions& regions = view.classes.regions();
   wanted_ = {};
   wanted_.optional = true;

@@ -51,13 +51,10 @@ class Topology {
 
   [[nodiscard]] bool part_voids(const SlabView& view, SlabVoids& voids, Completion& completion,
                                 bool may_ask, RuleCounts& rules);
-  void drop_unrealised(const SlabView& view, const SlabVoids& voids, const Completion& completion);
+  void drop_unrealised(const SlabView& view, ComplexState& state);
   [[nodiscard]] std::vector<ChiRange> chi_ranges(const SlabView& view) const;
-  void bridge_faces(const SlabView& view, const ChiGroups& groups, Completion& completion,
-                    RuleCounts& rules);
-  [[nodiscard]] Next open_faces(const SlabView& view, const SlabVoids& voids,
-                                const ChiGroups& groups, const Completion& completion,
-                                bool may_ask);
+  void bridge_faces(const SlabView& view, ComplexState& state, RuleCounts& rules);
+  [[nodiscard]] Next open_faces(const SlabView& view, ComplexState& state, bool may_ask);
 
   const SlabLinks& links_;
   Pits& pits_;
