@@ -67,7 +67,7 @@ class Delaunay3Builder {
   // How many parts are worth making, of all vertices up to `end`, where `left` are to be inserted.
   [[nodiscard]] std::size_t worthwhile_parts(std::size_t end, std::size_t left) const;
   [[nodiscard]] Partition cut(std::span<const VertexId> vertices, std::size_t parts,
-                              bool uneven) const;
+                              Cuts cuts) const;
   // Inserts those of the vertices that lie well within the parts, a thread to each; returns the
   // others, in order.
   std::vector<VertexId> insert_within_parts(std::span<const VertexId> vertices,

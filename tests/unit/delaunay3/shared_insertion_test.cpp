@@ -19,6 +19,7 @@
 namespace tetloft::test {
 namespace {
 
+using delaunay3_detail::Cuts;
 using delaunay3_detail::Delaunay3Builder;
 using delaunay3_detail::Partition;
 using delaunay3_detail::Sharing;
@@ -192,10 +193,10 @@ TEST(SharedInsertion, TellsEachStepOnceAndStops) {
 TEST(Partition, HasAboutAsManyPointsInEachPart) {
   Prng prng(79);
   const Points points = uniform(5000, prng);
-  for (const bool uneven : {false, true}) {
+  for (const Cuts cuts : {Cuts::even, Cuts::sparse}) {
     for (std::size_t parts = 1; parts < 20; ++parts) {
       Points sample(points.begin(), points.begin() + 2000);
-      const Partition partition(sample, parts, uneven);
+      const Partition partition(sample, parts, cuts);
       ASSERT_EQ(partition.parts(), parts);
       std::vector<std::size_t> count(parts);
       for (const Point3& p : points) ++count.at(partition.part_of(p));
@@ -211,13 +212,13 @@ TEST(Partition, DoesNotCutBetweenFewPlanes) {
   Prng prng(80);
   Points points = uniform(1000, prng);
   for (std::size_t i = 0; i < points.size(); ++i) points[i].z = i % 2 == 0 ? 0 : 1e9;
-  const Partition partition(points, 8, false);
+  const Partition partition(points, 8, Cuts::even);
   EXPECT_EQ(partition.parts(), 8U);
   for (const Point3& p : points) {
     EXPECT_EQ(partition.part_of(p), partition.part_of({p.x, p.y, 1e9 - p.z}));
   }
   for (Point3& p : points) p = {0, 1, p.z};
-  EXPECT_EQ(Partition(points, 8, false).parts(), 1U);
+  EXPECT_EQ(Partition(points, 8, Cuts::even).parts(), 1U);
 }
 
 }  // namespace
