@@ -25,17 +25,17 @@ constexpr std::size_t kTrialOfShare = 4;
 
 }  // namespace
 
-Delaunay3Builder::Delaunay3Builder(IdVector<VertexId, Point3> points, std::size_t tets_of_point)
-    : tets_(std::move(points), tets_of_point), alone_(tets_) {
+Delaunay3Builder::Delaunay3Builder(std::span<const Point3> points,
+                                   std::span<const std::uint32_t> order, const Sharing& sharing,
+                                   std::size_t tets_of_point)
+    : tets_(points, order, tets_of_point, sharing.threads), alone_(tets_), sharing_(sharing) {
+  sharing_.threads = thread_count(sharing.threads);
   make_first_tets();
 }
 
-bool Delaunay3Builder::insert_all(WatchedWork& work, std::size_t most_tets,
-                                  const Sharing& sharing) {
+bool Delaunay3Builder::insert_all(WatchedWork& work, std::size_t most_tets) {
   work_ = &work;
   most_tets_ = most_tets;
-  sharing_ = sharing;
-  sharing_.threads = thread_count(sharing.threads);
   untold_ = 4;
   // As insertion_order() makes rounds, but for their exact ends: the vertices of each lie all over
   // those of the rounds before.

@@ -39,12 +39,11 @@ Shared shared(const Points& points, const Sharing& sharing, const Execution& exe
   for (std::size_t k = 0; k < 4; ++k) {
     const auto at = static_cast<std::ptrdiff_t>(basis.place[k]);
     const auto to = static_cast<std::ptrdiff_t>(k);
-    std::rotate(inserted.begin() + to, inserted.begin() + at, inserted.begin() + at + 1);
     std::rotate(order.begin() + to, order.begin() + at, order.begin() + at + 1);
   }
-  Delaunay3Builder builder(IdVector<VertexId, Point3>(std::move(inserted)), tets_of_point);
+  Delaunay3Builder builder(points, order, sharing, tets_of_point);
   WatchedWork work(execution, points.size() / Delaunay3Builder::kPointsOfStep);
-  if (!builder.insert_all(work, 1U << 24, sharing)) throw std::runtime_error("too many tets");
+  if (!builder.insert_all(work, 1U << 24)) throw std::runtime_error("too many tets");
   std::vector<VertexId> names;
   for (std::size_t i = 0; i < points.size(); ++i) names.emplace_back(i);
   return {delaunay3_detail::canonical_mesh(
