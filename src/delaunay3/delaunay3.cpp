@@ -14,6 +14,7 @@
 
 #include "core/enums.hpp"
 #include "core/guard.hpp"
+#include "core/pages.hpp"
 #include "core/parallel.hpp"
 #include "core/watched_work.hpp"
 #include "delaunay3/affine_basis.hpp"
@@ -63,30 +64,39 @@ std::vector<T> picked(const Items& items, std::span<const std::uint32_t> places,
   return result;
 }
 
+IdVector<VertexId, VertexId> own_representatives(std::size_t n) {
+  IdVector<VertexId, VertexId> all;
+  all.reserve(n);
+  for (std::size_t i = 0; i < n; ++i) all.push_back(VertexId(i));
+  return all;
+}
+
 // The distinct points in canonical order.
 struct RankedPoints {
   std::vector<Point3> point;       // by rank
   std::vector<VertexId> input_of;  // input_of[rank]: lowest input index of the point
+  std::size_t input_count = 0;     // with duplicates
 };
 
-// Also fills the representatives and the number of duplicates of `out`.
+// Also tells the number of duplicates, and where there are any, who represents whom.
 RankedPoints rank_points(std::span<const Point3> points, unsigned threads, Delaunay3& out) {
   const std::vector<std::uint32_t> order = delaunay3_detail::canonical_order(points, threads);
   RankedPoints ranked;
+  ranked.input_count = points.size();
   ranked.point = picked<Point3>(points, order, threads);
-  out.representative.resize(points.size());
   ranked.input_of.reserve(points.size());
   // In place, from the first duplicate on.
   for (std::size_t i = 0; i < order.size(); ++i) {
     const std::size_t rank = ranked.input_of.size();
-    if (rank == 0 || ranked.point[rank - 1] != ranked.point[i]) {
-      if (rank != i) ranked.point[rank] = ranked.point[i];
-      ranked.input_of.emplace_back(order[i]);
+    if (rank != 0 && ranked.point[rank - 1] == ranked.point[i]) {
+      if (out.duplicates++ == 0) out.representative = own_representatives(points.size());
+      out.representative[VertexId(order[i])] = ranked.input_of.back();
+      continue;
     }
-    out.representative[VertexId(order[i])] = ranked.input_of.back();
+    if (rank != i) ranked.point[rank] = ranked.point[i];
+    ranked.input_of.emplace_back(order[i]);
   }
   ranked.point.resize(ranked.input_of.size());
-  out.duplicates = points.size() - ranked.point.size();
   return ranked;
 }
 
@@ -179,8 +189,7 @@ Result<bool> overlay_planes(const RankedPoints& ranked, const Delaunay3Options& 
   work.step_done_go_on();
   const std::vector<std::uint32_t> rank_of = identity(points.size());
   out.mesh = delaunay3_detail::canonical_mesh(
-      slab,
-      {.rank_of = rank_of, .input_of = ranked.input_of, .input_count = out.representative.size()},
+      slab, {.rank_of = rank_of, .input_of = ranked.input_of, .input_count = ranked.input_count},
       options.execution.threads);
   out.dimension = 3;
   out.engine = DelaunayEngine::slab;
@@ -196,7 +205,7 @@ Result<bool> insert_points(RankedPoints& ranked, const Delaunay3Options& options
   const delaunay3_detail::AffineBasis basis = basis_of(ranked.point, order, threads);
   out.dimension = basis.dimension;
   if (basis.dimension < 3) {
-    out.mesh = TetMesh::from_adjacency(out.representative.size(), {}, {});
+    out.mesh = TetMesh::from_adjacency(ranked.input_count, {}, {});
     return true;
   }
   move_to_front(order, basis.place);
@@ -206,14 +215,13 @@ Result<bool> insert_points(RankedPoints& ranked, const Delaunay3Options& options
   work.go_on();
   // How many tets there are at a time depends on the order: a limit is that of one thread's.
   Delaunay3Builder builder(ranked.point, order, {.threads = options.most_tets == 0 ? threads : 1});
-  ranked.point = {};
+  core::release(ranked.point);
   if (!builder.insert_all(work, bound_on_tets(options.most_tets))) {
     return too_many_tets(options.most_tets);
   }
   out.mesh = delaunay3_detail::canonical_mesh(
       builder.slots(),
-      {.rank_of = order, .input_of = ranked.input_of, .input_count = out.representative.size()},
-      threads);
+      {.rank_of = order, .input_of = ranked.input_of, .input_count = ranked.input_count}, threads);
   work.step_done();
   return true;
 }
@@ -239,6 +247,8 @@ Result<Delaunay3> triangulate(std::span<const Point3> points, const Delaunay3Opt
     done = insert_points(ranked, options, out);
   }
   if (!done) return done.error();
+  // Last, when there is memory for them again.
+  if (out.duplicates == 0) out.representative = own_representatives(points.size());
   return out;
 }
 

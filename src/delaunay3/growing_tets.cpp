@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "core/pages.hpp"
 #include "core/parallel.hpp"
 #include "delaunay3/stretches.hpp"
 
@@ -58,8 +59,8 @@ void GrowingTets::reserve(std::size_t more) {
 }
 
 void GrowingTets::keep_slots_only() {
-  vertices_ = {};
-  marks_ = {};
+  core::release(vertices_);
+  core::release(marks_);
 }
 
 }  // namespace tetloft::internal::delaunay3_detail
