@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 
 #include "between/smoother.hpp"
@@ -95,6 +96,28 @@ std::vector<LatticeWindow> tiles_of(const LatticeWindow& nodes) {
   return tiles;
 }
 
+// How many samples of a row are inside in both sections.
+std::int64_t shared_length(std::span<const motion::InsideSamples::Run> lower,
+                           std::span<const motion::InsideSamples::Run> upper) {
+  std::int64_t shared = 0;
+  for (auto low = lower.begin(), high = upper.begin(); low != lower.end() && high != upper.end();) {
+    shared += std::max(std::min(low->end, high->end) - std::max(low->first, high->first),
+                       std::int64_t{0});
+    if (low->end < high->end) {
+      ++low;
+    } else {
+      ++high;
+    }
+  }
+  return shared;
+}
+
+std::int64_t length(std::span<const motion::InsideSamples::Run> runs) {
+  std::int64_t sum = 0;
+  for (const auto& run : runs) sum += run.end - run.first;
+  return sum;
+}
+
 // The class's distances in a slab, in quarters of the gap, one gap at most.
 class Fit {
  public:
@@ -127,15 +150,15 @@ class Fit {
   }
   [[nodiscard]] bool at_rest() const {
     if (is_lone()) return false;
-    std::size_t both = 0;
-    std::size_t either = 0;
-    for (const LatticeWindow& tile : tiles_of(nodes_)) {
-      const DistanceSamples a = sample_distances(edges_[lower], samples_of(tile));
-      const DistanceSamples b = sample_distances(edges_[upper], samples_of(tile));
-      for (std::size_t k = 0; k < a.value.size(); ++k) {
-        both += a.value[k] < 0 && b.value[k] < 0 ? 1U : 0U;
-        either += a.value[k] < 0 || b.value[k] < 0 ? 1U : 0U;
-      }
+    const LatticeWindow window = samples_of(nodes_);
+    const motion::InsideSamples in_lower(edges_[lower], window);
+    const motion::InsideSamples in_upper(edges_[upper], window);
+    std::int64_t both = 0;
+    std::int64_t either = 0;
+    for (std::int64_t j = window.j0; j < window.j1; ++j) {
+      const std::int64_t shared = shared_length(in_lower.row(j), in_upper.row(j));
+      both += shared;
+      either += length(in_lower.row(j)) + length(in_upper.row(j)) - shared;
     }
     return static_cast<double>(both) >= kAtRest * static_cast<double>(either);
   }
@@ -243,6 +266,10 @@ std::pair<std::int64_t, double> place_between(double at, std::int64_t low, std::
   return {low + whole, on - static_cast<double>(whole)};
 }
 
+Point2 part_of_way(const Point2& from, const Point2& to, double share) {
+  return {from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)};
+}
+
 }  // namespace
 
 Point2 MotionField::at(const Point2& p) const {
@@ -250,10 +277,38 @@ Point2 MotionField::at(const Point2& p) const {
   const auto [j, fy] = place_between(p.y / spacing, window.j0, window.j1);
   const Point2* const low = node.data() + window.place(i, j);
   const Point2* const high = low + window.nx();
-  const Point2 a{low[0].x + fx * (low[1].x - low[0].x), low[0].y + fx * (low[1].y - low[0].y)};
-  const Point2 b{high[0].x + fx * (high[1].x - high[0].x),
-                 high[0].y + fx * (high[1].y - high[0].y)};
-  return {a.x + fy * (b.x - a.x), a.y + fy * (b.y - a.y)};
+  return part_of_way(part_of_way(low[0], low[1], fx), part_of_way(high[0], high[1], fx), fy);
+}
+
+std::vector<Point2> MotionField::at_samples(const motion::LatticeWindow& samples,
+                                            double step) const {
+  std::vector<std::pair<std::int64_t, double>> columns;
+  for (std::int64_t i = samples.i0; i < samples.i1; ++i) {
+    columns.push_back(place_between(static_cast<double>(i) * step / spacing, window.i0, window.i1));
+  }
+  std::vector<Point2> result;
+  result.reserve(samples.size());
+  // At the columns, on the rows of nodes below and above; for one row of cells after the other.
+  std::vector<Point2> below(columns.size());
+  std::vector<Point2> above(columns.size());
+  std::optional<std::int64_t> cells;
+  for (std::int64_t j = samples.j0; j < samples.j1; ++j) {
+    const auto [row, fy] =
+        place_between(static_cast<double>(j) * step / spacing, window.j0, window.j1);
+    if (row != cells) {
+      for (std::size_t k = 0; k < columns.size(); ++k) {
+        const Point2* const low = node.data() + window.place(columns[k].first, row);
+        const Point2* const high = low + window.nx();
+        below[k] = part_of_way(low[0], low[1], columns[k].second);
+        above[k] = part_of_way(high[0], high[1], columns[k].second);
+      }
+      cells = row;
+    }
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      result.push_back(part_of_way(below[k], above[k], fy));
+    }
+  }
+  return result;
 }
 
 std::optional<MotionField> estimate_motion(const ClassOutlines& outlines) {

@@ -14,10 +14,22 @@ inline constexpr std::uint32_t kNoNode = 0xFFFFFFFFU;
 /// The void around everything is the first one of each layer.
 inline constexpr std::uint32_t kExterior = 0;
 
+/// Samples of one node side by side in a row: places first ≤ place < end.
+struct LabelledRun {
+  std::uint32_t first, end, node;
+};
+
 /// The nodes that a layer adds to a graph of layers.
 struct LayerLabels {
-  std::vector<std::uint32_t> node;  ///< by place in the window, or kNoNode
-  std::vector<std::size_t> size;    ///< samples, by node; of the exterior the most there can be
+  std::vector<LabelledRun> runs;  ///< ascending; the samples of no node are in none
+  std::vector<std::size_t> size;  ///< samples, by node; of the exterior the most there can be
+  /// Of solids: how many voids they enclose.
+  std::size_t enclosed = 0;
+
+  /// Of the sample at this place, or kNoNode; by bisection.
+  [[nodiscard]] std::uint32_t node_at(std::uint32_t place) const;
+  /// By place, of so many, or kNoNode.
+  [[nodiscard]] std::vector<std::uint32_t> nodes(std::size_t places) const;
 };
 
 inline constexpr std::size_t kUnbounded = std::numeric_limits<std::size_t>::max();
@@ -29,6 +41,10 @@ inline constexpr std::size_t kUnbounded = std::numeric_limits<std::size_t>::max(
 /// The 8-connected parts of the outside samples; requires the same.
 [[nodiscard]] LayerLabels label_voids(const motion::LatticeWindow& window,
                                       const std::vector<double>& value);
+
+/// Of nodes by place; sizes are left to the caller.
+[[nodiscard]] std::vector<LabelledRun> runs_of(const motion::LatticeWindow& window,
+                                               const std::vector<std::uint32_t>& node);
 
 /// The samples of each node but the exterior, row by row.
 [[nodiscard]] std::vector<std::vector<std::uint32_t>> samples_by_node(const LayerLabels& labels);

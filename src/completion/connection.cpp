@@ -22,7 +22,13 @@ void Completion::note_change(SlabVertexId v) {
 void Completion::attach(TetId t, int corner) {
   if (complex_.is_attached(t, corner)) return;
   complex_.attached[t] = static_cast<std::uint8_t>(complex_.attached[t] | (1U << corner));
+  unite_attached(t, corner);
+}
+
+// The region of an attached corner with those of other corners attached.
+void Completion::unite_attached(TetId t, int corner) {
   const SlabVertexId p = slab_.vertex(t, corner);
+  if (classes_.is_lone(classes_.of(p))) return;
   for (int i = 0; i < 4; ++i) {
     const SlabVertexId u = slab_.vertex(t, i);
     if (classes_.of(u) != classes_.of(p)) continue;

@@ -194,24 +194,24 @@ Facing facing_of(const Triangle3& t) {
   return {};
 }
 
-bool touch(std::span<const Point3> points, const TriangleVertices& a, const Facing& f,
-           const TriangleVertices& b, const Facing& g) {
-  // Bring the shared vertices to the front, in the same order.
-  TriangleVertices va = a;
-  TriangleVertices vb = b;
+std::size_t bring_shared_forward(TriangleVertices& a, TriangleVertices& b) {
   std::size_t shared = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = shared; j < 3; ++j) {
-      if (va[i] != vb[j]) continue;
-      std::swap(va[i], va[shared]);
-      std::swap(vb[j], vb[shared]);
+      if (a[i] != b[j]) continue;
+      std::swap(a[i], a[shared]);
+      std::swap(b[j], b[shared]);
       ++shared;
       break;
     }
   }
+  return shared;
+}
 
-  const Triangle3 ta = corners(points, va);
-  const Triangle3 tb = corners(points, vb);
+bool touch(std::span<const Point3> points, std::size_t shared, const TriangleVertices& a,
+           const Facing& f, const TriangleVertices& b, const Facing& g) {
+  const Triangle3 ta = corners(points, a);
+  const Triangle3 tb = corners(points, b);
   const Plate pa{ta, f};
   const Plate pb{tb, g};
   if (f.axis == Axis::none || g.axis == Axis::none) return touch_degenerate(pa, pb);
@@ -231,7 +231,10 @@ bool triangles_touch(std::span<const Point3> points, const TriangleVertices& a,
                      const TriangleVertices& b) {
   using contact_detail::corners;
   using contact_detail::facing_of;
-  return contact_detail::touch(points, a, facing_of(corners(points, a)), b,
+  TriangleVertices first = a;
+  TriangleVertices second = b;
+  const std::size_t shared = contact_detail::bring_shared_forward(first, second);
+  return contact_detail::touch(points, shared, first, facing_of(corners(points, a)), second,
                                facing_of(corners(points, b)));
 }
 

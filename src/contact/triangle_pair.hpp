@@ -29,8 +29,13 @@ struct Facing {
 
 [[nodiscard]] Facing facing_of(const Triangle3& t);
 
-/// The contract of triangles_touch(); f and g are the facings of a and b.
-[[nodiscard]] bool touch(std::span<const Point3> points, const TriangleVertices& a, const Facing& f,
-                         const TriangleVertices& b, const Facing& g);
+/// Brings the vertices that two triangles share to the front of both, in one order; how many.
+std::size_t bring_shared_forward(TriangleVertices& a, TriangleVertices& b);
+
+/// The contract of triangles_touch(), for triangles with the `shared` vertices in front; f and g
+/// are the facings of a and b.
+[[nodiscard]] bool touch(std::span<const Point3> points, std::size_t shared,
+                         const TriangleVertices& a, const Facing& f, const TriangleVertices& b,
+                         const Facing& g);
 
 }  // namespace tetloft::internal::contact_detail

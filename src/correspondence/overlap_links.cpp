@@ -1,6 +1,9 @@
 #include "correspondence/overlap_links.hpp"
 
 #include <cmath>
+#include <optional>
+
+#include "sections/overlap_region.hpp"
 
 namespace tetloft::internal {
 
@@ -13,10 +16,16 @@ constexpr double kRatioSlack = 0x1p-31;
 
 std::vector<OverlappingPair> overlapping_pairs(const SectionRegions& below,
                                                const SectionRegions& above) {
+  // Each region is made ready once, if it is near another.
+  IdVector<RegionId, std::optional<sections::OverlapRegion>> ready(above.size());
   std::vector<OverlappingPair> pairs;
   for (const RegionId i : below.ids()) {
+    std::optional<sections::OverlapRegion> low;
     above.for_each_near(below.box[i], [&](RegionId j) {
-      const double ratio = overlap_ratio(below.outline[i], above.outline[j]);
+      if (!below.box[i].overlaps(above.box[j])) return;
+      if (!low) low.emplace(below.outline[i]);
+      if (!ready[j]) ready[j].emplace(above.outline[j]);
+      const double ratio = sections::overlap_ratio(*low, *ready[j]);
       if (ratio > 0) pairs.push_back({i, j, ratio});
     });
   }

@@ -2,7 +2,6 @@
 #include "delaunay3/canonical_order.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cstddef>
 #include <numeric>
 
@@ -22,13 +21,6 @@ using Coordinate = double Point3::*;
 constexpr Coordinate kSignificance[] = {&Point3::z, &Point3::x, &Point3::y};
 
 constexpr std::size_t kPointsOfKeying = std::size_t{1} << 15;
-
-/// Ordered as the doubles are; the two zeros are one.
-std::uint64_t key_of(double value) {
-  const auto bits = std::bit_cast<std::uint64_t>(value + 0.0);
-  constexpr std::uint64_t sign = std::uint64_t{1} << 63;
-  return (bits & sign) != 0 ? ~bits : bits | sign;
-}
 
 void key_by(std::size_t coordinate, std::span<const Point3> points, std::span<Keyed> run) {
   for (Keyed& entry : run) entry.key = key_of(points[entry.place].*kSignificance[coordinate]);

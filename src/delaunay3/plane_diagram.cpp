@@ -105,21 +105,22 @@ IdVector<TriangleId, TriangleId> near_in_memory(const Triangulation2& plane) {
 }  // namespace
 
 PlaneDiagram::PlaneDiagram(const Triangulation2& triangulation)
-    : points_(&triangulation.points), finite_count_(triangulation.triangles.size()) {
+    : points_(&triangulation.points),
+      finite_count_(triangulation.triangles.size()),
+      input_of_(near_in_memory(triangulation)) {
   const auto& triangles = triangulation.triangles;
   TETLOFT_CHECK(!triangles.empty());
-  const IdVector<TriangleId, TriangleId> input_of = near_in_memory(triangulation);
   IdVector<TriangleId, TriangleId> place_of(triangles.size());
   for (std::size_t k = 0; k < triangles.size(); ++k)
-    place_of[input_of[TriangleId(k)]] = TriangleId(k);
+    place_of[input_of_[TriangleId(k)]] = TriangleId(k);
 
   triangles_.reserve(triangles.size() + triangles.size() / 16 + 16);
-  for (const TriangleId t : input_of) {
+  for (const TriangleId t : input_of_) {
     const PlaneTriangleVertices& v = triangles[t];
     triangles_.push_back({v, {}, circumcentre_with_bound(point(v[0]), point(v[1]), point(v[2]))});
   }
   for (std::size_t k = 0; k < triangles.size(); ++k) {
-    const TriangleId t = input_of[TriangleId(k)];
+    const TriangleId t = input_of_[TriangleId(k)];
     for (std::uint32_t i = 0; i < 3; ++i) {
       const TriangleId u = triangulation.neighbours[t][i];
       if (!u.valid()) continue;

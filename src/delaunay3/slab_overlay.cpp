@@ -46,14 +46,17 @@ class SlabOverlay {
     }
   }
 
-  std::vector<TetSlot> run() {
-    if (first_type2() > most_tets_) return {};
+  // False at too many tets.
+  [[nodiscard]] bool run() {
+    if (first_type2() > most_tets_) return false;
     start_type1();
-    if (!trace_upper_edges()) return {};
+    if (!trace_upper_edges()) return false;
     chain_lower_edges();
     settle_lower_triangles();
-    return std::move(slots_);
+    return true;
   }
+  [[nodiscard]] std::vector<TetSlot> take_slots() { return std::move(slots_); }
+  [[nodiscard]] std::vector<TetBase> bases() const;
 
  private:
   [[nodiscard]] TetId tet_below(TriangleId t) const { return TetId(t.value()); }
@@ -90,6 +93,10 @@ class SlabOverlay {
   }
   [[nodiscard]] HalfFaceId face_above(HalfEdgeId h) const {
     return half_face(tet_above(PlaneDiagram::triangle(h)), (h.value() & 3U) + 1);
+  }
+  // The half-edge whose face_above() this is.
+  [[nodiscard]] HalfEdgeId side_above(HalfFaceId face) const {
+    return HalfEdgeId(face.value() - 4 * TetId(lower_.finite_count()).value() - 1);
   }
   // One of the two half-edges stands for the edge.
   [[nodiscard]] HalfEdgeId representative(HalfEdgeId h) const {
@@ -274,7 +281,6 @@ void SlabOverlay::sort_by_lower_edge() {
   for (std::size_t k = 0; k < edge_of_.size(); ++k) {
     on_edge_[end_on_edge_[edge_of_[k]]++] = TetId(first_type2() + k);
   }
-  edge_of_ = {};
 }
 
 // Glues the type-2 tets of every lower edge along it, and with the type-1 tets at its ends.
@@ -355,11 +361,44 @@ void SlabOverlay::settle_lower_triangles() {
   }
 }
 
+// The tets of an upper edge follow each other: the first has a type-1 tet behind it, over the
+// half-edge that was traced.
+std::vector<TetBase> SlabOverlay::bases() const {
+  const auto named = [](const PlaneDiagram& plane, HalfEdgeId h) {
+    return side_of(plane.input_of(PlaneDiagram::triangle(h)), h.value() & 3U);
+  };
+  std::vector<TetBase> result;
+  result.reserve(slots_.size());
+  for (std::size_t k = 0; k < lower_.finite_count(); ++k) {
+    result.push_back({side_of(lower_.input_of(TriangleId(k)), 0), {}});
+  }
+  for (std::size_t k = 0; k < upper_.finite_count(); ++k) {
+    result.push_back({{}, side_of(upper_.input_of(TriangleId(k)), 0)});
+  }
+  TriangleSideId upper;
+  for (std::size_t k = 0; k < edge_of_.size(); ++k) {
+    const HalfFaceId behind = slots_[first_type2() + k].opposite[kBehind];
+    if (TetMesh::tet_of(behind).index() < first_type2()) upper = named(upper_, side_above(behind));
+    result.push_back({named(lower_, edge_of_[k]), upper});
+  }
+  return result;
+}
+
 }  // namespace
 
 std::vector<TetSlot> slab_overlay(const Triangulation2& lower, const Triangulation2& upper,
                                   const WatchedWork& work, std::size_t most_tets) {
-  return SlabOverlay(lower, upper, work, most_tets).run();
+  SlabOverlay overlay(lower, upper, work, most_tets);
+  if (!overlay.run()) return {};
+  return overlay.take_slots();
+}
+
+SlabTets slab_overlay_with_bases(const Triangulation2& lower, const Triangulation2& upper,
+                                 const WatchedWork& work, std::size_t most_tets) {
+  SlabOverlay overlay(lower, upper, work, most_tets);
+  if (!overlay.run()) return {};
+  std::vector<TetBase> bases = overlay.bases();
+  return {overlay.take_slots(), std::move(bases)};
 }
 
 }  // namespace tetloft::internal::delaunay3_detail

@@ -14,6 +14,8 @@
 // the other and no Voronoi edges overlap, so the overlay has no special cases.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include <tetloft/delaunay2.hpp>
@@ -23,6 +25,30 @@
 #include "delaunay3/tet_slot.hpp"
 
 namespace tetloft::internal::delaunay3_detail {
+
+/// Side i of triangle t of a Triangulation2, 4 t + i: the edge opposite vertex i.
+using TriangleSideId = Id<struct TriangleSideTag>;
+
+[[nodiscard]] inline TriangleSideId side_of(TriangleId t, std::size_t i) {
+  return TriangleSideId(4 * t.value() + static_cast<std::uint32_t>(i));
+}
+[[nodiscard]] inline TriangleId triangle_of(TriangleSideId side) {
+  return TriangleId(side.value() / 4);
+}
+[[nodiscard]] inline std::size_t side_number(TriangleSideId side) { return side.value() & 3U; }
+
+/// What a tet of a slab has in its planes: type 1 a triangle, named by its side 0, in one of them;
+/// type 2 an edge in each, named by either of its sides.
+struct TetBase {
+  TriangleSideId lower;
+  TriangleSideId upper;
+};
+
+/// Tets as an engine holds them, and what each has in the planes.
+struct SlabTets {
+  std::vector<TetSlot> slots;
+  std::vector<TetBase> bases;  ///< by slot
+};
 
 /// The unique perturbed triangulation of two planes: type 1 below, type 1 above, then type 2.
 /// Vertices are the lower plane's, then the upper's; tets are positive if the upper plane is
@@ -34,5 +60,10 @@ namespace tetloft::internal::delaunay3_detail {
                                                 const Triangulation2& upper,
                                                 const WatchedWork& work,
                                                 std::size_t most_tets = (std::size_t{1} << 30) - 1);
+
+/// The same with the bases of all tets.
+[[nodiscard]] SlabTets slab_overlay_with_bases(const Triangulation2& lower,
+                                               const Triangulation2& upper, const WatchedWork& work,
+                                               std::size_t most_tets = (std::size_t{1} << 30) - 1);
 
 }  // namespace tetloft::internal::delaunay3_detail

@@ -8,7 +8,9 @@
 #include "reconstruct/divide.hpp"
 #include "reconstruct/stack_errors.hpp"
 #include "sections/coarse_edges.hpp"
+#include "sections/conforming_section.hpp"
 #include "sections/scaling.hpp"
+#include "sections/validation.hpp"
 #include "slab/work_limit.hpp"
 
 namespace tetloft::internal {
@@ -20,11 +22,11 @@ std::optional<Error> PreparedStack::conform_section(SectionId s,
   std::size_t vertices = 0;
   for (const Contour& contour : stack.sections[s].contours) vertices += contour.vertices.size();
   Result<ConformingSection> section =
-      conform(stack.sections[s], s,
-              {.gabriel = gabriel,
-               .apart = apart,
-               .divided = divided,
-               .most_inserted = most_inserted(work_limit, vertices)});
+      sections::conform_nested(stack.sections[s], s, nestings[s],
+                               {.gabriel = gabriel,
+                                .apart = apart,
+                                .divided = divided,
+                                .most_inserted = most_inserted(work_limit, vertices)});
   if (!section) return section.error();
   sections[s] = std::move(*section);
   return std::nullopt;
@@ -75,7 +77,10 @@ class Conforming {
 Result<PreparedStack> prepare(const SectionStack& given, Unit unit,
                               const ReconstructOptions& options, WatchedWork& work,
                               Conform conform) {
-  if (Result<void> valid = validate(given, untold(options.execution)); !valid) return valid.error();
+  const Execution alone = untold(options.execution);
+  WatchedWork validation(alone, 0);
+  Result<IdVector<SectionId, Nesting>> nestings = sections::nest_if_valid(given, validation);
+  if (!nestings) return nestings.error();
   PreparedStack prepared;
   prepared.work_limit = options.work_limit;
   if (unit == Unit::of_the_stack) {
@@ -84,12 +89,11 @@ Result<PreparedStack> prepare(const SectionStack& given, Unit unit,
     prepared.exponent = length.exponent();
   }
   prepared.stack = sections::scaled(given, prepared.exponent);
-  prepared.nestings.resize(prepared.section_count());
+  prepared.nestings = *std::move(nestings);  // scaling by a power of two changes no order
   prepared.sections.resize(prepared.section_count());
   Conforming sections(prepared, divides_coarse(options) && conform == Conform::all);
   auto error = first_error(all_ids<SectionId>(prepared.section_count()), options.execution.threads,
                            work, [&](SectionId s) {
-                             prepared.nestings[s] = nest(prepared.stack.sections[s]);
                              auto failed =
                                  conform == Conform::all ? sections.conform(s) : std::nullopt;
                              work.step_done();

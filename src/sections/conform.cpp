@@ -84,11 +84,12 @@ bool are_divisions_of(const Section& section, std::span<const EdgeDivision> divi
 
 class Conformer {
  public:
-  Conformer(const Section& section, SectionId id, std::span<const EdgeDivision> divided,
-            std::span<const Point2> interior, std::span<const Point2> apart)
+  Conformer(const Section& section, SectionId id, const Nesting& nesting,
+            std::span<const EdgeDivision> divided, std::span<const Point2> interior,
+            std::span<const Point2> apart)
       : section_(section), id_(id), apart_(apart) {
     result_.z = section.z;
-    result_.nesting = nest(section);
+    result_.nesting = nesting;
     flat_ = flatten(section, divided, interior);
   }
 
@@ -220,6 +221,7 @@ class Conformer {
   // contour at its pieces, leaving it for its parent.
   void label_triangles() {
     const Triangulation2& t = result_.triangulation;
+    const IdVector<TriangleId, std::array<EdgeId, 3>> edges = sections::edges_of_sides(result_);
     around_.resize(t.triangles.size());
     result_.internal.assign(t.triangles.size(), 0);
     std::vector<bool> reached(t.triangles.size(), false);
@@ -240,9 +242,8 @@ class Conformer {
     while (!front.empty()) {
       const TriangleId triangle = front.back();
       front.pop_back();
-      const PlaneTriangleVertices& v = t.triangles[triangle];
       for (std::size_t i = 0; i < 3; ++i) {
-        const EdgeId edge = result_.find_edge(v[(i + 1) % 3], v[(i + 2) % 3]);
+        const EdgeId edge = edges[triangle][i];
         reach(t.neighbours[triangle][i], around_[triangle], contour_of_edge_[edge]);
       }
     }
@@ -332,6 +333,7 @@ class Conformer {
 // The same in a unit of the section's own. Nothing where points have finer bits than fit in the
 // unit given.
 std::optional<Result<ConformingSection>> conform_in_unit(const Section& section, SectionId id,
+                                                         const Nesting& nesting,
                                                          const ConformOptions& options) {
   UnitOfLength unit;
   for (const Contour& contour : section.contours) {
@@ -346,7 +348,7 @@ std::optional<Result<ConformingSection>> conform_in_unit(const Section& section,
   for (Point2& p : apart) p = scaled(p, exponent);
   const Section in_unit = sections::scaled_in_plane(section, exponent);
   Result<ConformingSection> result =
-      Conformer(in_unit, id, options.divided, inside, apart).run(options);
+      Conformer(in_unit, id, nesting, options.divided, inside, apart).run(options);
   if (!result) {
     Error error = result.error();
     if (error.where.point) {
@@ -364,6 +366,21 @@ std::optional<Result<ConformingSection>> conform_in_unit(const Section& section,
 
 }  // namespace
 
+Result<ConformingSection> sections::conform_nested(const Section& section, SectionId id,
+                                                   const Nesting& nesting,
+                                                   const ConformOptions& options) {
+  auto in_unit = conform_in_unit(section, id, nesting, options);
+  // What has been told of the work is not told again.
+  ConformOptions again = options;
+  again.execution.progress = nullptr;
+  Result<ConformingSection> result =
+      in_unit
+          ? *std::move(in_unit)
+          : Conformer(section, id, nesting, again.divided, again.interior, again.apart).run(again);
+  if (result) result->gabriel = options.gabriel;
+  return result;
+}
+
 Result<ConformingSection> conform(const Section& section, SectionId id,
                                   const ConformOptions& options) {
   return guard_internal([&]() -> Result<ConformingSection> {
@@ -379,15 +396,7 @@ Result<ConformingSection> conform(const Section& section, SectionId id,
       error.where.section = id.index();
       return error;
     }
-    auto in_unit = conform_in_unit(section, id, options);
-    // What has been told of the work is not told again.
-    ConformOptions again = options;
-    again.execution.progress = nullptr;
-    Result<ConformingSection> result =
-        in_unit ? *std::move(in_unit)
-                : Conformer(section, id, again.divided, again.interior, again.apart).run(again);
-    if (result) result->gabriel = options.gabriel;
-    return result;
+    return sections::conform_nested(section, id, nest(section), options);
   });
 }
 

@@ -118,6 +118,22 @@ IdVector<PlaneVertexId, PlaneVertexId> sections::adopt(const Triangulation2& tri
   return number;
 }
 
+IdVector<TriangleId, std::array<EdgeId, 3>> sections::edges_of_sides(
+    const ConformingSection& section) {
+  IdVector<TriangleId, std::array<EdgeId, 3>> result(section.triangulation.triangles.size());
+  for (const EdgeId e : section.edges.ids()) {
+    const ConformingSection::Edge& edge = section.edges[e];
+    for (const auto& [triangle, from] :
+         {std::pair(edge.left, edge.a), std::pair(edge.right, edge.b)}) {
+      if (!triangle.valid()) continue;
+      // Side i runs from vertex i + 1.
+      const PlaneTriangleVertices& v = section.triangulation.triangles[triangle];
+      result[triangle][v[0] == from ? 2 : v[1] == from ? 0 : 1] = e;
+    }
+  }
+  return result;
+}
+
 Section sections::given_section(const ConformingSection& section) {
   Section given;
   given.z = section.z;

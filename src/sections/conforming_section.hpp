@@ -1,6 +1,7 @@
 // Building a ConformingSection's triangulation and edge table in canonical numbering.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include <tetloft/conforming_section.hpp>
@@ -12,6 +13,15 @@ namespace tetloft::internal::sections {
 /// `section`. Returns the new id of every old vertex.
 IdVector<PlaneVertexId, PlaneVertexId> adopt(const Triangulation2& triangulation,
                                              ConformingSection& section);
+
+/// conform() of a section with its nesting at hand.
+[[nodiscard]] Result<ConformingSection> conform_nested(const Section& section, SectionId id,
+                                                       const Nesting& nesting,
+                                                       const ConformOptions& options);
+
+/// By triangle: the edges opposite its vertices. Linear.
+[[nodiscard]] IdVector<TriangleId, std::array<EdgeId, 3>> edges_of_sides(
+    const ConformingSection& section);
 
 /// The contours without what was inserted: the section as it was given, but for where contours
 /// start and which way they run.

@@ -139,8 +139,11 @@ Box2 bounds(const RegionOutline& region) {
 }
 
 bool interiors_meet(const RegionOutline& a, const RegionOutline& b) {
-  const Box2 box_a = bounds(a);
-  const Box2 box_b = bounds(b);
+  return interiors_meet(a, bounds(a), b, bounds(b));
+}
+
+bool interiors_meet(const RegionOutline& a, const Box2& box_a, const RegionOutline& b,
+                    const Box2& box_b) {
   if (!box_a.overlaps(box_b)) return false;
   std::vector<OwnedEdge> edges;
   collect(a, 1, box_b, edges);

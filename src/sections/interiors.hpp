@@ -13,6 +13,9 @@ namespace tetloft::internal::sections {
 /// Is area(a ∩ b) positive? Touching boundaries, shared vertices and shared edges alone do
 /// not count. Requires outlines of valid sections.
 [[nodiscard]] bool interiors_meet(const RegionOutline& a, const RegionOutline& b);
+/// The same with their bounds() at hand.
+[[nodiscard]] bool interiors_meet(const RegionOutline& a, const Box2& box_a, const RegionOutline& b,
+                                  const Box2& box_b);
 
 /// Throws std::invalid_argument unless all coordinates are finite.
 void require_finite(const Contour& contour);

@@ -4,6 +4,7 @@
 // without arithmetic: regions that only touch are ordinary, and no interval tells them
 // from regions with a tiny overlap.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -14,6 +15,7 @@
 #include "sections/interiors.hpp"
 #include "sections/overlap_exact.hpp"
 #include "sections/overlap_pairs.hpp"
+#include "sections/overlap_region.hpp"
 #include "sections/reported_bits.hpp"
 
 namespace tetloft {
@@ -22,101 +24,86 @@ using namespace internal;
 
 namespace {
 
-using sections::Trapezoid;
-using sections::Trapezoids;
+using sections::OverlapRegion;
+using sections::SlopedEdge;
 
 // An interval that holds two rounded ratios is resolved exactly, up to this many pairs of
 // edges (a second or so). More have contours of thousands of vertices folded hundreds of
 // times, where intervals are wide and a ratio without the last of its bits must do.
 constexpr std::size_t kMostExactPairs = 1'000'000;
 
-// Bounds of ∫ 2 min(p (1 − t) + q t, 0) dt over 0 ≤ t ≤ 1; it increases with p and q.
-double lower_bound_below(double p, double q) {
+constexpr double kHalfUlp = 0x1p-53;  // u: relative, of one rounding
+
+// ∫ 2 min(p (1 − t) + q t, 0) dt over 0 ≤ t ≤ 1, rounded three times at most; it changes by no more
+// than twice what p and q change by.
+double integral_below(double p, double q) {
+  if (p <= 0 && q <= 0) return p + q;
   if (p >= 0 && q >= 0) return 0;
-  if (p <= 0 && q <= 0) return downwards(p + q);
   const double n = std::min(p, q);
-  const double drop = downwards(std::max(p, q) - n);
-  // Denormals: the triangle is never larger than its height.
-  if (drop <= 0) return n;
-  return -upwards(upwards(n * n) / drop);
+  return -(n * n / (std::max(p, q) - n));
 }
 
-double upper_bound_below(double p, double q) {
-  if (p >= 0 && q >= 0) return 0;
-  if (p <= 0 && q <= 0) return std::min(0.0, upwards(p + q));
-  const double n = std::min(p, q);
-  const double square = std::max(0.0, downwards(n * n));
-  const double part = downwards(square / upwards(std::max(p, q) - n));
-  return -std::max(0.0, part);
+// e(x) − f(x) for x in the range of both.
+double height(const SlopedEdge& e, const SlopedEdge& f, double x) {
+  return e.left.y - f.left.y + e.slope * (x - e.left.x) - f.slope * (x - f.left.x);
 }
 
-// The edges of both regions in one scale, with bounds of their slopes.
-class IntervalOverlap {
- public:
-  IntervalOverlap(const std::vector<Trapezoid>& a, const std::vector<Trapezoid>& b)
-      : a_(a), b_(b), slope_a_(slopes(a)), slope_b_(slopes(b)) {}
+bool has_finite_slopes(const std::vector<SlopedEdge>& edges) {
+  return std::all_of(edges.begin(), edges.end(),
+                     [](const SlopedEdge& e) { return std::isfinite(e.slope); });
+}
 
-  // False where an edge is too steep for doubles.
-  [[nodiscard]] bool has_finite_slopes() const {
-    const auto finite = [](const Interval& s) {
-      return std::isfinite(s.lo) && std::isfinite(s.hi);
-    };
-    return std::all_of(slope_a_.begin(), slope_a_.end(), finite) &&
-           std::all_of(slope_b_.begin(), slope_b_.end(), finite);
+// A sum in two doubles. Of n terms it is off by at most u of itself and (n u)² of the sum of their
+// magnitudes (Ogita, Rump and Oishi, "Accurate sum and dot product", 2005, proposition 4.5).
+struct CompensatedSum {
+  double sum = 0;
+  double error = 0;
+
+  void add(double term) {
+    const double next = sum + term;
+    const double of_term = next - sum;
+    error += (sum - (next - of_term)) + (term - of_term);
+    sum = next;
   }
-
-  // Twice the area of the overlap; counts pairs. Requires finite slopes.
-  [[nodiscard]] Interval twice_area(std::size_t& pairs) const {
-    IntervalSum sum;
-    sections::visit_pairs(a_, b_, [&](std::uint32_t i, std::uint32_t j) {
-      ++pairs;
-      const Trapezoid& e = a_[i];
-      const Trapezoid& f = b_[j];
-      const double l = std::max(e.left.x, f.left.x);
-      const double r = std::min(e.right.x, f.right.x);
-      const Interval at_l = height(e, slope_a_[i], f, slope_b_[j], l);
-      const Interval at_r = height(e, slope_a_[i], f, slope_b_[j], r);
-      if (at_l.lo >= 0 && at_r.lo >= 0) return;
-      const Interval below{lower_bound_below(at_l.lo, at_r.lo),
-                           upper_bound_below(at_l.hi, at_r.hi)};
-      const Interval term = difference(r, l) * below;
-      sum.add(e.side == f.side ? term : -term);
-    });
-    return sum.total();
-  }
-
- private:
-  static std::vector<Interval> slopes(const std::vector<Trapezoid>& edges) {
-    std::vector<Interval> result;
-    result.reserve(edges.size());
-    for (const Trapezoid& e : edges) {
-      const double dx = e.right.x - e.left.x;  // not zero: doubles underflow gradually
-      const Interval width{std::max(downwards(dx), 0x1p-1074), upwards(dx)};
-      result.push_back(quotient(difference(e.right.y, e.left.y), width));
-    }
-    return result;
-  }
-
-  // e(x) − f(x); x is an end of at least one of them, where its height is given.
-  static Interval height(const Trapezoid& e, const Interval& slope_e, const Trapezoid& f,
-                         const Interval& slope_f, double x) {
-    const bool end_e = x == e.right.x;
-    const bool end_f = x == f.right.x;
-    Interval result = difference(end_e ? e.right.y : e.left.y, end_f ? f.right.y : f.left.y);
-    if (!end_e && x != e.left.x) {
-      result = result + slope_e * difference(x, e.left.x);
-    }
-    if (!end_f && x != f.left.x) {
-      result = result - slope_f * difference(x, f.left.x);
-    }
-    return result;
-  }
-
-  const std::vector<Trapezoid>& a_;
-  const std::vector<Trapezoid>& b_;
-  std::vector<Interval> slope_a_;
-  std::vector<Interval> slope_b_;
+  [[nodiscard]] double total() const { return sum + error; }
 };
+
+// Twice the area of the overlap; counts pairs. Requires finite slopes.
+//
+// With r, s the rises of e and f: products of slope and distance are at most the rise, and five
+// roundings off (difference twice, quotient, difference, product). The first difference is at
+// most |p| + r + s, the first sum |p| + s, so a height p is off by
+// u (|p| + r + s) + 5 u (r + s) + u (|p| + s) + u |p| ≤ 7 u (|p| + r + s), or 8 u for terms of
+// higher order. The integral doubles that and adds three roundings, the term two more, of at
+// most |p| + |q|: in all 21 u (|p| + |q| + r + s) times the width, raised to 24 u because these
+// bounds are rounded and summed, too. Squares that underflow are of heights below 2^-480, and so
+// are the integrals then; what else underflows is far smaller.
+Interval twice_overlap(const std::vector<SlopedEdge>& a, const std::vector<SlopedEdge>& b,
+                       std::size_t& pairs) {
+  constexpr double kError = 24 * kHalfUlp;
+  constexpr double kTiny = 0x1p-478;
+  CompensatedSum sum;
+  double size = 0;  // of all terms
+  double width = 0;
+  sections::visit_pairs(a, b, [&](std::uint32_t i, std::uint32_t j) {
+    ++pairs;
+    const SlopedEdge& e = a[i];
+    const SlopedEdge& f = b[j];
+    const double l = std::max(e.left.x, f.left.x);
+    const double r = std::min(e.right.x, f.right.x);
+    const double at_l = height(e, f, l);
+    const double at_r = height(e, f, r);
+    const double term = (r - l) * integral_below(at_l, at_r);
+    sum.add(e.side == f.side ? term : -term);
+    size += (r - l) * (std::abs(at_l) + std::abs(at_r) + e.rise + f.rise);
+    width += r - l;
+  });
+  const double value = sum.total();
+  const double lost = static_cast<double>(pairs) * kHalfUlp;
+  const double error = upwards(upwards((kError + 2 * lost * lost) * size) +
+                               upwards(2 * kHalfUlp * std::abs(value) + kTiny * (width + 1)));
+  return {downwards(value - error), upwards(value + error)};
+}
 
 // Bounds of the overlap and of the smaller area, in one scale.
 struct Bounds {
@@ -124,76 +111,106 @@ struct Bounds {
   std::size_t pairs = 0;  // how many pairs of edges contributed
 };
 
-Bounds bounds(const Trapezoids& a, const Trapezoids& b) {
-  // All that is known of areas of coordinates below 1.
-  const Bounds unknown{{0, 8}, {0, 8}, 0};
-  Box2 box = a.box;
-  box.add(b.box);
-  const int scale = sections::scale_of(box);
-  std::vector<Trapezoid> all_a = a.edges;
-  std::vector<Trapezoid> all_b = b.edges;
-  if (!sections::rescale(all_a, scale) || !sections::rescale(all_b, scale)) return unknown;
-  std::vector<Trapezoid> near_a = sections::edges_for_pairs(a.edges, b.box);
-  std::vector<Trapezoid> near_b = sections::edges_for_pairs(b.edges, a.box);
-  static_cast<void>(sections::rescale(near_a, scale));
-  static_cast<void>(sections::rescale(near_b, scale));
-  const IntervalOverlap overlap(near_a, near_b);
-  if (!overlap.has_finite_slopes()) return unknown;
+// Requires one scale, in which areas are moderate. Nothing where intervals cannot tell.
+std::optional<Bounds> bounds_in_scale(const OverlapRegion& a, const OverlapRegion& b) {
+  if (!a.is_usable() || !b.is_usable()) return std::nullopt;
+  const std::vector<SlopedEdge> near_a = a.edges_near(b.box());
+  const std::vector<SlopedEdge> near_b = b.edges_near(a.box());
+  if (!has_finite_slopes(near_a) || !has_finite_slopes(near_b)) return std::nullopt;
   Bounds result;
-  result.overlap = overlap.twice_area(result.pairs);
-  result.smaller = minimum(sections::twice_area(all_a), sections::twice_area(all_b));
+  result.overlap = twice_overlap(near_a, near_b, result.pairs);
+  result.smaller = minimum(a.twice_area(), b.twice_area());
   return result;
+}
+
+Bounds bounds_of(const OverlapRegion& a, const OverlapRegion& b) {
+  std::optional<Bounds> known;
+  if (a.is_moderate() && b.is_moderate()) {
+    known = bounds_in_scale(a, b);
+  } else {
+    Box2 box = a.box();
+    box.add(b.box());
+    const int scale = sections::scale_of(box);
+    known = bounds_in_scale(a.scaled(scale), b.scaled(scale));
+  }
+  // No interval that holds 0 decides anything.
+  return known ? *known : Bounds{{0, HUGE_VAL}, {0, HUGE_VAL}, 0};
+}
+
+// What needs no areas: a ratio is between 0 and 1, and nothing exceeds a tau that is not a number.
+std::optional<Sign> sign_without_areas(double tau, bool apart) {
+  if (tau < 0) return Sign::positive;
+  if (!(tau <= 1)) return Sign::negative;
+  if (apart) return tau == 0 ? Sign::zero : Sign::negative;
+  return std::nullopt;
+}
+
+bool interiors_meet_of(const OverlapRegion& a, const OverlapRegion& b) {
+  return sections::interiors_meet(a.outline(), a.box(), b.outline(), b.box());
+}
+
+sections::ExactOverlap exact_overlap_of(const OverlapRegion& a, const OverlapRegion& b) {
+  return sections::exact_overlap(sections::trapezoids_of(a.outline()),
+                                 sections::trapezoids_of(b.outline()));
 }
 
 }  // namespace
 
-std::array<Sign, 2> compare_overlap(const RegionOutline& a, const RegionOutline& b,
-                                    const std::array<double, 2>& taus) {
-  sections::require_outline(a);
-  sections::require_outline(b);
+std::array<Sign, 2> sections::compare_overlap(const OverlapRegion& a, const OverlapRegion& b,
+                                              const std::array<double, 2>& taus) {
   std::array<Sign, 2> signs{};
-  const bool apart = !sections::bounds(a).overlaps(sections::bounds(b));
+  const bool apart = !a.box().overlaps(b.box());
   // What the thresholds have in common is found when the first of them needs it.
-  struct Overlap {
-    Trapezoids a, b;
-    Bounds areas;
-  };
-  std::optional<Overlap> overlap;
+  std::optional<Bounds> areas;
   for (std::size_t k = 0; k < taus.size(); ++k) {
-    const double tau = taus[k];
-    // A ratio is between 0 and 1. Nothing exceeds a tau that is not a number.
-    if (tau < 0) {
-      signs[k] = Sign::positive;
+    if (const std::optional<Sign> sign = sign_without_areas(taus[k], apart)) {
+      signs[k] = *sign;
       continue;
     }
-    if (!(tau <= 1)) {
-      signs[k] = Sign::negative;
-      continue;
-    }
-    if (apart) {
-      signs[k] = tau == 0 ? Sign::zero : Sign::negative;
-      continue;
-    }
-    if (!overlap) {
-      overlap = Overlap{sections::trapezoids_of(a), sections::trapezoids_of(b), {}};
-      overlap->areas = bounds(overlap->a, overlap->b);
-    }
-    const Bounds& areas = overlap->areas;
-    if (tau == 0) {
-      const bool some = areas.overlap.positive() || sections::interiors_meet(a, b);
+    if (!areas) areas = bounds_of(a, b);
+    if (taus[k] == 0) {
+      const bool some = areas->overlap.positive() || interiors_meet_of(a, b);
       signs[k] = some ? Sign::positive : Sign::zero;
       continue;
     }
-    const Interval excess = areas.overlap - Interval{tau, tau} * areas.smaller;
+    const Interval excess = areas->overlap - Interval{taus[k], taus[k]} * areas->smaller;
     if (excess.positive()) {
       signs[k] = Sign::positive;
     } else if (excess.negative()) {
       signs[k] = Sign::negative;
     } else {
-      signs[k] = sections::compare(sections::exact_overlap(overlap->a, overlap->b), tau);
+      signs[k] = sections::compare(exact_overlap_of(a, b), taus[k]);
     }
   }
   return signs;
+}
+
+double sections::overlap_ratio(const OverlapRegion& a, const OverlapRegion& b) {
+  if (!a.box().overlaps(b.box())) return 0;
+  const Bounds areas = bounds_of(a, b);
+  if (!areas.overlap.positive() && !interiors_meet_of(a, b)) return 0;
+  if (areas.overlap.positive() && areas.smaller.positive()) {
+    const Interval ratio = quotient(areas.overlap, areas.smaller);
+    const double rounded = sections::to_reported_bits(ratio.lo);
+    if (ratio.lo > 0 && rounded == sections::to_reported_bits(ratio.hi)) return rounded;
+    if (areas.pairs > kMostExactPairs) {
+      return std::min(sections::to_reported_bits(ratio.lo + (ratio.hi - ratio.lo) / 2), 1.0);
+    }
+  }
+  // The smallest overlaps of all would round to zero.
+  const double rounded = sections::rounded_ratio(exact_overlap_of(a, b), sections::kReportedBits);
+  return std::max(rounded, std::numeric_limits<double>::denorm_min());
+}
+
+std::array<Sign, 2> compare_overlap(const RegionOutline& a, const RegionOutline& b,
+                                    const std::array<double, 2>& taus) {
+  sections::require_outline(a);
+  sections::require_outline(b);
+  const bool apart = !sections::bounds(a).overlaps(sections::bounds(b));
+  const std::array<std::optional<Sign>, 2> known{sign_without_areas(taus[0], apart),
+                                                 sign_without_areas(taus[1], apart)};
+  if (known[0] && known[1]) return {*known[0], *known[1]};
+  return sections::compare_overlap(OverlapRegion(a), OverlapRegion(b), taus);
 }
 
 Sign compare_overlap(const RegionOutline& a, const RegionOutline& b, double tau) {
@@ -204,22 +221,7 @@ double overlap_ratio(const RegionOutline& a, const RegionOutline& b) {
   sections::require_outline(a);
   sections::require_outline(b);
   if (!sections::bounds(a).overlaps(sections::bounds(b))) return 0;
-  const Trapezoids edges_a = sections::trapezoids_of(a);
-  const Trapezoids edges_b = sections::trapezoids_of(b);
-  const Bounds areas = bounds(edges_a, edges_b);
-  if (!areas.overlap.positive() && !sections::interiors_meet(a, b)) return 0;
-  if (areas.overlap.positive() && areas.smaller.positive()) {
-    const Interval ratio = quotient(areas.overlap, areas.smaller);
-    const double rounded = sections::to_reported_bits(ratio.lo);
-    if (ratio.lo > 0 && rounded == sections::to_reported_bits(ratio.hi)) return rounded;
-    if (areas.pairs > kMostExactPairs) {
-      return std::min(sections::to_reported_bits(ratio.lo + (ratio.hi - ratio.lo) / 2), 1.0);
-    }
-  }
-  // The smallest overlaps of all would round to zero.
-  const double rounded =
-      sections::rounded_ratio(sections::exact_overlap(edges_a, edges_b), sections::kReportedBits);
-  return std::max(rounded, std::numeric_limits<double>::denorm_min());
+  return sections::overlap_ratio(OverlapRegion(a), OverlapRegion(b));
 }
 
 }  // namespace tetloft

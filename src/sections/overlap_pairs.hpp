@@ -15,32 +15,36 @@
 
 namespace tetloft::internal::sections {
 
-/// The edges that have a common range of x with `box`, sorted as visit_pairs() needs them
-/// and independently of the order of contours and vertices.
+/// As visit_pairs() needs edges, independently of the order of contours and vertices.
+inline void sort_for_pairs(std::vector<Trapezoid>& edges) {
+  std::sort(edges.begin(), edges.end(), [](const Trapezoid& e, const Trapezoid& f) {
+    return e.left == f.left ? canonical_less(e.right, f.right) : canonical_less(e.left, f.left);
+  });
+}
+
+/// The edges that have a common range of x with `box`, sorted.
 inline std::vector<Trapezoid> edges_for_pairs(const std::vector<Trapezoid>& edges,
                                               const Box2& box) {
   std::vector<Trapezoid> result;
   for (const Trapezoid& e : edges) {
     if (e.left.x < box.x1 && box.x0 < e.right.x) result.push_back(e);
   }
-  std::sort(result.begin(), result.end(), [](const Trapezoid& e, const Trapezoid& f) {
-    return e.left == f.left ? canonical_less(e.right, f.right) : canonical_less(e.left, f.left);
-  });
+  sort_for_pairs(result);
   return result;
 }
 
 /// Calls visit(i, j) for all edges a[i] and b[j] with a common range of x where a[i] is not
 /// wholly above b[j]. Requires both sorted.
-template <class Visit>
-void visit_pairs(const std::vector<Trapezoid>& a, const std::vector<Trapezoid>& b, Visit visit) {
+template <class Edge, class Visit>
+void visit_pairs(const std::vector<Edge>& a, const std::vector<Edge>& b, Visit visit) {
   const auto low = [](const Trapezoid& e) { return std::min(e.left.y, e.right.y); };
   const auto high = [](const Trapezoid& e) { return std::max(e.left.y, e.right.y); };
   // The edges that the vertical line at the current left end still meets.
   std::vector<std::uint32_t> open_a;
   std::vector<std::uint32_t> open_b;
   // Calls body(k) for the open edges, dropping those that end at or before x.
-  const auto sweep = [](std::vector<std::uint32_t>& open, const std::vector<Trapezoid>& edges,
-                        double x, auto body) {
+  const auto sweep = [](std::vector<std::uint32_t>& open, const std::vector<Edge>& edges, double x,
+                        auto body) {
     for (std::size_t k = 0; k < open.size();) {
       if (edges[open[k]].right.x <= x) {
         open[k] = open.back();

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/watched_work.hpp"
+#include "delaunay3/slab_overlay.hpp"
 #include "support.hpp"
 
 namespace tetloft::test {
@@ -220,6 +222,57 @@ TEST(SlabDelaunay3, IsDelaunay3OfBothPlanes) {
     EXPECT_EQ(tets_of(*mesh), tets_of(d.mesh));
     EXPECT_EQ(opposites_of(*mesh), opposites_of(d.mesh));
   }
+}
+
+Triangulation2 plane_of(std::vector<Point2> points) {
+  std::sort(points.begin(), points.end(),
+            [](const Point2& a, const Point2& b) { return canonical_less(a, b); });
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  Result<Triangulation2> plane = delaunay2(points);
+  if (!plane) throw std::runtime_error(to_string(plane.error()));
+  return *std::move(plane);
+}
+
+// The vertices that a base has in its plane, as the slab numbers them, appended to `corners`.
+void append_base(const Triangulation2& plane, delaunay3_detail::TriangleSideId side,
+                 bool whole_triangle, std::size_t first, std::vector<VertexId>& corners) {
+  if (!side.valid()) return;
+  const PlaneTriangleVertices& v = plane.triangles[delaunay3_detail::triangle_of(side)];
+  const std::size_t number = delaunay3_detail::side_number(side);
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (whole_triangle || i != number) corners.emplace_back(first + v[i].index());
+  }
+}
+
+void expect_bases(const Triangulation2& lower, const Triangulation2& upper) {
+  const Execution execution;
+  const WatchedWork work(execution, 0);
+  const delaunay3_detail::SlabTets slab =
+      delaunay3_detail::slab_overlay_with_bases(lower, upper, work);
+  ASSERT_EQ(slab.bases.size(), slab.slots.size());
+  for (std::size_t k = 0; k < slab.slots.size(); ++k) {
+    const auto& [below, above] = slab.bases[k];
+    const bool type1 = below.valid() != above.valid();
+    std::vector<VertexId> corners;
+    append_base(lower, below, type1, 0, corners);
+    append_base(upper, above, type1, lower.points.size(), corners);
+    std::sort(corners.begin(), corners.end());
+    TetVertices tet = slab.slots[k].vertices;
+    std::sort(tet.begin(), tet.end());
+    ASSERT_TRUE(std::includes(tet.begin(), tet.end(), corners.begin(), corners.end())) << k;
+    ASSERT_EQ(corners.size(), type1 ? 3U : 4U) << k;
+    ASSERT_TRUE(!type1 || k < lower.triangles.size() + upper.triangles.size()) << k;
+  }
+}
+
+TEST(SlabOverlay, NamesTheTriangleOrTheEdgesOfEveryTet) {
+  Prng prng(60);
+  for (int round = 0; round < 100; ++round) {
+    SCOPED_TRACE(testing::Message() << "round " << round);
+    expect_bases(plane_of(pixels(20, 8, prng)), plane_of(pixels(20, 8, prng)));
+  }
+  // Enough for diagrams that renumber their triangles.
+  expect_bases(plane_of(pixels(7000, 150, prng)), plane_of(pixels(7000, 150, prng)));
 }
 
 TEST(SlabDelaunay3, RefusesPlanesThatAreNoInput) {

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "sections/conforming_section.hpp"
 #include "support/exact/predicates.hpp"
 #include "support/stacks/generate.hpp"
 #include "unit/sections/shapes.hpp"
@@ -54,6 +55,7 @@ void expect_canonical_delaunay(const ConformingSection& s) {
 }
 
 void expect_edges_and_look_ups(const ConformingSection& s) {
+  const auto edges = internal::sections::edges_of_sides(s);
   std::map<std::pair<PlaneVertexId, PlaneVertexId>, std::pair<TriangleId, TriangleId>> sides;
   for (std::size_t k = 0; k < s.triangulation.triangles.size(); ++k) {
     const PlaneTriangleVertices& v = s.triangulation.triangles[TriangleId(k)];
@@ -62,6 +64,9 @@ void expect_edges_and_look_ups(const ConformingSection& s) {
       const PlaneVertexId b = v[(i + 1) % 3];
       auto& side = sides[{std::min(a, b), std::max(a, b)}];
       (a < b ? side.first : side.second) = TriangleId(k);
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      ASSERT_EQ(edges[TriangleId(k)][i], s.find_edge(v[(i + 1) % 3], v[(i + 2) % 3]));
     }
     ASSERT_EQ(s.find_triangle(v[1], v[2], v[0]), TriangleId(k));
     ASSERT_EQ(s.find_triangle(v[2], v[1], v[0]), TriangleId(k));
