@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/pages.hpp"
 #include "core/parallel.hpp"
 #include "core/prefetch.hpp"
 
@@ -133,6 +134,7 @@ class Naming {
       for (std::size_t g = bundles.begin(k); g < bundles.end(k); ++g) name_group(g, scratch);
     });
     begin_.back() = static_cast<std::uint32_t>(slots_.size());
+    core::release(slots_);
     return std::move(begin_);
   }
 

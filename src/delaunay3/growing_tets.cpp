@@ -4,9 +4,16 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "core/pages.hpp"
+#include "core/parallel.hpp"
+#include "delaunay3/stretches.hpp"
+
 namespace tetloft::internal::delaunay3_detail {
 
 namespace {
+
+// So many at a time by a thread.
+constexpr std::size_t kVerticesGathered = std::size_t{1} << 15;
 
 // Half-faces are 4 t + i in 32 bits.
 constexpr std::size_t kMostSlots = std::size_t{1} << 30;
@@ -16,11 +23,13 @@ static_assert(std::is_trivially_copyable_v<TetSlot> && std::is_trivially_destruc
 
 }  // namespace
 
-GrowingTets::GrowingTets(IdVector<VertexId, Point3> points, std::size_t tets_of_point)
-    : filter_(points.raw()) {
-  vertices_.reserve(points.size());
-  for (const Point3& p : points) vertices_.push_back({p});
-  points = {};
+GrowingTets::GrowingTets(std::span<const Point3> points, std::span<const std::uint32_t> order,
+                         std::size_t tets_of_point, unsigned threads)
+    : vertices_(order.size()), filter_(points) {
+  const Stretches all = Stretches::of(order.size(), kVerticesGathered, order.size());
+  parallel_for(all.count, threads, [&](std::size_t k) {
+    for (std::size_t i = all.begin(k); i < all.end(k); ++i) vertices_[i].point = points[order[i]];
+  });
   reserve(tets_of_point * vertices_.size());
 }
 
@@ -50,8 +59,8 @@ void GrowingTets::reserve(std::size_t more) {
 }
 
 void GrowingTets::keep_slots_only() {
-  vertices_ = {};
-  marks_ = {};
+  core::release(vertices_);
+  core::release(marks_);
 }
 
 }  // namespace tetloft::internal::delaunay3_detail

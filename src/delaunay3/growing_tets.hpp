@@ -51,8 +51,9 @@ class GrowingTets {
   /// slots come on top.
   static constexpr std::size_t kExpectedTetsOfPoint = 7;
 
-  /// With room for so many tets of each point.
-  GrowingTets(IdVector<VertexId, Point3> points, std::size_t tets_of_point);
+  /// Vertex i is points[order[i]]. With room for so many tets of each.
+  GrowingTets(std::span<const Point3> points, std::span<const std::uint32_t> order,
+              std::size_t tets_of_point, unsigned threads);
 
   [[nodiscard]] std::size_t vertex_count() const { return vertices_.size(); }
   [[nodiscard]] Vertex& vertex(VertexId v) { return vertices_[v.index()]; }

@@ -16,25 +16,26 @@ namespace tetloft::internal::delaunay3_detail {
 namespace {
 
 // Points of a part in the sample that the cuts are made by.
-constexpr std::size_t kSampleOfPart = 512;
+constexpr std::size_t kSampleOfPart = 256;
 // Points tried for each part, to find one in a tet of the part.
 constexpr std::size_t kTriesOfPart = 32;
-// A thread that gave up all but a quarter of so many points, gives up the others untried.
-constexpr std::size_t kTrial = 256;
+// A thread that gave up all but a quarter of this share of its points, gives up the others untried.
+// The first ones may all lie in one corner of the part, as points follow a curve.
+constexpr std::size_t kTrialOfShare = 4;
 
 }  // namespace
 
-Delaunay3Builder::Delaunay3Builder(IdVector<VertexId, Point3> points, std::size_t tets_of_point)
-    : tets_(std::move(points), tets_of_point), alone_(tets_) {
+Delaunay3Builder::Delaunay3Builder(std::span<const Point3> points,
+                                   std::span<const std::uint32_t> order, const Sharing& sharing,
+                                   std::size_t tets_of_point)
+    : tets_(points, order, tets_of_point, sharing.threads), alone_(tets_), sharing_(sharing) {
+  sharing_.threads = thread_count(sharing.threads);
   make_first_tets();
 }
 
-bool Delaunay3Builder::insert_all(WatchedWork& work, std::size_t most_tets,
-                                  const Sharing& sharing) {
+bool Delaunay3Builder::insert_all(WatchedWork& work, std::size_t most_tets) {
   work_ = &work;
   most_tets_ = most_tets;
-  sharing_ = sharing;
-  sharing_.threads = thread_count(sharing.threads);
   untold_ = 4;
   // As insertion_order() makes rounds, but for their exact ends: the vertices of each lie all over
   // those of the rounds before.
@@ -96,11 +97,12 @@ bool Delaunay3Builder::insert_round(std::size_t first, std::size_t end) {
   std::vector<VertexId> left;
   left.reserve(end - first);
   for (std::size_t v = first; v < end; ++v) left.emplace_back(v);
-  // What lies near the cuts of one pass lies well within the parts of the next, most of it.
-  for (bool uneven = false;; uneven = !uneven) {
+  // What is left of a pass is dense near its cuts: cut where it is sparse, most of it lies well
+  // within the parts of the next.
+  for (Cuts cuts = Cuts::even;; cuts = Cuts::sparse) {
     const std::size_t parts = worthwhile_parts(end, left.size());
     if (parts < 2) break;
-    const Partition partition = cut(left, parts, uneven);
+    const Partition partition = cut(left, parts, cuts);
     if (partition.parts() < 2) break;
     const std::size_t before = left.size();
     left = insert_within_parts(left, Shares(tets_, end, left, partition, sharing_.threads));
@@ -123,14 +125,14 @@ std::size_t Delaunay3Builder::worthwhile_parts(std::size_t end, std::size_t left
 }
 
 Partition Delaunay3Builder::cut(std::span<const VertexId> vertices, std::size_t parts,
-                                bool uneven) const {
+                                Cuts cuts) const {
   const std::size_t count = std::min(vertices.size(), parts * kSampleOfPart);
   std::vector<Point3> sample;
   sample.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     sample.push_back(tets_.point(vertices[i * vertices.size() / count]));
   }
-  return {sample, parts, uneven};
+  return {sample, parts, cuts};
 }
 
 std::vector<VertexId> Delaunay3Builder::insert_within_parts(std::span<const VertexId> vertices,
@@ -186,7 +188,8 @@ std::size_t Delaunay3Builder::insert_share(std::span<const VertexId> share, Part
       continue;
     }
     left.push_back(share[tried]);
-    going_on = outcome == Inserter::Outcome::given_up && (tried < kTrial || inserted > tried / 4);
+    going_on = outcome == Inserter::Outcome::given_up &&
+               (tried < share.size() / kTrialOfShare || inserted > tried / 4);
   }
   const std::span<const VertexId> untried = share.subspan(tried);
   left.insert(left.end(), untried.begin(), untried.end());

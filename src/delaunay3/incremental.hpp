@@ -9,6 +9,7 @@
 
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -38,18 +39,19 @@ class Delaunay3Builder {
  public:
   static constexpr std::size_t kPointsOfStep = 1024;
 
-  /// Vertex i is points[i]. Requires: distinct finite points; the first four are affinely
-  /// independent; fewer than 2^30 points. There is room for `tets_of_point` of each at first.
-  explicit Delaunay3Builder(IdVector<VertexId, Point3> points,
-                            std::size_t tets_of_point = GrowingTets::kExpectedTetsOfPoint);
+  /// Vertex i is points[order[i]]. Requires: distinct finite points, each once in `order`, of which
+  /// the first four are affinely independent; fewer than 2^30 points. There is room for
+  /// `tets_of_point` of each at first.
+  Delaunay3Builder(std::span<const Point3> points, std::span<const std::uint32_t> order,
+                   const Sharing& sharing = {},
+                   std::size_t tets_of_point = GrowingTets::kExpectedTetsOfPoint);
 
   /// Inserts all vertices, once: in order, or, where they are shared out, roughly. The tets are the
   /// same. Returns false, leaving the triangulation without some vertices, where it would take more
   /// than `most_tets` slots, ghost tets included; these are fewer than 2^30, since half-faces are
   /// 4 t + i in 32 bits. Tells a step for every kPointsOfStep vertices.
   [[nodiscard]] bool insert_all(WatchedWork& work,
-                                std::size_t most_tets = (std::size_t{1} << 30) - 1,
-                                const Sharing& sharing = {});
+                                std::size_t most_tets = (std::size_t{1} << 30) - 1);
 
   /// How many vertices threads inserted side by side.
   [[nodiscard]] std::size_t inserted_within_parts() const { return inserted_within_parts_; }
@@ -67,7 +69,7 @@ class Delaunay3Builder {
   // How many parts are worth making, of all vertices up to `end`, where `left` are to be inserted.
   [[nodiscard]] std::size_t worthwhile_parts(std::size_t end, std::size_t left) const;
   [[nodiscard]] Partition cut(std::span<const VertexId> vertices, std::size_t parts,
-                              bool uneven) const;
+                              Cuts cuts) const;
   // Inserts those of the vertices that lie well within the parts, a thread to each; returns the
   // others, in order.
   std::vector<VertexId> insert_within_parts(std::span<const VertexId> vertices,

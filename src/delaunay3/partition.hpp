@@ -10,12 +10,16 @@
 
 namespace tetloft::internal::delaunay3_detail {
 
+/// Where a set is cut in two.
+enum class Cuts : std::uint8_t {
+  even,    ///< at the quantile: as many points to each part
+  sparse,  ///< where the points are sparsest, within a factor of two of that
+};
+
 class Partition {
  public:
-  /// Up to `parts` boxes by the quantiles of a sample. Where `uneven`, cuts that make halves else
-  /// make a quarter and the rest: planes through the same points are not likely to be cut along
-  /// twice in a row. The sample is put into another order.
-  Partition(std::span<Point3> sample, std::size_t parts, bool uneven);
+  /// Up to `parts` boxes by a sample of points, which is put into another order.
+  Partition(std::span<Point3> sample, std::size_t parts, Cuts cuts);
 
   /// The number of parts: fewer than asked for where the points of the sample lie in too few planes
   /// across each axis.
@@ -38,7 +42,7 @@ class Partition {
   [[nodiscard]] static bool at_or_above(const Node& node, const Point3& p) {
     return (node.axis == 0 ? p.x : node.axis == 1 ? p.y : p.z) >= node.cut;
   }
-  void divide(std::size_t node, std::span<Point3> sample, std::size_t parts, bool uneven);
+  void divide(std::size_t node, std::span<Point3> sample, std::size_t parts, Cuts cuts);
 
   std::vector<Node> nodes_;
   std::size_t parts_ = 0;

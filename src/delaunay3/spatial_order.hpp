@@ -23,6 +23,7 @@ inline constexpr std::size_t kRoundRatio = 8;
 /// The places in `points` in the order they should be inserted.
 /// Requires: finite points in canonical order.
 /// (1) A permutation of 0 … n−1. (2) Depends on the points only.
-[[nodiscard]] std::vector<std::uint32_t> insertion_order(std::span<const Point3> points);
+[[nodiscard]] std::vector<std::uint32_t> insertion_order(std::span<const Point3> points,
+                                                         unsigned threads = 1);
 
 }  // namespace tetloft::internal::delaunay3_detail

@@ -19,6 +19,7 @@
 namespace tetloft::test {
 namespace {
 
+using delaunay3_detail::Cuts;
 using delaunay3_detail::Delaunay3Builder;
 using delaunay3_detail::Partition;
 using delaunay3_detail::Sharing;
@@ -38,12 +39,11 @@ Shared shared(const Points& points, const Sharing& sharing, const Execution& exe
   for (std::size_t k = 0; k < 4; ++k) {
     const auto at = static_cast<std::ptrdiff_t>(basis.place[k]);
     const auto to = static_cast<std::ptrdiff_t>(k);
-    std::rotate(inserted.begin() + to, inserted.begin() + at, inserted.begin() + at + 1);
     std::rotate(order.begin() + to, order.begin() + at, order.begin() + at + 1);
   }
-  Delaunay3Builder builder(IdVector<VertexId, Point3>(std::move(inserted)), tets_of_point);
+  Delaunay3Builder builder(points, order, sharing, tets_of_point);
   WatchedWork work(execution, points.size() / Delaunay3Builder::kPointsOfStep);
-  if (!builder.insert_all(work, 1U << 24, sharing)) throw std::runtime_error("too many tets");
+  if (!builder.insert_all(work, 1U << 24)) throw std::runtime_error("too many tets");
   std::vector<VertexId> names;
   for (std::size_t i = 0; i < points.size(); ++i) names.emplace_back(i);
   return {delaunay3_detail::canonical_mesh(
@@ -127,7 +127,7 @@ TEST(SharedInsertion, OfPlanesAndLines) {
   for (std::size_t i = 0; i < planes.size(); ++i) planes[i].z = static_cast<double>(i % 2);
   expect_same("two planes", planes);
   for (std::size_t i = 0; i < planes.size(); ++i) planes[i].z = static_cast<double>(i % 5);
-  expect_same("five planes", planes);
+  expect_same("five planes", planes, false);
   expect_same("flat lattice", lattice(40, 30, 2));
   Points lines;
   for (int i = 0; i < 300; ++i) {
@@ -192,32 +192,48 @@ TEST(SharedInsertion, TellsEachStepOnceAndStops) {
 TEST(Partition, HasAboutAsManyPointsInEachPart) {
   Prng prng(79);
   const Points points = uniform(5000, prng);
-  for (const bool uneven : {false, true}) {
-    for (std::size_t parts = 1; parts < 20; ++parts) {
-      Points sample(points.begin(), points.begin() + 2000);
-      const Partition partition(sample, parts, uneven);
-      ASSERT_EQ(partition.parts(), parts);
-      std::vector<std::size_t> count(parts);
-      for (const Point3& p : points) ++count.at(partition.part_of(p));
-      for (const std::size_t c : count) {
-        EXPECT_GT(c, points.size() / parts / 2);
-        EXPECT_LT(c, 2 * points.size() / parts);
-      }
+  for (std::size_t parts = 1; parts < 20; ++parts) {
+    Points sample(points.begin(), points.begin() + 2000);
+    const Partition partition(sample, parts, Cuts::even);
+    ASSERT_EQ(partition.parts(), parts);
+    std::vector<std::size_t> count(parts);
+    for (const Point3& p : points) ++count.at(partition.part_of(p));
+    for (const std::size_t c : count) {
+      EXPECT_GT(c, points.size() / parts / 2);
+      EXPECT_LT(c, 2 * points.size() / parts);
     }
   }
+}
+
+// As after a pass that was cut at x = 4: many of the points left are near there.
+TEST(Partition, SparseCutsAvoidWherePointsAreDense) {
+  Prng prng(81);
+  Points points = uniform(2000, prng);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    points[i].x = i % 3 != 0 ? 8 * points[i].x : 3.95 + 0.1 * points[i].x;
+  }
+  Points sample = points;
+  EXPECT_NE(Partition(sample, 2, Cuts::even).part_of({3.95, 0.5, 0.5}),
+            Partition(sample, 2, Cuts::even).part_of({4.05, 0.5, 0.5}));
+  const Partition sparse(sample, 2, Cuts::sparse);
+  EXPECT_EQ(sparse.part_of({3.95, 0.5, 0.5}), sparse.part_of({4.05, 0.5, 0.5}));
+  std::size_t below = 0;
+  for (const Point3& p : points) below += sparse.part_of(p) == 0 ? 1U : 0U;
+  EXPECT_GT(below, points.size() / 5);
+  EXPECT_LT(below, points.size() * 4 / 5);
 }
 
 TEST(Partition, DoesNotCutBetweenFewPlanes) {
   Prng prng(80);
   Points points = uniform(1000, prng);
   for (std::size_t i = 0; i < points.size(); ++i) points[i].z = i % 2 == 0 ? 0 : 1e9;
-  const Partition partition(points, 8, false);
+  const Partition partition(points, 8, Cuts::even);
   EXPECT_EQ(partition.parts(), 8U);
   for (const Point3& p : points) {
     EXPECT_EQ(partition.part_of(p), partition.part_of({p.x, p.y, 1e9 - p.z}));
   }
   for (Point3& p : points) p = {0, 1, p.z};
-  EXPECT_EQ(Partition(points, 8, false).parts(), 1U);
+  EXPECT_EQ(Partition(points, 8, Cuts::even).parts(), 1U);
 }
 
 }  // namespace
