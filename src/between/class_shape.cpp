@@ -156,7 +156,6 @@ class Interpolation {
           window.widened(static_cast<std::int64_t>(std::ceil(most)) + 1);
       const LatticeWindow reached = window_around(edges_[s].box(), reach + 1);
       field = DistanceField(sample_distances(edges_[s], common(looked_at, reached), reach), reach);
-      if (s == lower || s == upper) field.find_depths();
     }
   }
 

@@ -45,7 +45,9 @@ inline constexpr std::size_t kUnbounded = std::numeric_limits<std::size_t>::max(
 /// Looks up runs by row.
 class RunsByRow {
  public:
-  /// `runs` must outlive this.
+  /// `labels` must outlive this.
+  RunsByRow(const LayerLabels& labels, const motion::LatticeWindow& window)
+      : RunsByRow(labels.runs, window) {}
   RunsByRow(const std::vector<LabelledRun>& runs, const motion::LatticeWindow& window);
 
   /// The node of a place in row `row` of the window, or kNoNode.

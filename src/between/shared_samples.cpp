@@ -85,14 +85,26 @@ Bounds bounds_of(const LayerLabels& labels, std::size_t nx) {
   return bounds;
 }
 
+// The nodes of a layer by place: worth making where many are looked up.
+class NodesByPlace {
+ public:
+  NodesByPlace(const LayerLabels& labels, const motion::LatticeWindow& window)
+      : node_(labels.nodes(window.size())) {}
+  [[nodiscard]] std::uint32_t node_at(std::size_t, std::size_t place) const { return node_[place]; }
+
+ private:
+  std::vector<std::uint32_t> node_;
+};
+
+template <class Nodes>
 class MovedPair {
  public:
   MovedPair(const LayerPair& pair, double share)
       : pair_(pair),
         nx_(pair.shape.window.nx()),
         ny_(pair.shape.window.ny()),
-        below_(pair.below.runs, pair.shape.window),
-        above_(pair.above.runs, pair.shape.window),
+        below_(pair.below, pair.shape.window),
+        above_(pair.above, pair.shape.window),
         share_(share),
         outside_(pair.kind == NodeKind::solid ? kNoNode : kExterior) {}
 
@@ -101,8 +113,11 @@ class MovedPair {
     if (pair_.kind == NodeKind::empty) share_exterior(shares);
     for (std::size_t j = where.j0; j < where.j1 && !shares.suffice(pair_); ++j) {
       for (std::size_t i = where.i0; i < where.i1; ++i) {
-        const LayerEdge nodes = nodes_at(i, j);
-        if (nodes.first != kNoNode && nodes.second != kNoNode) shares.add(nodes, 1);
+        const Moved at(*this, i, j);
+        const std::uint32_t below = at.below();
+        if (below == kNoNode) continue;
+        const std::uint32_t above = at.above();
+        if (above != kNoNode) shares.add({below, above}, 1);
       }
     }
   }
@@ -125,37 +140,49 @@ class MovedPair {
   void share_exterior(Shares& shares) const {
     for (std::size_t j = 0; j < ny_; ++j) {
       for (std::size_t i = 0; i < nx_; ++i) {
-        const LayerEdge nodes = nodes_at(i, j);
-        if (nodes != LayerEdge{kExterior, kExterior}) continue;
-        shares.add(nodes, 1);
+        const Moved at(*this, i, j);
+        if (at.below() != kExterior || at.above() != kExterior) continue;
+        shares.add({kExterior, kExterior}, 1);
         return;
       }
     }
   }
 
-  [[nodiscard]] LayerEdge nodes_at(std::size_t i, std::size_t j) const {
-    const Point2& u = pair_.shape.motion[j * nx_ + i];
-    const double by_x = share_ * u.x;
-    const double by_y = share_ * u.y;
-    const auto x = static_cast<double>(i);
-    const auto y = static_cast<double>(j);
-    return {node_at(below_, x - by_x, y - by_y), node_at(above_, x + by_x, y + by_y)};
-  }
+  // What lies where a sample is moved from.
+  class Moved {
+   public:
+    Moved(const MovedPair& pair, std::size_t i, std::size_t j)
+        : pair_(pair), x_(static_cast<double>(i)), y_(static_cast<double>(j)) {
+      const Point2& u = pair.pair_.shape.motion[j * pair.nx_ + i];
+      by_ = {pair.share_ * u.x, pair.share_ * u.y};
+    }
+    [[nodiscard]] std::uint32_t below() const {
+      return pair_.node_at(pair_.below_, x_ - by_.x, y_ - by_.y);
+    }
+    [[nodiscard]] std::uint32_t above() const {
+      return pair_.node_at(pair_.above_, x_ + by_.x, y_ + by_.y);
+    }
+
+   private:
+    const MovedPair& pair_;
+    double x_, y_;
+    Point2 by_;
+  };
 
   // The node at (x, y) of the window, to the nearest sample: halves go up.
-  [[nodiscard]] std::uint32_t node_at(const RunsByRow& runs, double x, double y) const {
+  [[nodiscard]] std::uint32_t node_at(const Nodes& nodes, double x, double y) const {
     const double i = x + 0.5;
     const double j = y + 0.5;
     if (!(i >= 0 && j >= 0 && i < static_cast<double>(nx_) && j < static_cast<double>(ny_))) {
       return outside_;
     }
     const auto row = static_cast<std::size_t>(static_cast<std::int64_t>(j));
-    return runs.node_at(row, row * nx_ + static_cast<std::size_t>(static_cast<std::int64_t>(i)));
+    return nodes.node_at(row, row * nx_ + static_cast<std::size_t>(static_cast<std::int64_t>(i)));
   }
 
   const LayerPair& pair_;
   std::size_t nx_, ny_;
-  RunsByRow below_, above_;
+  Nodes below_, above_;
   double share_;
   std::uint32_t outside_;  // the node beyond the window
 };
@@ -174,7 +201,11 @@ std::vector<SharedSamples> shared_samples(const LayerPair& pair, double share) {
   if (share == 0 || pair.shape.motion.empty()) {
     share_at_rest(pair, shares);
   } else {
-    MovedPair(pair, share).share(shares);
+    if (is_lone(pair)) {
+      MovedPair<RunsByRow>(pair, share).share(shares);
+    } else {
+      MovedPair<NodesByPlace>(pair, share).share(shares);
+    }
   }
   return std::move(shares).summed();
 }

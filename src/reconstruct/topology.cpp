@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "completion/sealed_faces.hpp"
 #include "sections/conforming_section.hpp"
 #include "sections/inner_point.hpp"
 
@@ -74,8 +73,9 @@ Topology::Next Topology::make(const SlabView& view, Completion& completion, bool
   }
   shape.joined = std::move(joined_);
   count(rules, Rule::filled_handle, fill_handles(groups, voids, completion, shape));
-  bridge_faces(view, groups, completion, shape, rules);
-  const Next next = open_faces(view, voids, groups, completion, shape, may_ask);
+  TetsOver tets_over(view.slab);
+  bridge_faces(view, groups, tets_over, completion, shape, rules);
+  const Next next = open_faces(view, voids, groups, tets_over, completion, shape, may_ask);
   if (next == Next::go_on) drop_unrealised(view, voids, shape);
   return next;
 }
@@ -157,8 +157,8 @@ std::vector<ChiRange> Topology::chi_ranges(const SlabView& view) const {
 
 // SS faces of a group above its range: what D holds over their middle becomes solid where that
 // brings it nearer.
-void Topology::bridge_faces(const SlabView& view, const ChiGroups& groups, Completion& completion,
-                            ComplexShape& shape, RuleCounts& rules) {
+void Topology::bridge_faces(const SlabView& view, const ChiGroups& groups, TetsOver& tets_over,
+                            Completion& completion, ComplexShape& shape, RuleCounts& rules) {
   ChiGroups::Sums& sums = shape.sums;
   if (!groups.any_high(sums)) return;
   const SlabVoids voids(view.slab.lower(), view.slab.upper(), *links_.voids);
@@ -173,7 +173,7 @@ void Topology::bridge_faces(const SlabView& view, const ChiGroups& groups, Compl
     const std::optional<Point2> p = sections::inner_point(*faces_, f);
     if (!p) continue;
     std::vector<Wall> walls;
-    for (const TetId t : tets_over(view.slab, *p)) {
+    for (const TetId t : tets_over(*p)) {
       if (space.of_one_class(t, 0xF) && view.classes.of(view.slab.vertex(t, 0)) == c &&
           space.is_void(t)) {
         walls.push_back({t, 0xF, c});
@@ -193,8 +193,9 @@ void Topology::bridge_faces(const SlabView& view, const ChiGroups& groups, Compl
 
 // VV faces of a group above its range that are sealed get a vertex in their middle, in both planes.
 Topology::Next Topology::open_faces(const SlabView& view, const SlabVoids& voids,
-                                    const ChiGroups& groups, const Completion& completion,
-                                    const ComplexShape& shape, bool may_ask) {
+                                    const ChiGroups& groups, TetsOver& tets_over,
+                                    const Completion& completion, const ComplexShape& shape,
+                                    bool may_ask) {
   if (openings_ == Openings::given_up) return Next::go_on;
   const ChiGroups::Sums& sums = shape.sums;
   const std::vector<SlabVoidId>& joined = shape.joined;
@@ -226,7 +227,7 @@ Topology::Next Topology::open_faces(const SlabView& view, const SlabVoids& voids
     });
     if (!high && joined[below.index()] == joined[above.index()]) continue;
     const std::optional<Point2> p = sections::inner_point(*faces_, f);
-    if (!p || is_open(view.slab, space, tets_over(view.slab, *p), *p)) continue;
+    if (!p || is_open(view.slab, space, tets_over(*p), *p)) continue;
     if (pits_.has_room(*p)) {
       opened = pits_.open_at(*p) || opened;
     } else {

@@ -11,6 +11,7 @@
 #include "completion/handles.hpp"
 #include "completion/passages.hpp"
 #include "completion/pits.hpp"
+#include "completion/sealed_faces.hpp"
 #include "reconstruct/slab_solid.hpp"
 #include "reconstruct/slab_topology.hpp"
 #include "sections/face_overlay.hpp"
@@ -53,11 +54,12 @@ class Topology {
                                 bool may_ask, RuleCounts& rules);
   void drop_unrealised(const SlabView& view, const SlabVoids& voids, const ComplexShape& shape);
   [[nodiscard]] std::vector<ChiRange> chi_ranges(const SlabView& view) const;
-  void bridge_faces(const SlabView& view, const ChiGroups& groups, Completion& completion,
-                    ComplexShape& shape, RuleCounts& rules);
+  void bridge_faces(const SlabView& view, const ChiGroups& groups, TetsOver& tets_over,
+                    Completion& completion, ComplexShape& shape, RuleCounts& rules);
   [[nodiscard]] Next open_faces(const SlabView& view, const SlabVoids& voids,
-                                const ChiGroups& groups, const Completion& completion,
-                                const ComplexShape& shape, bool may_ask);
+                                const ChiGroups& groups, TetsOver& tets_over,
+                                const Completion& completion, const ComplexShape& shape,
+                                bool may_ask);
 
   const SlabLinks& links_;
   Pits& pits_;
