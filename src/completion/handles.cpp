@@ -14,21 +14,31 @@ namespace {
 
 class HandleFiller {
  public:
-  explicit HandleFiller(ComplexState& state)
-      : state_(state),
-        groups_(state.groups()),
-        slab_(state.completion().slab()),
-        classes_(state.completion().classes()) {}
+  HandleFiller(const ChiGroups& groups, const SlabVoids& voids, Completion& completion,
+               ComplexShape& shape)
+      : sums_(shape.sums),
+        joined_(shape.joined),
+        groups_(groups),
+        voids_(voids),
+        completion_(completion),
+        slab_(completion.slab()),
+        classes_(completion.classes()) {}
 
   std::uint64_t run() {
     std::uint64_t filled = 0;
     bool again = true;
-    while (again && groups_.any_low(state_.sums())) {
+    while (again && groups_.any_low(sums_)) {
       again = false;
-      for (const Candidate& candidate : candidates(state_.sums())) {
-        const std::int32_t gain = state_.try_walls({{candidate.tet, 0xF, candidate.id}});
-        if (gain == 0) continue;
+      for (const Candidate& candidate : candidates()) {
+        Completion trial = completion_;
+        trial.build({{candidate.tet, 0xF, candidate.id}});
+        const ChiGroups::Sums after = groups_.sums(trial.complex());
+        const std::int32_t gain = groups_.deviation(sums_) - groups_.deviation(after);
+        if (gain <= 0) continue;
+        if (joined_voids(slab_, classes_, voids_, trial.complex()) != joined_) continue;
+        completion_.adopt(std::move(trial));
         filled += static_cast<std::uint64_t>(gain);
+        sums_ = after;
         again = true;
         break;
       }
@@ -47,7 +57,7 @@ class HandleFiller {
     const SlabVertexId u = slab_.vertex(t, i);
     const SlabVertexId v = slab_.vertex(t, j);
     slab_.ring(u, v, t, ring_);
-    const Complex& complex = state_.completion().complex();
+    const Complex& complex = completion_.complex();
     return std::any_of(ring_.begin(), ring_.end(), [&](TetId r) {
       return complex.is_attached(r, slab_.index_in(r, u)) &&
              complex.is_attached(r, slab_.index_in(r, v));
@@ -69,12 +79,12 @@ class HandleFiller {
   }
 
   // Tets of one class that are not closed, and would close a tunnel.
-  [[nodiscard]] std::vector<Candidate> candidates(const ChiGroups::Sums& sums) {
+  [[nodiscard]] std::vector<Candidate> candidates() {
     std::vector<Candidate> result;
-    const VoidSpace space(slab_, classes_, state_.voids(), state_.completion().complex());
+    const VoidSpace space(slab_, classes_, voids_, completion_.complex());
     for (const TetId t : slab_.tets()) {
       const ClassId c = classes_.of(slab_.vertex(t, 0));
-      if (!groups_.is_low(c, sums) || !space.of_one_class(t, 0xF) || !space.is_void(t)) continue;
+      if (!groups_.is_low(c, sums_) || !space.of_one_class(t, 0xF) || !space.is_void(t)) continue;
       if (gain(space, t) > 0) result.push_back({size(t), t, c});
     }
     std::sort(result.begin(), result.end(), [](const Candidate& a, const Candidate& b) {
@@ -94,8 +104,11 @@ class HandleFiller {
     return largest;
   }
 
-  ComplexState& state_;
+  ChiGroups::Sums& sums_;
+  const std::vector<SlabVoidId>& joined_;
   const ChiGroups& groups_;
+  const SlabVoids& voids_;
+  Completion& completion_;
   const Slab& slab_;
   const SlabClasses& classes_;
   std::vector<TetId> ring_;
@@ -103,31 +116,9 @@ class HandleFiller {
 
 }  // namespace
 
-std::uint64_t fill_handles(ComplexState& state) { return HandleFiller(state).run(); }
-
-const ChiGroups::Sums& ComplexState::sums() {
-  if (!sums_) sums_ = groups_.sums(completion_.complex());
-  return *sums_;
-}
-
-const std::vector<SlabVoidId>& ComplexState::joined() {
-  if (!joined_) {
-    joined_ =
-        joined_voids(completion_.slab(), completion_.classes(), voids_, completion_.complex());
-  }
-  return *joined_;
-}
-
-std::int32_t ComplexState::try_walls(const std::vector<Wall>& walls) {
-  Completion trial = completion_;
-  trial.build(walls);
-  ChiGroups::Sums after = groups_.sums(trial.complex());
-  const std::int32_t gain = groups_.deviation(sums()) - groups_.deviation(after);
-  if (gain <= 0) return 0;
-  if (joined_voids(trial.slab(), trial.classes(), voids_, trial.complex()) != joined()) return 0;
-  completion_.adopt(std::move(trial));
-  sums_ = std::move(after);
-  return gain;
+std::uint64_t fill_handles(const ChiGroups& groups, const SlabVoids& voids, Completion& completion,
+                           ComplexShape& shape) {
+  return HandleFiller(groups, voids, completion, shape).run();
 }
 
 std::vector<SlabVoidId> joined_voids(const Slab& slab, const SlabClasses& classes,

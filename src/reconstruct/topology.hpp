@@ -11,6 +11,7 @@
 #include "completion/handles.hpp"
 #include "completion/passages.hpp"
 #include "completion/pits.hpp"
+#include "completion/sealed_faces.hpp"
 #include "reconstruct/slab_solid.hpp"
 #include "reconstruct/slab_topology.hpp"
 #include "sections/face_overlay.hpp"
@@ -51,10 +52,14 @@ class Topology {
 
   [[nodiscard]] bool part_voids(const SlabView& view, SlabVoids& voids, Completion& completion,
                                 bool may_ask, RuleCounts& rules);
-  void drop_unrealised(const SlabView& view, ComplexState& state);
+  void drop_unrealised(const SlabView& view, const SlabVoids& voids, const ComplexShape& shape);
   [[nodiscard]] std::vector<ChiRange> chi_ranges(const SlabView& view) const;
-  void bridge_faces(const SlabView& view, ComplexState& state, RuleCounts& rules);
-  [[nodiscard]] Next open_faces(const SlabView& view, ComplexState& state, bool may_ask);
+  void bridge_faces(const SlabView& view, const ChiGroups& groups, TetsOver& tets_over,
+                    Completion& completion, ComplexShape& shape, RuleCounts& rules);
+  [[nodiscard]] Next open_faces(const SlabView& view, const SlabVoids& voids,
+                                const ChiGroups& groups, TetsOver& tets_over,
+                                const Completion& completion, const ComplexShape& shape,
+                                bool may_ask);
 
   const SlabLinks& links_;
   Pits& pits_;
@@ -62,6 +67,8 @@ class Topology {
   std::vector<Inseparable> united_;
   std::vector<Link> unrealised_;
   std::vector<TopologyGroup> groups_;
+  /// By void: joined_voids() of the complex as it is; nothing where that is not known.
+  std::vector<SlabVoidId> joined_;
   RefineHere wanted_;
   Openings openings_ = Openings::may_help;
   std::int32_t least_deviation_ = std::numeric_limits<std::int32_t>::max();
