@@ -1,15 +1,13 @@
 #include "cases.hpp"
 
-#include <cstdio>
 #include <filesystem>
 #include <stdexcept>
 #include <utility>
 
-#include <unistd.h>
-
-#include <tetloft/tetloft.hpp>
+#include <tetloft/io.hpp>
 
 #include "inputs.hpp"
+#include "reconstruction.hpp"
 
 namespace tetloft::bench {
 
@@ -86,82 +84,20 @@ Case in_plane(std::string name, std::string what, std::function<std::vector<Poin
           }};
 }
 
-template <class T>
-T value_of(Result<T> result) {
-  if (!result) throw std::runtime_error(to_string(result.error()));
-  return std::move(result.value());
-}
-
-// The steps that the library tells, CPU seconds summed over threads.
-void add_steps(const ReconstructReport& report, Run& run) {
-  for (std::size_t s = 0; s < report.seconds.size(); ++s) {
-    run.steps.emplace_back(name_of(static_cast<Step>(s)), report.seconds[s]);
-  }
-}
-
-// Reads, reconstructs, writes.
-Run reconstruct_file(const std::string& path, unsigned threads) {
-  const std::string output =
-      (std::filesystem::temp_directory_path() / ("tetloft_bench_" + std::to_string(getpid())))
-          .string() +
-      ".vtu";
-  const Clock clock;
-  const auto input = value_of(read_cnt(path));
-  Run run;
-  run.steps.emplace_back("read", clock.seconds());
-  ReconstructOptions options;
-  options.execution.threads = threads;
-  const Reconstruction solid = value_of(reconstruct(input.stack, options));
-  add_steps(solid.report, run);
-  const Clock writing;
-  const Result<void> written = write_vtu(output, solid.model);
-  run.steps.emplace_back("write", writing.seconds());
-  run.seconds = clock.seconds();
-  std::remove(output.c_str());
-  if (!written) throw std::runtime_error(to_string(written.error()));
-  run.simplices = solid.model.tets.size();
-  return run;
-}
-
-// Peers triangulate the slabs between the given sections; so nothing is put between.
-Run reconstruct_stack(const SectionStack& stack, unsigned threads) {
-  const Clock clock;
-  ReconstructOptions options;
-  options.between = 0;
-  options.execution.threads = threads;
-  const Reconstruction solid = value_of(reconstruct(stack, options));
-  Run run{clock.seconds(), solid.model.tets.size()};
-  add_steps(solid.report, run);
-  return run;
-}
-
-// The vertices of every slab: what a reconstruction has to triangulate at least.
-std::vector<std::vector<Point3>> slabs_of(const SectionStack& stack) {
-  std::vector<std::vector<Point3>> sections;
-  for (const Section& section : stack.sections) {
-    std::vector<Point3>& points = sections.emplace_back();
-    for (const Contour& contour : section.contours) {
-      for (const Point2& p : contour.vertices) points.push_back({p.x, p.y, section.z});
-    }
-  }
-  std::vector<std::vector<Point3>> slabs;
-  for (std::size_t k = 0; k + 1 < sections.size(); ++k) {
-    slabs.push_back(sections[k]);
-    slabs.back().insert(slabs.back().end(), sections[k + 1].begin(), sections[k + 1].end());
-  }
-  return slabs;
-}
-
 // Peers only triangulate the slabs.
 Case whole(const std::string& path) {
   return {"reconstruct " + std::filesystem::path(path).stem().string(),
           "reading, reconstruction and writing; peers triangulate the slabs only",
           [=](const std::vector<Peer>& peers) {
-            const SectionStack stack = value_of(read_cnt(path)).stack;
+            const auto input = read_cnt(path);
+            if (!input) throw std::runtime_error(to_string(input.error()));
+            const SectionStack& stack = input->stack;
             Field field;
             field.points = stack.vertex_count();
-            field.own.push_back({"1 thread", [=] { return reconstruct_file(path, 1); }, true});
-            field.own.push_back({"2 threads", [=] { return reconstruct_file(path, 2); }});
+            field.own.push_back(
+                {"1 thread", [=] { return reconstruct_file(path, Between::nothing, 1); }, true});
+            field.own.push_back(
+                {"2 threads", [=] { return reconstruct_file(path, Between::nothing, 2); }});
             add_peers(field,
                       std::make_shared<const std::vector<std::vector<Point3>>>(slabs_of(stack)),
                       peers);
@@ -169,46 +105,20 @@ Case whole(const std::string& path) {
           }};
 }
 
-// A folder that lasts as long as the runners do.
-class TemporaryFolder {
- public:
-  TemporaryFolder()
-      : path_(std::filesystem::temp_directory_path() /
-              ("tetloft_bench_" + std::to_string(getpid()))) {
-    std::filesystem::create_directories(path_);
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
 // A generated stack, written before it is timed.
 Case branching_case(std::string name, std::size_t vertices, std::size_t sections) {
   return {std::move(name),
           "wiggly circles with holes that part in four; peers triangulate the slabs only",
           [=](const std::vector<Peer>& peers) {
-            const auto folder = std::make_shared<const TemporaryFolder>();
-            const std::string path = (folder->path() / "stack.cnt").string();
             const SectionStack stack = branching(vertices, sections);
-            if (const auto written = write_cnt(path, stack); !written) {
-              throw std::runtime_error(to_string(written.error()));
-            }
+            const auto file = std::make_shared<const StackFile>(stack);
             Field field;
             field.points = stack.vertex_count();
             for (const unsigned threads : {1U, 2U}) {
-              field.own.push_back({threads == 1 ? "1 thread" : "2 threads",
-                                   [=] {
-                                     (void)folder;  // kept
-                                     return reconstruct_file(path, threads);
-                                   },
-                                   threads == 1});
+              field.own.push_back(
+                  {threads == 1 ? "1 thread" : "2 threads",
+                   [=] { return reconstruct_file(file->path(), Between::nothing, threads); },
+                   threads == 1});
             }
             add_peers(field,
                       std::make_shared<const std::vector<std::vector<Point3>>>(slabs_of(stack)),
@@ -224,8 +134,10 @@ Case scaling(std::size_t vertices) {
             const auto stack = std::make_shared<const SectionStack>(tube(vertices));
             Field field;
             field.points = stack->vertex_count();
-            field.own.push_back({"1 thread", [=] { return reconstruct_stack(*stack, 1); }, true});
-            field.own.push_back({"2 threads", [=] { return reconstruct_stack(*stack, 2); }});
+            field.own.push_back(
+                {"1 thread", [=] { return reconstruct_stack(*stack, Between::nothing, 1); }, true});
+            field.own.push_back(
+                {"2 threads", [=] { return reconstruct_stack(*stack, Between::nothing, 2); }});
             return field;
           }};
 }

@@ -95,7 +95,7 @@ Method with_labels(const std::vector<Label>& labels) {
 }
 
 // Sections that the solid's cut differs from by more than rounding.
-std::size_t violated_sections(const TriangleMesh& surface, const SectionStack& stack) {
+std::size_t violated_sections(const bench::TriangleMesh& surface, const SectionStack& stack) {
   constexpr double kRounding = 1e-9;
   std::size_t violated = 0;
   for (const Section& section : stack.sections) {

@@ -12,17 +12,21 @@
 //
 // A corner is a tet at one of its vertices. Corner and half-face are in bijection (the
 // half-face opposite the vertex), so corners are named by half-faces; the corners of a
-// vertex form a list, which reaches every sheet of a singular vertex.
+// vertex form a list, which reaches every sheet of a singular vertex. The lists are made when
+// they are first asked for, in time linear in the mesh, as many meshes are never asked.
 //
-// Const functions are safe to call from several threads at once. Where memory ends, edits leave
-// the mesh as it was. Ids handed to a mesh must be those of its own vertices, live tets and their
-// half-faces: inline functions, face_vertices() and index_in() rely on it, all others verify it
-// (result.hpp).
+// Const functions are safe to call from several threads at once. Where memory ends, edits and
+// the making of lists throw std::bad_alloc or return the error, and leave the mesh as it was. Ids
+// handed to a mesh must be those of its own vertices, live tets and their half-faces: inline
+// functions, face_vertices() and index_in() rely on it, all others verify it (result.hpp).
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <mutex>
 #include <span>
 #include <string>
 #include <utility>
@@ -112,6 +116,55 @@ class CornerRange {
   HalfFaceId first_;
 };
 
+/// The corners of each vertex in a circular doubly linked list; unspecified in dead slots.
+struct CornerLists {
+  std::vector<HalfFaceId> first;     ///< first[v] = 4 t + i with vertex(t, i) = v; or invalid
+  std::vector<HalfFaceId> next;      ///< by corner
+  std::vector<HalfFaceId> previous;  ///< by corner
+};
+
+/// Holds corner lists once they are made: by the first who asks, while others wait; who asks later
+/// reads them without a lock.
+class CornerListsOnDemand {
+ public:
+  CornerListsOnDemand() = default;
+  CornerListsOnDemand(const CornerListsOnDemand& other) { *this = other; }
+  CornerListsOnDemand(CornerListsOnDemand&& other) noexcept { *this = std::move(other); }
+  CornerListsOnDemand& operator=(const CornerListsOnDemand& other) {
+    const CornerLists* theirs = other.made();
+    hold(theirs != nullptr ? std::make_unique<CornerLists>(*theirs) : nullptr);
+    return *this;
+  }
+  CornerListsOnDemand& operator=(CornerListsOnDemand&& other) noexcept {
+    hold(std::move(other.lists_));
+    other.made_ = nullptr;
+    return *this;
+  }
+  ~CornerListsOnDemand() = default;
+
+  /// Null before they are made.
+  [[nodiscard]] const CornerLists* made() const { return made_.load(std::memory_order_acquire); }
+  /// make() returns them; where it throws they are not made.
+  template <class Make>
+  CornerLists& made_by(Make&& make) {
+    const std::scoped_lock lock(making_);
+    if (lists_ == nullptr) hold(std::make_unique<CornerLists>(make()));
+    return *lists_;
+  }
+  /// They are to be made again.
+  void drop() { hold(nullptr); }
+
+ private:
+  void hold(std::unique_ptr<CornerLists> lists) {
+    lists_ = std::move(lists);
+    made_.store(lists_.get(), std::memory_order_release);
+  }
+
+  std::mutex making_;
+  std::unique_ptr<CornerLists> lists_;
+  std::atomic<const CornerLists*> made_ = nullptr;
+};
+
 class TETLOFT_API TetMesh {
  public:
   TetMesh() = default;
@@ -128,7 +181,7 @@ class TETLOFT_API TetMesh {
   static TetMesh from_adjacency(std::size_t vertex_count, std::vector<TetVertices> tets,
                                 std::vector<HalfFaceId> opposite);
 
-  [[nodiscard]] std::size_t vertex_count() const { return first_corner_.size(); }
+  [[nodiscard]] std::size_t vertex_count() const { return vertex_count_; }
   /// Number of tet slots; all are live unless tets were removed since compact().
   [[nodiscard]] std::size_t tet_slots() const { return tets_.size(); }
   [[nodiscard]] std::size_t tet_count() const { return tets_.size() - free_.size(); }
@@ -167,12 +220,17 @@ class TETLOFT_API TetMesh {
   /// The corners of v, that is the half-faces opposite it, one in each of its tets: for loops over
   /// a star that must not allocate. By tet id until the first edit, then in no particular order.
   [[nodiscard]] CornerRange corners(VertexId v) const {
-    return {next_corner_.data(), first_corner(v)};
+    const CornerLists& lists = corner_lists();
+    return {lists.next.data(), lists.first[v.index()]};
   }
   /// One of them, invalid if v is in no tet; the others follow in a circular list.
-  [[nodiscard]] HalfFaceId first_corner(VertexId v) const { return first_corner_[v.index()]; }
+  [[nodiscard]] HalfFaceId first_corner(VertexId v) const {
+    return corner_lists().first[v.index()];
+  }
   /// The next half-face opposite the same vertex.
-  [[nodiscard]] HalfFaceId next_corner(HalfFaceId c) const { return next_corner_[c.index()]; }
+  [[nodiscard]] HalfFaceId next_corner(HalfFaceId c) const {
+    return corner_lists().next[c.index()];
+  }
 
   /// The tets of v, also where v is singular (several face-connected sheets), by id.
   [[nodiscard]] std::vector<TetId> star(VertexId v) const;
@@ -232,12 +290,17 @@ class TETLOFT_API TetMesh {
   void require_vertex(VertexId v) const;
   void require_live(TetId t) const;
   [[nodiscard]] VertexId corner_vertex(HalfFaceId c) const { return vertex(tet_of(c), face_of(c)); }
-  // `last`: one invalid id for each vertex.
-  void build_corner_lists(std::vector<HalfFaceId>& last);
+  [[nodiscard]] const CornerLists& corner_lists() const {
+    const CornerLists* made = corner_lists_.made();
+    return made != nullptr ? *made : editable_corner_lists();
+  }
+  // Makes them where they are not made. What is const is that they say nothing new.
+  CornerLists& editable_corner_lists() const;
+  [[nodiscard]] CornerLists make_corner_lists() const;
   // One more in the arrays of tets and corners.
-  void add_slot();
-  void insert_corner(HalfFaceId c);
-  void erase_corner(HalfFaceId c);
+  void add_slot(CornerLists& lists);
+  void insert_corner(CornerLists& lists, HalfFaceId c);
+  void erase_corner(CornerLists& lists, HalfFaceId c);
   void check_corner_lists(std::vector<MeshViolation>& violations) const;
   void check_free_list(std::vector<MeshViolation>& violations) const;
   // The half-face that face i of a new tet is to be glued to, invalid if there is none.
@@ -249,11 +312,9 @@ class TETLOFT_API TetMesh {
   std::vector<TetVertices> tets_;
   // opposite_[4 t + i]; invalid on the boundary and in dead slots.
   std::vector<HalfFaceId> opposite_;
-  // first_corner_[v] = 4 t + i with vertex(t, i) = v; invalid if v is in no tet.
-  std::vector<HalfFaceId> first_corner_;
-  // Circular doubly linked list of the corners of each vertex; unspecified in dead slots.
-  std::vector<HalfFaceId> next_corner_;
-  std::vector<HalfFaceId> previous_corner_;
+  std::size_t vertex_count_ = 0;
+  // Made by const functions: mutable.
+  mutable CornerListsOnDemand corner_lists_;
   // Dead slots, last freed last.
   std::vector<TetId> free_;
 };

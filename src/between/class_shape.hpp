@@ -36,7 +36,8 @@ struct ClassShape {
   /// sections are the distances to their contours, exact up to what the README calls the reach, a
   /// step at least.
   std::vector<std::vector<double>> value;
-  /// How the point at a sample moves from the lower to the upper plane, in steps.
+  /// How the point at a sample moves from the lower to the upper plane, in steps; empty where the
+  /// class is at rest.
   std::vector<Point2> motion;
 };
 

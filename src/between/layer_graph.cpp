@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "between/shared_samples.hpp"
 #include "core/sort_distinct.hpp"
 #include "core/union_find.hpp"
 
@@ -11,74 +12,12 @@ namespace tetloft::internal::between {
 
 namespace {
 
-struct Shared {
-  LayerEdge nodes;
-  std::size_t samples = 0;
-};
-
-// Two neighbouring layers of one class.
-struct LayerPair {
-  const LayerLabels& below;
-  const LayerLabels& above;
-  const ClassShape& shape;
-  std::uint32_t outside;  // the node beyond the window
-};
-
-// The node at (x, y) of the window, to the nearest sample.
-std::uint32_t node_at(const LayerLabels& labels, const motion::LatticeWindow& window, double x,
-                      double y, std::uint32_t outside) {
-  const double i = std::floor(x + 0.5);
-  const double j = std::floor(y + 0.5);
-  if (!(i >= 0 && j >= 0 && i < static_cast<double>(window.nx()) &&
-        j < static_cast<double>(window.ny()))) {
-    return outside;
-  }
-  return labels.node[static_cast<std::size_t>(j) * window.nx() + static_cast<std::size_t>(i)];
-}
-
-// How many samples each two nodes share with both layers moved by this share of the motion towards
-// each other, those without any left out; sorted.
-std::vector<Shared> shared_samples(const LayerPair& pair, double share) {
-  const motion::LatticeWindow& window = pair.shape.window;
-  std::vector<Shared> runs;
-  std::size_t place = 0;
-  for (std::size_t j = 0; j < window.ny(); ++j) {
-    for (std::size_t i = 0; i < window.nx(); ++i, ++place) {
-      const Point2& u = pair.shape.motion[place];
-      const auto x = static_cast<double>(i);
-      const auto y = static_cast<double>(j);
-      const LayerEdge nodes{
-          node_at(pair.below, window, x - share * u.x, y - share * u.y, pair.outside),
-          node_at(pair.above, window, x + share * u.x, y + share * u.y, pair.outside)};
-      if (nodes.first == kNoNode || nodes.second == kNoNode) continue;
-      if (runs.empty() || runs.back().nodes != nodes) runs.push_back({nodes});
-      ++runs.back().samples;
-    }
-  }
-  std::sort(runs.begin(), runs.end(),
-            [](const Shared& a, const Shared& b) { return a.nodes < b.nodes; });
-  std::vector<Shared> result;
-  for (const Shared& run : runs) {
-    if (result.empty() || result.back().nodes != run.nodes) result.push_back({run.nodes});
-    result.back().samples += run.samples;
-  }
-  return result;
-}
-
-// Is it enough to be connected?
-bool is_edge(NodeKind kind, const LayerPair& pair, const Shared& shared) {
-  const std::size_t smaller =
-      std::min(pair.below.size[shared.nodes.first], pair.above.size[shared.nodes.second]);
-  if (smaller == kUnbounded) return true;
-  return kind == NodeKind::solid ? 50 * shared.samples >= smaller : 10 * shared.samples > smaller;
-}
-
-std::vector<LayerEdge> edges_between(NodeKind kind, const LayerPair& pair, double share) {
+std::vector<LayerEdge> edges_between(const LayerPair& pair, double share) {
   std::vector<LayerEdge> edges;
   std::vector<std::uint8_t> has_below(pair.below.size.size(), 0);
   std::vector<std::uint8_t> has_above(pair.above.size.size(), 0);
-  for (const Shared& shared : shared_samples(pair, share)) {
-    if (!is_edge(kind, pair, shared)) continue;
+  for (const SharedSamples& shared : shared_samples(pair, share)) {
+    if (!pair.is_edge(shared)) continue;
     edges.push_back(shared.nodes);
     has_below[shared.nodes.first] = has_above[shared.nodes.second] = 1;
   }
@@ -86,9 +25,9 @@ std::vector<LayerEdge> edges_between(NodeKind kind, const LayerPair& pair, doubl
     return std::find(has.begin(), has.end(), 0) == has.end();
   };
   if (all(has_below) && all(has_above)) return edges;
-  for (const Shared& shared : shared_samples(pair, 0)) {
+  for (const SharedSamples& shared : shared_samples(pair, 0)) {
     const auto& [low, high] = shared.nodes;
-    if ((has_below[low] == 0 || has_above[high] == 0) && is_edge(kind, pair, shared)) {
+    if ((has_below[low] == 0 || has_above[high] == 0) && pair.is_edge(shared)) {
       edges.push_back(shared.nodes);
     }
   }
@@ -137,12 +76,13 @@ std::vector<std::size_t> numbers_of(const LayerGraph& graph, const Numbering& nu
 LayerGraph connect_layers(NodeKind kind, const ClassShape& shape, const std::vector<double>& at,
                           std::vector<LayerLabels> layers) {
   LayerGraph graph{kind, std::move(layers), {}};
-  const std::uint32_t outside = kind == NodeKind::solid ? kNoNode : kExterior;
+  double longest = 0;
+  for (const Point2& u : shape.motion) longest = std::max({longest, std::abs(u.x), std::abs(u.y)});
   for (std::size_t k = 0; k + 1 < graph.layers.size(); ++k) {
     const double low = k == 0 ? 0 : at[k - 1];
     const double high = k == at.size() ? 1 : at[k];
     graph.edges.push_back(edges_between(
-        kind, {graph.layers[k], graph.layers[k + 1], shape, outside}, (high - low) / 2));
+        {kind, graph.layers[k], graph.layers[k + 1], shape, longest}, (high - low) / 2));
   }
   return graph;
 }

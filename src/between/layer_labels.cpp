@@ -1,58 +1,115 @@
+// Parts are found by runs of samples along rows, not by samples.
 #include "between/layer_labels.hpp"
 
-#include <array>
+#include <algorithm>
 #include <cstddef>
+
+#include "between/inside_runs.hpp"
+#include "core/union_find.hpp"
 
 namespace tetloft::internal::between {
 
 namespace {
 
-// Labels the parts of the samples for which in(place) holds, through these neighbours.
-template <class In, std::size_t n>
-LayerLabels label_parts(const motion::LatticeWindow& window, const In& in,
-                        const std::array<std::array<std::int64_t, 2>, n>& neighbours) {
-  const auto nx = static_cast<std::int64_t>(window.nx());
-  const auto ny = static_cast<std::int64_t>(window.ny());
-  LayerLabels labels;
-  labels.node.assign(window.size(), kNoNode);
-  std::vector<std::uint32_t> waiting;
-  for (std::uint32_t start = 0; start < labels.node.size(); ++start) {
-    if (labels.node[start] != kNoNode || !in(start)) continue;
-    const auto node = static_cast<std::uint32_t>(labels.size.size());
-    labels.size.push_back(0);
-    labels.node[start] = node;
-    waiting.push_back(start);
-    while (!waiting.empty()) {
-      const auto at = static_cast<std::int64_t>(waiting.back());
-      waiting.pop_back();
-      ++labels.size.back();
-      for (const auto& [di, dj] : neighbours) {
-        const std::int64_t i = at % nx + di;
-        const std::int64_t j = at / nx + dj;
-        if (i < 0 || i >= nx || j < 0 || j >= ny) continue;
-        const auto next = static_cast<std::uint32_t>(j * nx + i);
-        if (labels.node[next] != kNoNode || !in(next)) continue;
-        labels.node[next] = node;
-        waiting.push_back(next);
-      }
+using Runs = std::vector<LabelledRun>;
+
+// Calls visit(run, run) for the runs of neighbouring rows of nx samples that touch, or would if one
+// ended `aside` samples later on either side.
+template <class Visit>
+void visit_touching(const Runs& runs, std::uint32_t nx, std::uint32_t aside, const Visit& visit) {
+  std::size_t low = 0;
+  for (std::size_t high = 0; high < runs.size(); ++high) {
+    const std::uint32_t first = runs[high].first;
+    const std::uint32_t end = runs[high].end;
+    const std::uint32_t row = first - first % nx;
+    if (row == 0) continue;
+    // Of the row below; those that end before this run do so before all that follow.
+    while (low < high && (runs[low].end + nx + aside <= first || runs[low].end + nx <= row)) ++low;
+    for (std::size_t k = low; k < high && runs[k].first + nx < end + aside; ++k) {
+      if (runs[k].first + nx >= row + nx) break;
+      visit(k, high);
     }
+  }
+}
+
+// Labels the parts of the negative samples, or of the others; those across are neighbours if
+// `aside` is 1.
+LayerLabels label_parts(const motion::LatticeWindow& window, const std::vector<double>& value,
+                        bool negative, std::uint32_t aside) {
+  const auto nx = static_cast<std::uint32_t>(window.nx());
+  LayerLabels labels;
+  visit_sign_runs(window, value, negative, [&](std::uint32_t first, std::uint32_t end) {
+    labels.runs.push_back({first, end, kNoNode});
+  });
+  UnionFind parts(labels.runs.size());
+  // In each part runs that touch are one more than a tree has for each void that they enclose.
+  visit_touching(labels.runs, nx, aside, [&](std::size_t low, std::size_t high) {
+    if (!parts.unite(low, high)) ++labels.enclosed;
+  });
+  for (std::size_t r = 0; r < labels.runs.size(); ++r) {
+    const std::size_t leader = parts.find(r);
+    LabelledRun& run = labels.runs[r];
+    if (leader == r) {
+      run.node = static_cast<std::uint32_t>(labels.size.size());
+      labels.size.push_back(0);
+    } else {
+      run.node = labels.runs[leader].node;
+    }
+    labels.size[run.node] += run.end - run.first;
   }
   return labels;
 }
 
 }  // namespace
 
+std::uint32_t LayerLabels::node_at(std::uint32_t place) const {
+  const auto after =
+      std::upper_bound(runs.begin(), runs.end(), place,
+                       [](std::uint32_t at, const LabelledRun& run) { return at < run.first; });
+  if (after == runs.begin() || (after - 1)->end <= place) return kNoNode;
+  return (after - 1)->node;
+}
+
+std::vector<std::uint32_t> LayerLabels::nodes(std::size_t places) const {
+  std::vector<std::uint32_t> node(places, kNoNode);
+  for (const LabelledRun& run : runs) {
+    std::fill(node.begin() + run.first, node.begin() + run.end, run.node);
+  }
+  return node;
+}
+
+RunsByRow::RunsByRow(const std::vector<LabelledRun>& runs, const motion::LatticeWindow& window)
+    : runs_(runs) {
+  first_.reserve(window.ny() + 1);
+  std::size_t run = 0;
+  for (std::size_t row = 0; row <= window.ny(); ++row) {
+    while (run < runs.size() && runs[run].first < row * window.nx()) ++run;
+    first_.push_back(run);
+  }
+}
+
+std::vector<LabelledRun> runs_of(const motion::LatticeWindow& window,
+                                 const std::vector<std::uint32_t>& node) {
+  std::vector<LabelledRun> runs;
+  const auto nx = static_cast<std::uint32_t>(window.nx());
+  for (std::uint32_t row = 0; row < node.size(); row += nx) {
+    for (std::uint32_t at = row; at < row + nx;) {
+      const std::uint32_t first = at;
+      do ++at;
+      while (at < row + nx && node[at] == node[first]);
+      if (node[first] != kNoNode) runs.push_back({first, at, node[first]});
+    }
+  }
+  return runs;
+}
+
 LayerLabels label_solids(const motion::LatticeWindow& window, const std::vector<double>& value) {
-  return label_parts(
-      window, [&](std::uint32_t at) { return value[at] < 0; },
-      std::array<std::array<std::int64_t, 2>, 4>{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}});
+  return label_parts(window, value, true, 0);
 }
 
 LayerLabels label_voids(const motion::LatticeWindow& window, const std::vector<double>& value) {
-  LayerLabels labels = label_parts(
-      window, [&](std::uint32_t at) { return !(value[at] < 0); },
-      std::array<std::array<std::int64_t, 2>, 8>{
-          {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, 1}, {1, -1}, {-1, -1}}});
+  LayerLabels labels = label_parts(window, value, false, 1);
+  labels.enclosed = 0;
   if (!labels.size.empty()) labels.size[kExterior] = kUnbounded;
   return labels;
 }
@@ -62,9 +119,9 @@ std::vector<std::vector<std::uint32_t>> samples_by_node(const LayerLabels& label
   for (std::size_t n = 0; n < samples.size(); ++n) {
     if (labels.size[n] != kUnbounded) samples[n].reserve(labels.size[n]);
   }
-  for (std::uint32_t at = 0; at < labels.node.size(); ++at) {
-    const std::uint32_t n = labels.node[at];
-    if (n != kNoNode && labels.size[n] != kUnbounded) samples[n].push_back(at);
+  for (const auto& [first, end, node] : labels.runs) {
+    if (labels.size[node] == kUnbounded) continue;
+    for (std::uint32_t at = first; at < end; ++at) samples[node].push_back(at);
   }
   return samples;
 }

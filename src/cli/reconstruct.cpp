@@ -196,7 +196,7 @@ Result<int> run_reconstruct(const Arguments& arguments, Console& console) {
     seconds.verify = verifying.seconds();
   }
   const Stopwatch writing;
-  auto files = stage_model(result->model, request->outputs, console);
+  auto files = stage_model(result->model, request->outputs, console, Tets::proven);
   if (!files) return files.error();
   const Result<void> staged =
       stage_repaired(request->outputs.repaired, input->stack(), *files, console);

@@ -109,7 +109,7 @@ class AllStructures {
     outcome.components = result->model.component_count;
     // Whoever ends the program learns of temporaries one at a time.
     const std::scoped_lock lock(mutex_);
-    auto files = stage_model(result->model, outcome.outputs, console);
+    auto files = stage_model(result->model, outcome.outputs, console, Tets::proven);
     if (!files) return files.error();
     const Result<void> staged =
         stage_repaired(outcome.outputs.repaired, input->stack(), *files, console);

@@ -19,15 +19,18 @@ Completion::Completion(const Slab& slab, const SlabClasses& classes,
       parts_(classes.regions().size()),
       changed_(slab.vertex_count(), 0),
       queued_(slab.vertex_count(), 0),
+      sectors_(slab.vertex_count()),
+      seen_(slab.tet_count(), 0),
       spoke_of_(slab.tet_count(), kHull),
-      link_vertex_(slab.vertex_count()) {}
+      link_vertex_(slab.vertex_count()) {
+  for (const ClassId c : IdRange<ClassId>(classes.class_count())) {
+    part_count_.push_back(classes.regions(c).size());
+  }
+  find_sectors();
+}
 
 std::vector<LeftApart> Completion::run() {
-  for (const SlabVertexId v : slab_.vertices()) {
-    if (active_[classes_.of(v)] != 0) enqueue(v);
-  }
-  settle_queue();
-
+  settle_all();
   std::vector<LeftApart> left = connect_classes();
   if (left.empty()) fill_convex();
   return left;
@@ -50,17 +53,84 @@ void Completion::keep(TetId t, ClassId c) {
   }
 }
 
-void Completion::settle_queue() {
-  while (!heap_.empty()) {
-    std::pop_heap(heap_.begin(), heap_.end(), std::greater<>());
-    const SlabVertexId v = heap_.back();
-    heap_.pop_back();
+// Every vertex of an active class, and what the rules want besides: as if all had been enqueued.
+void Completion::settle_all() {
+  for (const SlabVertexId v : slab_.vertices()) queued_[v] = active_[classes_.of(v)];
+  for (const SlabVertexId v : slab_.vertices()) {
+    if (queued_[v] == 0) continue;
+    while (!heap_.empty() && heap_.front() < v) settle_lowest();
     settle(v);
     queued_[v] = 0;
   }
+  settle_queue();
+}
+
+void Completion::settle_queue() {
+  while (!heap_.empty()) settle_lowest();
+}
+
+void Completion::settle_lowest() {
+  std::pop_heap(heap_.begin(), heap_.end(), std::greater<>());
+  const SlabVertexId v = heap_.back();
+  heap_.pop_back();
+  settle(v);
+  queued_[v] = 0;
+}
+
+void Completion::find_sectors() {
+  for (const bool upper : {false, true}) {
+    const ConformingSection& section = slab_.section(upper);
+    for (const TriangleId triangle : section.internal.ids()) {
+      if (section.internal[triangle] == 0) continue;
+      for (const PlaneVertexId v : section.triangulation.triangles[triangle]) {
+        Sector& sector = sectors_[slab_.numbering().in_slab(upper, v)];
+        if (sector.count++ == 0) sector.first = slab_.tet_on(upper, triangle);
+      }
+    }
+  }
+}
+
+// Floods the sheet at p that holds its internal triangles, and measures it on the way; the rest of
+// the star is not looked at.
+bool Completion::attach_disc(SlabVertexId p) {
+  const Sector& sector = sectors_[p];
+  if (sector.count == 0) return false;
+  const bool upper = slab_.is_upper(p);
+  ++epoch_;
+  LinkCount link;
+  std::uint32_t own_triangles = 0;
+  sheet_.clear();
+  const auto reach = [&](TetId t, int corner) {
+    seen_[t] = epoch_;
+    sheet_.push_back(TetMesh::half_face(t, corner));
+  };
+  reach(sector.first, slab_.index_in(sector.first, p));
+  for (std::size_t at = 0; at < sheet_.size(); ++at) {
+    const TetId t = TetMesh::tet_of(sheet_[at]);
+    const int corner = TetMesh::face_of(sheet_[at]);
+    if (slab_.kind(t) == TetKind::t1_internal && slab_.has_triangle(t, upper)) ++own_triangles;
+    std::array<bool, 4> edge{};
+    for (int i = 0; i < 4; ++i) {
+      if (i == corner) continue;
+      const TetId across = slab_.mesh().neighbour(t, i);
+      if (across.valid() && seen_[across] == epoch_) continue;
+      const int there = across.valid() ? slab_.index_in(across, p) : 0;
+      if (across.valid() && complex_.keeps(across, there)) {
+        reach(across, there);
+      } else {
+        edge[static_cast<std::size_t>(i)] = true;
+      }
+    }
+    add_to_link(t, corner, edge, link);
+  }
+  work_ += sheet_.size();
+  if (own_triangles != sector.count || link.pinched || !link.is_euler_disc()) return false;
+  for (const HalfFaceId at : sheet_) attach(TetMesh::tet_of(at), TetMesh::face_of(at));
+  return true;
 }
 
 void Completion::settle(SlabVertexId p) {
+  if (attach_disc(p)) return;
   gather_star(p);
   for (;;) {
     find_primary_sheet();
@@ -130,39 +200,39 @@ void Completion::flood_primary(std::size_t start) {
 // in a cycle, four and more for several. A connected set without pinch is a disc iff χ = 1.
 Completion::LinkShape Completion::link_shape() {
   ++epoch_;
-  std::size_t triangles = 0;
-  std::size_t vertices = 0;
-  std::size_t boundary_edges = 0;
-  bool pinched = false;
+  LinkCount link;
   for (std::size_t k = 0; k < spokes_.size(); ++k) {
     if (primary_[k] == 0) continue;
-    ++triangles;
     const Spoke& spoke = spokes_[k];
-    // Whether each of the triangle's edges, opposite corner i, is on the boundary.
     std::array<bool, 4> edge{};
-    std::size_t edges = 0;
     for (std::size_t i = 0; i < 4; ++i) {
       if (i == static_cast<std::size_t>(spoke.corner)) continue;
       const std::int32_t next = spoke.next[i];
       edge[i] = next == kHull || primary_[static_cast<std::size_t>(next)] == 0;
-      edges += edge[i] ? 1U : 0U;
     }
-    boundary_edges += edges;
-    for (std::size_t i = 0; i < 4; ++i) {
-      if (i == static_cast<std::size_t>(spoke.corner)) continue;
-      LinkVertex& vertex = link_vertex_[slab_.vertex(spoke.tet, static_cast<int>(i))];
-      if (vertex.epoch != epoch_) {
-        vertex = {epoch_, 0};
-        ++vertices;
-      }
-      vertex.boundary_edges += static_cast<std::uint32_t>(edges - (edge[i] ? 1U : 0U));
-      pinched = pinched || vertex.boundary_edges > 2;
-    }
+    add_to_link(spoke.tet, spoke.corner, edge, link);
   }
-  if (pinched) return LinkShape::pinched;
-  // V − E + F = 1 with E = (3 F + B) / 2.
-  const bool euler = 2 * vertices == 2 + triangles + boundary_edges;
-  return sheets_ == 1 && euler ? LinkShape::disc : LinkShape::holed;
+  if (link.pinched) return LinkShape::pinched;
+  return sheets_ == 1 && link.is_euler_disc() ? LinkShape::disc : LinkShape::holed;
+}
+
+// Adds the triangle that t is in the link of its corner; edge[i]: whether the one opposite corner i
+// is on the boundary.
+void Completion::add_to_link(TetId t, int corner, const std::array<bool, 4>& edge,
+                             LinkCount& link) {
+  const auto edges = static_cast<std::uint32_t>(edge[0] + edge[1] + edge[2] + edge[3]);
+  ++link.triangles;
+  link.boundary_edges += edges;
+  for (int i = 0; i < 4; ++i) {
+    if (i == corner) continue;
+    LinkVertex& vertex = link_vertex_[slab_.vertex(t, i)];
+    if (vertex.epoch != epoch_) {
+      vertex = {epoch_, 0};
+      ++link.vertices;
+    }
+    vertex.boundary_edges += edges - (edge[static_cast<std::size_t>(i)] ? 1U : 0U);
+    link.pinched = link.pinched || vertex.boundary_edges > 2;
+  }
 }
 
 // Fills the complements of the primary sheet in the star that touch no hull facet.

@@ -85,6 +85,18 @@ class Completion {
     std::uint32_t boundary_edges = 0;  // of the primary sheet, that end there
   };
 
+  // What was counted in the link of a vertex.
+  struct LinkCount {
+    std::size_t triangles = 0;
+    std::size_t vertices = 0;
+    std::size_t boundary_edges = 0;
+    bool pinched = false;
+    // V − E + F = 1 with E = (3 F + B) / 2.
+    [[nodiscard]] bool is_euler_disc() const {
+      return 2 * vertices == 2 + triangles + boundary_edges;
+    }
+  };
+
   // A detached sheet and the shortest way to its vertex's primary one.
   struct Merge {
     bool attached = false;  // the sheet reaches an attached corner of another part
@@ -121,14 +133,27 @@ class Completion {
     bool knows_bridges = false;
   };
 
+  // Where the internal triangles at each vertex are.
+  struct Sector {
+    TetId first;              // the type-1 tet on one of them
+    std::uint32_t count = 0;  // of triangles
+  };
+
   void enqueue(SlabVertexId v);
   void keep(TetId t, ClassId c);
+  void find_sectors();
+  void settle_all();
   void settle_queue();
+  void settle_lowest();
+  // Attaches the primary sheet at p if it is a disc in its link as it is; false, with nothing done,
+  // if it is not.
+  [[nodiscard]] bool attach_disc(SlabVertexId p);
 
   void gather_star(SlabVertexId p);
   void find_primary_sheet();
   void flood_primary(std::size_t start);
   [[nodiscard]] LinkShape link_shape();
+  void add_to_link(TetId t, int corner, const std::array<bool, 4>& edge, LinkCount& link);
   bool fill_rings(SlabVertexId p);
   void fill_run(SlabVertexId p, SlabVertexId q);
   void fill_gaps();
@@ -142,8 +167,12 @@ class Completion {
   }
 
   void fill_convex();
-  [[nodiscard]] bool is_convex_filling(TetId t) const;
+  [[nodiscard]] bool is_of_one_class(TetId t) const;
+  // Does a CC tet lie on the region's side of both its contour edges?
+  [[nodiscard]] bool is_inside_contours(TetId t) const;
   [[nodiscard]] bool is_expansion(TetId t);
+  bool fill_where_convex(TetId t);
+  void look_again_around(TetId t, std::vector<TetId>& higher, std::vector<TetId>& lower);
 
   [[nodiscard]] std::vector<LeftApart> connect_classes();
   bool connect_once(Connecting& connecting);
@@ -156,6 +185,7 @@ class Completion {
   [[nodiscard]] std::optional<TetId> connecting_tet(Connecting& connecting) const;
   [[nodiscard]] std::vector<Bridge> bridges_of(const Connecting& connecting) const;
   void attach(TetId t, int corner);
+  void unite_attached(TetId t, int corner);
   [[nodiscard]] std::vector<TetId> way_to_primary(TetId t, SlabVertexId p);
   void note_change(SlabVertexId v);
 
@@ -168,6 +198,7 @@ class Completion {
   // Regions united through attached corners: all tets attached at a vertex hang together, and
   // so do the attached corners of one tet for one class.
   UnionFind parts_;
+  IdVector<ClassId, std::size_t> part_count_;  // by class: how many its regions are in
   // While classes are connected, the vertices of whose stars something changed; changed_[v]
   // while v is among them.
   bool note_changes_ = false;
@@ -177,6 +208,11 @@ class Completion {
   // Vertices to settle, lowest first; queued_[v] while v is among them.
   std::vector<SlabVertexId> heap_;
   IdVector<SlabVertexId, std::uint8_t> queued_;
+
+  IdVector<SlabVertexId, Sector> sectors_;
+  // What attach_disc() has come to: its corners in the order of the flood, and by tet the epoch.
+  std::vector<HalfFaceId> sheet_;
+  IdVector<TetId, std::uint32_t> seen_;
 
   // The star of the current vertex, and its spokes by tet (meaningful for its tets only).
   std::vector<Spoke> spokes_;
@@ -189,6 +225,10 @@ class Completion {
   // Of the vertices in the current star's link, those with the current epoch.
   IdVector<SlabVertexId, LinkVertex> link_vertex_;
   std::uint32_t epoch_ = 0;
+  // What convex filling knows of a tet; empty before. Rejected ones were no expansion when last
+  // looked at.
+  enum : std::uint8_t { kNoCandidate, kRejected, kWaiting };
+  IdVector<TetId, std::uint8_t> candidate_;
   std::uint64_t work_ = 0;
 };
 

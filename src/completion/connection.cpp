@@ -22,14 +22,20 @@ void Completion::note_change(SlabVertexId v) {
 void Completion::attach(TetId t, int corner) {
   if (complex_.is_attached(t, corner)) return;
   complex_.attached[t] = static_cast<std::uint8_t>(complex_.attached[t] | (1U << corner));
+  unite_attached(t, corner);
+}
+
+// The region of an attached corner with those of other corners attached.
+void Completion::unite_attached(TetId t, int corner) {
   const SlabVertexId p = slab_.vertex(t, corner);
+  const ClassId c = classes_.of(p);
+  if (part_count_[c] == 1 && !note_changes_) return;
   for (int i = 0; i < 4; ++i) {
     const SlabVertexId u = slab_.vertex(t, i);
-    if (classes_.of(u) != classes_.of(p)) continue;
+    if (classes_.of(u) != c) continue;
     note_change(u);
-    if (complex_.is_attached(t, i)) {
-      parts_.unite(classes_.region(u).index(), classes_.region(p).index());
-    }
+    if (!complex_.is_attached(t, i)) continue;
+    if (parts_.unite(classes_.region(u).index(), classes_.region(p).index())) --part_count_[c];
   }
 }
 

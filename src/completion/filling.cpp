@@ -29,17 +29,22 @@ bool tet_on_inner_side(const Slab& slab, SlabVertexId u, SlabVertexId v, SlabVer
 
 }  // namespace
 
-bool Completion::is_convex_filling(TetId t) const {
-  if (slab_.kind(t) != TetKind::cc) return false;
-  std::array<SlabVertexId, 4> v = slab_.vertices(t);
-  const ClassId c = classes_.of(v[0]);
-  if (active_[c] == 0) return false;
-  for (const SlabVertexId u : v) {
-    if (classes_.of(u) != c) return false;
+bool Completion::is_of_one_class(TetId t) const {
+  const ClassId c = classes_.of(slab_.vertex(t, 0));
+  return active_[c] != 0 && classes_.of(slab_.vertex(t, 1)) == c &&
+         classes_.of(slab_.vertex(t, 2)) == c && classes_.of(slab_.vertex(t, 3)) == c;
+}
+
+bool Completion::is_inside_contours(TetId t) const {
+  std::array<std::array<SlabVertexId, 2>, 2> edge;  // below, above
+  std::array<std::size_t, 2> found{};
+  for (const SlabVertexId v : slab_.vertices(t)) {
+    const std::size_t plane = slab_.is_upper(v) ? 1 : 0;
+    edge[plane][found[plane]++] = v;
   }
-  std::stable_partition(v.begin(), v.end(), [&](SlabVertexId u) { return !slab_.is_upper(u); });
-  return tet_on_inner_side(slab_, v[0], v[1], v[2], v[3]) &&
-         tet_on_inner_side(slab_, v[2], v[3], v[0], v[1]);
+  const auto& [a, b] = edge[0];
+  const auto& [c, d] = edge[1];
+  return tet_on_inner_side(slab_, a, b, c, d) && tet_on_inner_side(slab_, c, d, a, b);
 }
 
 // Adding a tet is an elementary expansion if it meets the complex in a disc: here in three
@@ -54,16 +59,10 @@ bool Completion::is_expansion(TetId t) {
     const HalfFaceId h = slab_.mesh().opposite(TetMesh::half_face(t, i));
     if (!h.valid()) continue;
     const TetId across = TetMesh::tet_of(h);
-    int kept = 0;
-    int attached = 0;
-    for (int j = 0; j < 4; ++j) {
-      if (j == TetMesh::face_of(h)) continue;
-      kept += complex_.keeps(across, j) ? 1 : 0;
-      attached += complex_.is_attached(across, j) ? 1 : 0;
-    }
-    if (kept == 0) continue;
+    const unsigned corners = kAllCorners & ~(1U << TetMesh::face_of(h));
+    if ((complex_.kept[across] & corners) == 0) continue;
     // A sheet detached at one of the corners would be joined to it.
-    if (attached != 3) return false;
+    if ((complex_.attached[across] & corners) != corners) return false;
     shared[static_cast<std::size_t>(i)] = true;
     ++faces;
   }
@@ -86,44 +85,55 @@ bool Completion::is_expansion(TetId t) {
 
 // Passes over the candidates by id, until one adds nothing. Adding a tet makes an expansion of
 // its neighbours at most: more kept tets in a ring never do. So only these are looked at again,
-// a higher one in the same pass, a lower one in the next.
+// a higher one in the same pass, a lower one in the next. Where a tet lies is asked last, and once:
+// few are an expansion at all.
 void Completion::fill_convex() {
-  enum : std::uint8_t { kNone, kRejected, kWaiting };
-  IdVector<TetId, std::uint8_t> candidate(slab_.tet_count(), kNone);
+  candidate_.assign(slab_.tet_count(), kNoCandidate);
   std::vector<TetId> pass;
   for (const TetId t : slab_.tets()) {
-    if (complex_.kept[t] != 0 || !is_convex_filling(t)) continue;
-    candidate[t] = kWaiting;
+    if (complex_.kept[t] != 0 || slab_.kind(t) != TetKind::cc || !is_of_one_class(t)) continue;
+    candidate_[t] = kWaiting;
     pass.push_back(t);
   }
-  std::vector<TetId> next;
   while (!pass.empty()) {
-    std::make_heap(pass.begin(), pass.end(), std::greater<>());
-    while (!pass.empty()) {
-      std::pop_heap(pass.begin(), pass.end(), std::greater<>());
-      const TetId t = pass.back();
-      pass.pop_back();
-      if (!is_expansion(t)) {
-        candidate[t] = kRejected;
-        continue;
+    std::vector<TetId> next;
+    std::vector<TetId> higher;  // heap, the lowest first
+    for (std::size_t at = 0; at < pass.size() || !higher.empty();) {
+      const bool from_pass = higher.empty() || (at < pass.size() && pass[at] < higher.front());
+      const TetId t = from_pass ? pass[at++] : higher.front();
+      if (!from_pass) {
+        std::pop_heap(higher.begin(), higher.end(), std::greater<>());
+        higher.pop_back();
       }
-      // Each corner is on a shared face, so that the tet belongs to its primary sheet.
-      complex_.kept[t] = kAllCorners;
-      complex_.attached[t] = kAllCorners;
-      candidate[t] = kNone;
-      for (int i = 0; i < 4; ++i) {
-        const TetId across = slab_.mesh().neighbour(t, i);
-        if (!across.valid() || candidate[across] != kRejected) continue;
-        candidate[across] = kWaiting;
-        if (t < across) {
-          pass.push_back(across);
-          std::push_heap(pass.begin(), pass.end(), std::greater<>());
-        } else {
-          next.push_back(across);
-        }
-      }
+      if (fill_where_convex(t)) look_again_around(t, higher, next);
     }
-    std::swap(pass, next);
+    std::sort(next.begin(), next.end());
+    pass = std::move(next);
+  }
+}
+
+bool Completion::fill_where_convex(TetId t) {
+  candidate_[t] = kRejected;
+  if (!is_expansion(t)) return false;
+  candidate_[t] = kNoCandidate;
+  if (!is_inside_contours(t)) return false;
+  // Each corner is on a shared face, so that the tet belongs to its primary sheet.
+  complex_.kept[t] = kAllCorners;
+  complex_.attached[t] = kAllCorners;
+  return true;
+}
+
+void Completion::look_again_around(TetId t, std::vector<TetId>& higher, std::vector<TetId>& lower) {
+  for (int i = 0; i < 4; ++i) {
+    const TetId across = slab_.mesh().neighbour(t, i);
+    if (!across.valid() || candidate_[across] != kRejected) continue;
+    candidate_[across] = kWaiting;
+    if (across < t) {
+      lower.push_back(across);
+      continue;
+    }
+    higher.push_back(across);
+    std::push_heap(higher.begin(), higher.end(), std::greater<>());
   }
 }
 

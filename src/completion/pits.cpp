@@ -114,7 +114,7 @@ std::vector<ContourId> Pits::sealed_holes(const Slab& slab, const SlabClasses& c
   std::vector<std::uint8_t> open(section.internal.size(), 0);
   for (const TetId t : slab.tets()) {
     if (slab.kind(t) != TetKind::t1_external) continue;
-    if ((std::popcount(slab.upper_corners(t)) == 3) != upper) continue;
+    if (!slab.has_triangle(t, upper)) continue;
     std::array<SlabVertexId, 3> corner;
     std::size_t corners = 0;
     bool attached = true;
@@ -125,9 +125,7 @@ std::vector<ContourId> Pits::sealed_holes(const Slab& slab, const SlabClasses& c
     }
     const auto& [a, b, c] = corner;
     if (attached && classes.of(a) == classes.of(b) && classes.of(a) == classes.of(c)) continue;
-    const TriangleId triangle =
-        section.find_triangle(slab.in_section(a), slab.in_section(b), slab.in_section(c));
-    open[parts.find(triangle.index())] = 1;
+    open[parts.find(slab.triangle(t).index())] = 1;
   }
   const IdVector<ContourId, PlaneVertexId> first = first_vertices(section);
   std::erase_if(holes, [&](ContourId c) {

@@ -34,8 +34,9 @@ Complex seed(const Slab& slab, const SlabClasses& classes,
       for (int i = 0; i < 4; ++i) {
         for (int j = i + 1; j < 4; ++j) {
           if (!slab.same_plane(t, i, j)) continue;
-          const EdgeKind edge = slab.edge_kind(slab.vertex(t, i), slab.vertex(t, j));
-          if (edge == EdgeKind::internal) keep_for_corner(slab, classes, active, t, i, mask);
+          const ConformingSection& section = slab.section(has_corner(slab.upper_corners(t), i));
+          if (section.edges[slab.edge(t, i, j)].kind != EdgeKind::internal) continue;
+          keep_for_corner(slab, classes, active, t, i, mask);
         }
       }
     }

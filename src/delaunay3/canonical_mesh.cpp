@@ -1,4 +1,9 @@
 // See canonical_mesh.hpp.
+//
+// Tets that are neighbours are near each other in the engine's order, and far apart in the
+// canonical one. So names and adjacency are worked out in the engine's order, in its slots; these
+// are then sorted by name within each stretch, and the stretches merged, part by part, into the
+// mesh.
 #include "delaunay3/canonical_mesh.hpp"
 
 #include <algorithm>
@@ -6,151 +11,158 @@
 #include <utility>
 #include <vector>
 
+#include "core/pages.hpp"
+#include "core/parallel.hpp"
+#include "core/prefetch.hpp"
+#include "delaunay3/canonical_names.hpp"
+
 namespace tetloft::internal::delaunay3_detail {
 
 namespace {
 
-using Ranks = std::array<std::uint32_t, 4>;
-// Local vertex numbers in some order, two bits each: number k at bits 2 k and 2 k + 1.
-using Permutation = std::uint8_t;
+// A part of the mesh, so many tets one after the other: small enough to be filled within cache.
+constexpr unsigned kPartBits = 13;
+// Parts that the mesh grows by at a time, after which the slots they were read from are given back.
+constexpr std::size_t kPartsOfRound = 32;
 
-constexpr std::size_t kCorners = 4;
+// Fewer slots than this are renumbered before a second thread has started.
+constexpr std::size_t kSlotsForThreads = std::size_t{1} << 16;
 
-// A tet with its vertices named by rank and put into canonical order.
-struct NamedTet {
-  Ranks increasing{};
-  bool odd = false;          // increasing order is an odd permutation of the engine's
-  Permutation position = 0;  // number k: canonical place of the engine's vertex k
-};
+class Renumbering {
+ public:
+  Renumbering(std::span<TetSlot> built, const VertexNames& names, unsigned threads)
+      : built_(built),
+        names_(names),
+        threads_(built.size() < kSlotsForThreads ? 1 : threads),
+        stretches_(stretches_of(built)) {}
 
-Permutation with_number(Permutation p, std::size_t k, std::size_t number) {
-  return static_cast<Permutation>(p | (number << (2 * k)));
-}
-
-int number_of(Permutation p, int k) { return (p >> (2 * k)) & 3; }
-
-NamedTet name_tet(const TetVertices& tet, std::span<const std::uint32_t> rank_of) {
-  // Rank and engine's place: sorts by rank, as ranks are distinct.
-  std::array<std::uint64_t, kCorners> entry;
-  for (std::size_t k = 0; k < kCorners; ++k) {
-    entry[k] = (std::uint64_t{rank_of[tet[k].index()]} << 2) | k;
+  TetMesh run() {
+    begin_ = name_tets(built_, names_.rank_of, threads_);
+    parts_ = (tets() + (std::size_t{1} << kPartBits) - 1) >> kPartBits;
+    part_begin_.resize(stretches_.count * (parts_ + 1));
+    parallel_for(stretches_.count, threads_, [&](std::size_t k) { rename_opposites(k); });
+    parallel_for(stretches_.count, threads_, [&](std::size_t k) { sort_stretch(k); });
+    fill_mesh();
+    return TetMesh::from_adjacency(names_.input_count, std::move(tets_), std::move(opposite_));
   }
-  NamedTet named;
-  const auto order = [&](std::size_t i, std::size_t j) {
-    const bool swapped = entry[j] < entry[i];
-    const std::uint64_t low = std::min(entry[i], entry[j]);
-    entry[j] = std::max(entry[i], entry[j]);
-    entry[i] = low;
-    named.odd = named.odd != swapped;
-  };
-  // The optimal sorting network of four.
-  order(0, 1);
-  order(2, 3);
-  order(0, 2);
-  order(1, 3);
-  order(1, 2);
-  for (std::size_t i = 0; i < kCorners; ++i) {
-    named.increasing[i] = static_cast<std::uint32_t>(entry[i] >> 2);
+
+ private:
+  [[nodiscard]] std::size_t tets() const { return begin_.back(); }
+  // The part of a slot's tet; after all parts for those that have none.
+  [[nodiscard]] std::size_t part_of(const TetSlot& slot) const {
+    return renamed::is_finite(slot) ? renamed::name(slot) >> kPartBits : parts_;
   }
-  // The engine's tets are positive: an odd order is made even by swapping the last two.
-  if (named.odd) std::swap(entry[2], entry[3]);
-  for (std::size_t i = 0; i < kCorners; ++i) {
-    named.position = with_number(named.position, entry[i] & 3U, i);
-  }
-  return named;
-}
 
-// A finite tet on its way into canonical order; its lowest rank is that of its bucket.
-struct Entry {
-  std::array<std::uint32_t, 3> upper;  // the other ranks, increasing
-  std::uint32_t slot : 31;             // the engine's; 31 bits hold it, there are below 2^30
-  std::uint32_t odd : 1;               // whether the last two vertices are to be swapped
-};
-
-// Where the engine's tets went.
-struct Renaming {
-  IdVector<TetId, TetId> name;            // invalid for ghosts and dead slots
-  IdVector<TetId, Permutation> position;  // of the vertices
-
-  // The new name of half-face `face` of slot t, which is finite.
-  [[nodiscard]] HalfFaceId half_face(TetId t, int face) const {
-    return TetMesh::half_face(name[t], number_of(position[t], face));
-  }
-};
-
-// Collects the finite tets in buckets of equal lowest rank, bucket r from bucket[r] to
-// bucket[r + 1], and sorts each. Fills renaming.position.
-std::vector<Entry> sort_tets(std::span<const TetSlot> built, std::span<const std::uint32_t> rank_of,
-                             std::vector<std::size_t>& bucket, Renaming& renaming) {
-  const auto for_each_finite = [&](const auto& visit) {
-    for (std::size_t k = 0; k < built.size(); ++k) {
-      if (built[k].vertices[0].index() < rank_of.size()) visit(TetId(k), built[k].vertices);
-    }
-  };
-  bucket.assign(rank_of.size() + 1, 0);
-  for_each_finite([&](TetId, const TetVertices& tet) {
-    ++bucket[std::min(std::min(rank_of[tet[0].index()], rank_of[tet[1].index()]),
-                      std::min(rank_of[tet[2].index()], rank_of[tet[3].index()]))];
-  });
-  std::size_t total = 0;
-  for (std::size_t& end : bucket) end = total += end;
-
-  std::vector<Entry> entries(total);
-  renaming.position = IdVector<TetId, Permutation>(built.size());
-  // Filling from the ends leaves every bucket[r] at the start of its bucket.
-  for_each_finite([&](TetId t, const TetVertices& tet) {
-    const NamedTet named = name_tet(tet, rank_of);
-    const auto& [r0, r1, r2, r3] = named.increasing;
-    renaming.position[t] = named.position;
-    entries[--bucket[r0]] = {{r1, r2, r3}, t.value() & 0x7FFFFFFFU, named.odd ? 1U : 0U};
-  });
-  for (std::size_t r = 0; r + 1 < bucket.size(); ++r) {
-    const auto at = [&](std::size_t i) {
-      return entries.begin() + static_cast<std::ptrdiff_t>(bucket[i]);
-    };
-    std::sort(at(r), at(r + 1), [](const Entry& a, const Entry& b) { return a.upper < b.upper; });
-  }
-  return entries;
-}
-
-// The tets in canonical order. Fills `renaming`.
-std::vector<TetVertices> canonical_tets(std::span<const TetSlot> built, const VertexNames& names,
-                                        Renaming& renaming) {
-  std::vector<std::size_t> bucket;
-  const std::vector<Entry> entries = sort_tets(built, names.rank_of, bucket, renaming);
-  std::vector<TetVertices> tets(entries.size());
-  renaming.name = IdVector<TetId, TetId>(built.size());
-  for (std::size_t r = 0; r + 1 < bucket.size(); ++r) {
-    for (std::size_t i = bucket[r]; i < bucket[r + 1]; ++i) {
-      const Entry& entry = entries[i];
-      renaming.name[TetId(std::uint32_t{entry.slot})] = TetId(i);
-      tets[i] = {names.input_of[r], names.input_of[entry.upper[0]], names.input_of[entry.upper[1]],
-                 names.input_of[entry.upper[2]]};
-      if (entry.odd != 0) std::swap(tets[i][2], tets[i][3]);
+  // Puts the opposites of the tets of a stretch into canonical order, by their new names. Of other
+  // tets it reads what no one writes meanwhile.
+  void rename_opposites(std::size_t k) {
+    std::uint32_t* begin = &part_begin_[k * (parts_ + 1)];
+    for (std::size_t t = stretches_.begin(k); t < stretches_.end(k); ++t) {
+      TetSlot& slot = built_[t];
+      ++begin[part_of(slot)];
+      if (t + kSlotsAhead < stretches_.end(k)) {
+        for (const HalfFaceId across : built_[t + kSlotsAhead].opposite) {
+          core::prefetch(&built_[0] + (across.index() >> 2));
+        }
+      }
+      if (!renamed::is_finite(slot)) continue;
+      std::array<HalfFaceId, 4> opposite;
+      for (std::size_t face = 0; face < 4; ++face) {
+        const HalfFaceId across = slot.opposite[face];
+        if (!across.valid()) continue;
+        const TetSlot& neighbour = built_[across.index() >> 2];
+        if (!renamed::is_finite(neighbour)) continue;  // a ghost: the face is on the hull
+        opposite[renamed::place(slot, face)] = HalfFaceId(
+            4 * renamed::name(neighbour) + renamed::place(neighbour, across.index() & 3U));
+      }
+      slot.opposite = opposite;
     }
   }
-  return tets;
-}
+
+  // Sorts the slots of a stretch by part, each part from part_begin_ on, in place: every slot that
+  // is not in its part changes places with the first of its part that is not known to be (McIlroy,
+  // Bostic and McIlroy, "Engineering radix sort", Computing Systems 6, 1993).
+  void sort_stretch(std::size_t k) {
+    std::uint32_t* begin = &part_begin_[k * (parts_ + 1)];
+    std::uint32_t sum = static_cast<std::uint32_t>(stretches_.begin(k));
+    for (std::size_t p = 0; p <= parts_; ++p) sum += std::exchange(begin[p], sum);
+    std::vector<std::uint32_t> next(begin, begin + parts_ + 1);
+    for (std::size_t p = 0; p < parts_; ++p) {
+      for (const std::uint32_t end = begin[p + 1]; next[p] < end;) {
+        const TetSlot moving = built_[next[p]];
+        const std::size_t part = part_of(moving);
+        built_[next[p]] = built_[next[part]];
+        built_[next[part]++] = moving;
+      }
+    }
+  }
+
+  void fill_mesh() {
+    tets_.reserve(tets());
+    opposite_.reserve(4 * tets());
+    for (std::size_t first = 0; first < parts_; first += kPartsOfRound) {
+      const std::size_t end = std::min(first + kPartsOfRound, parts_);
+      const std::size_t filled = std::min(end << kPartBits, tets());
+      tets_.resize(filled);
+      opposite_.resize(4 * filled);
+      parallel_for(end - first, threads_, [&](std::size_t i) { fill_part(first + i); });
+      for (std::size_t k = 0; k < stretches_.count; ++k) {
+        const std::uint32_t* begin = &part_begin_[k * (parts_ + 1)];
+        core::give_back_pages(
+            built_.subspan(stretches_.begin(k), begin[end] - stretches_.begin(k)));
+      }
+    }
+  }
+
+  void fill_part(std::size_t part) {
+    const std::array<std::uint32_t, (std::size_t{1} << kPartBits)> lowest = lowest_ranks(part);
+    for (std::size_t k = 0; k < stretches_.count; ++k) {
+      const std::uint32_t* begin = &part_begin_[k * (parts_ + 1) + part];
+      for (const TetSlot& slot : built_.subspan(begin[0], begin[1] - begin[0])) {
+        const std::uint32_t name = renamed::name(slot);
+        tets_[name] = {names_.input_of[lowest[name & (lowest.size() - 1)]],
+                       names_.input_of[renamed::rank(slot, 1)],
+                       names_.input_of[renamed::rank(slot, 2)],
+                       names_.input_of[renamed::rank(slot, 3)]};
+        std::copy(slot.opposite.begin(), slot.opposite.end(),
+                  opposite_.begin() + std::ptrdiff_t{4} * name);
+      }
+    }
+  }
+
+  // Of the tets of a part: their lowest ranks, whose place their names have taken.
+  [[nodiscard]] std::array<std::uint32_t, (std::size_t{1} << kPartBits)> lowest_ranks(
+      std::size_t part) const {
+    std::array<std::uint32_t, (std::size_t{1} << kPartBits)> lowest;
+    const std::size_t first = part << kPartBits;
+    const std::size_t end = std::min(first + lowest.size(), tets());
+    const auto after = std::upper_bound(begin_.begin(), begin_.end(), first);
+    auto r = static_cast<std::uint32_t>(after - begin_.begin() - 1);
+    for (std::size_t name = first; name < end; ++name) {
+      while (begin_[r + 1] <= name) ++r;
+      lowest[name - first] = r;
+    }
+    return lowest;
+  }
+
+  std::span<TetSlot> built_;
+  const VertexNames& names_;
+  unsigned threads_;
+  Stretches stretches_;
+  std::size_t parts_ = 0;
+  // The tets of lowest rank r are begin_[r] to begin_[r + 1].
+  std::vector<std::uint32_t> begin_;
+  // [stretch k * (parts_ + 1) + p]: where the slots of part p begin in stretch k; first their
+  // number. After all parts come the slots without a tet.
+  std::vector<std::uint32_t> part_begin_;
+  std::vector<TetVertices> tets_;
+  std::vector<HalfFaceId> opposite_;
+};
 
 }  // namespace
 
-TetMesh canonical_mesh(std::span<const TetSlot> built, const VertexNames& names) {
-  Renaming renaming;
-  std::vector<TetVertices> tets = canonical_tets(built, names, renaming);
-  // In the engine's order, in which neighbours are near each other in memory.
-  std::vector<HalfFaceId> opposite(4 * tets.size());
-  for (TetId t(0U); t.index() < built.size(); t = TetId(t.value() + 1)) {
-    if (!renaming.name[t].valid()) continue;
-    for (int face = 0; face < 4; ++face) {
-      const HalfFaceId across = built[t.index()].opposite[static_cast<std::size_t>(face)];
-      if (!across.valid()) continue;
-      const TetId neighbour = TetMesh::tet_of(across);
-      if (!renaming.name[neighbour].valid()) continue;  // a ghost: the face is on the hull
-      opposite[renaming.half_face(t, face).index()] =
-          renaming.half_face(neighbour, TetMesh::face_of(across));
-    }
-  }
-  return TetMesh::from_adjacency(names.input_count, std::move(tets), std::move(opposite));
+TetMesh canonical_mesh(std::span<TetSlot> built, const VertexNames& names, unsigned threads) {
+  return Renumbering(built, names, threads).run();
 }
 
 }  // namespace tetloft::internal::delaunay3_detail

@@ -129,7 +129,7 @@ class Geiger {
       const ConformingSection& lower = sections_[s];
       const ConformingSection& upper = sections_[s + 1];
       if (lower.vertex_count() == 0 || upper.vertex_count() == 0) return;
-      Result<TetMesh> d =
+      Result<SlabDelaunay> d =
           slab_delaunay(SlabId(s), lower, upper, DelaunayEngine::slab, options_.work_limit);
       if (!d) {
         errors[s] = d.error();

@@ -34,29 +34,30 @@ int apex_over(const TriangleVertices& face, const TetVertices& tet) {
 
 VertexId TetMesh::add_vertices(std::size_t n) {
   require_fit(n <= kMostVertices - vertex_count(), "a mesh holds fewer than 2^32 - 1 vertices");
-  const VertexId first(first_corner_.size());
-  first_corner_.resize(first_corner_.size() + n);
+  const VertexId first(vertex_count_);
+  if (corner_lists_.made() != nullptr) editable_corner_lists().first.resize(vertex_count_ + n);
+  vertex_count_ += n;
   return first;
 }
 
-void TetMesh::add_slot() {
+void TetMesh::add_slot(CornerLists& lists) {
   // Room is made in all arrays before one of them grows: should memory end, the mesh is as it was.
   if (tets_.size() == tets_.capacity()) {
     const std::size_t room = std::max<std::size_t>(4, 2 * tets_.size());
     tets_.reserve(room);
     opposite_.reserve(4 * room);
-    next_corner_.reserve(4 * room);
-    previous_corner_.reserve(4 * room);
+    lists.next.reserve(4 * room);
+    lists.previous.reserve(4 * room);
   }
   const std::size_t corners = 4 * (tets_.size() + 1);
   // Arrays may have been made with room of their own.
   opposite_.reserve(corners);
-  next_corner_.reserve(corners);
-  previous_corner_.reserve(corners);
+  lists.next.reserve(corners);
+  lists.previous.reserve(corners);
   tets_.emplace_back();
   opposite_.resize(corners);
-  next_corner_.resize(corners);
-  previous_corner_.resize(corners);
+  lists.next.resize(corners);
+  lists.previous.resize(corners);
 }
 
 Result<HalfFaceId> TetMesh::find_partner(const TetVertices& tet, std::size_t i) const {
@@ -83,6 +84,7 @@ Result<TetId> TetMesh::add_tet(const TetVertices& tet) {
     const TetId t = free_.empty() ? TetId(tets_.size()) : free_.back();
     if (t.index() >= kMaxTetSlots) return refusal("a mesh holds fewer than 2^30 tets");
     if (auto error = refuse_tet(tet, vertex_count(), t)) return *std::move(error);
+    CornerLists& lists = editable_corner_lists();
     // Nothing changes before all four faces are accepted.
     std::array<HalfFaceId, 4> partner;
     for (std::size_t i = 0; i < 4; ++i) {
@@ -92,7 +94,7 @@ Result<TetId> TetMesh::add_tet(const TetVertices& tet) {
     }
 
     if (free_.empty()) {
-      add_slot();
+      add_slot(lists);
     } else {
       free_.pop_back();
     }
@@ -101,7 +103,7 @@ Result<TetId> TetMesh::add_tet(const TetVertices& tet) {
       const HalfFaceId h = half_face(t, static_cast<int>(i));
       opposite_[h.index()] = partner[i];
       if (partner[i].valid()) opposite_[partner[i].index()] = h;
-      insert_corner(h);
+      insert_corner(lists, h);
     }
     return t;
   });
@@ -109,21 +111,21 @@ Result<TetId> TetMesh::add_tet(const TetVertices& tet) {
 
 void TetMesh::remove_tet(TetId t) {
   require_live(t);
-  free_.push_back(t);  // all that takes memory: the mesh is as it was where that ends
+  CornerLists& lists = editable_corner_lists();
+  free_.push_back(t);  // the last that takes memory: the mesh is as it was where that ends
   for (int i = 0; i < 4; ++i) {
     const HalfFaceId h = half_face(t, i);
     const HalfFaceId o = opposite(h);
     if (o.valid()) opposite_[o.index()] = HalfFaceId();
     opposite_[h.index()] = HalfFaceId();
-    erase_corner(h);
+    erase_corner(lists, h);
   }
   tets_[t.index()] = TetVertices{};
 }
 
 IdVector<TetId, TetId> TetMesh::compact() {
+  // All that takes memory: the mesh is as it was where that ends.
   IdVector<TetId, TetId> new_id(tet_slots());
-  // The last of what takes memory: the mesh is as it was where that ends.
-  std::vector<HalfFaceId> last(first_corner_.size());
   std::size_t count = 0;
   for (std::size_t t = 0; t < tet_slots(); ++t) {
     if (is_live(TetId(t))) new_id[TetId(t)] = TetId(count++);
@@ -141,7 +143,7 @@ IdVector<TetId, TetId> TetMesh::compact() {
   tets_.resize(count);
   opposite_.resize(4 * count);
   free_.clear();
-  build_corner_lists(last);
+  corner_lists_.drop();
   return new_id;
 }
 

@@ -72,19 +72,22 @@ TetMesh TetMesh::from_adjacency(std::size_t vertex_count, std::vector<TetVertice
   TetMesh mesh;
   mesh.tets_ = std::move(tets);
   mesh.opposite_ = std::move(opposite);
-  mesh.first_corner_.resize(vertex_count);
+  mesh.vertex_count_ = vertex_count;
   for (std::size_t t = 0; t < mesh.tets_.size(); ++t) {
     if (!mesh.is_live(TetId(t))) mesh.free_.push_back(TetId(t));
   }
-  std::vector<HalfFaceId> last(vertex_count);
-  mesh.build_corner_lists(last);
   return mesh;
 }
 
-void TetMesh::build_corner_lists(std::vector<HalfFaceId>& last) {
-  std::fill(first_corner_.begin(), first_corner_.end(), HalfFaceId());
-  next_corner_.assign(4 * tets_.size(), HalfFaceId());
-  previous_corner_.assign(4 * tets_.size(), HalfFaceId());
+CornerLists& TetMesh::editable_corner_lists() const {
+  return corner_lists_.made_by([this] { return make_corner_lists(); });
+}
+
+CornerLists TetMesh::make_corner_lists() const {
+  CornerLists lists{.first = std::vector<HalfFaceId>(vertex_count_),
+                    .next = std::vector<HalfFaceId>(4 * tets_.size()),
+                    .previous = std::vector<HalfFaceId>(4 * tets_.size())};
+  std::vector<HalfFaceId> last(vertex_count_);
   // By id, as insert_corner() would, but the circles are closed at the end: each corner then
   // touches one other.
   for (std::size_t t = 0; t < tets_.size(); ++t) {
@@ -92,40 +95,41 @@ void TetMesh::build_corner_lists(std::vector<HalfFaceId>& last) {
     for (int i = 0; i < 4; ++i) {
       const std::size_t v = tets_[t][static_cast<std::size_t>(i)].index();
       // Only an unvalidated from_adjacency() has vertices out of range; validate() says so.
-      if (v >= first_corner_.size()) continue;
+      if (v >= vertex_count_) continue;
       const HalfFaceId c = half_face(TetId(t), i);
       if (last[v].valid()) {
-        next_corner_[last[v].index()] = c;
-        previous_corner_[c.index()] = last[v];
+        lists.next[last[v].index()] = c;
+        lists.previous[c.index()] = last[v];
       } else {
-        first_corner_[v] = c;
+        lists.first[v] = c;
       }
       last[v] = c;
     }
   }
   for (std::size_t v = 0; v < last.size(); ++v) {
     if (!last[v].valid()) continue;
-    next_corner_[last[v].index()] = first_corner_[v];
-    previous_corner_[first_corner_[v].index()] = last[v];
+    lists.next[last[v].index()] = lists.first[v];
+    lists.previous[lists.first[v].index()] = last[v];
   }
+  return lists;
 }
 
-void TetMesh::insert_corner(HalfFaceId c) {
-  HalfFaceId& first = first_corner_[corner_vertex(c).index()];
-  if (!first.valid()) first = next_corner_[c.index()] = previous_corner_[c.index()] = c;
-  const HalfFaceId last = previous_corner_[first.index()];
-  next_corner_[last.index()] = c;
-  previous_corner_[c.index()] = last;
-  next_corner_[c.index()] = first;
-  previous_corner_[first.index()] = c;
+void TetMesh::insert_corner(CornerLists& lists, HalfFaceId c) {
+  HalfFaceId& first = lists.first[corner_vertex(c).index()];
+  if (!first.valid()) first = lists.next[c.index()] = lists.previous[c.index()] = c;
+  const HalfFaceId last = lists.previous[first.index()];
+  lists.next[last.index()] = c;
+  lists.previous[c.index()] = last;
+  lists.next[c.index()] = first;
+  lists.previous[first.index()] = c;
 }
 
-void TetMesh::erase_corner(HalfFaceId c) {
-  HalfFaceId& first = first_corner_[corner_vertex(c).index()];
-  const HalfFaceId next = next_corner_[c.index()];
-  const HalfFaceId previous = previous_corner_[c.index()];
-  next_corner_[previous.index()] = next;
-  previous_corner_[next.index()] = previous;
+void TetMesh::erase_corner(CornerLists& lists, HalfFaceId c) {
+  HalfFaceId& first = lists.first[corner_vertex(c).index()];
+  const HalfFaceId next = lists.next[c.index()];
+  const HalfFaceId previous = lists.previous[c.index()];
+  lists.next[previous.index()] = next;
+  lists.previous[next.index()] = previous;
   if (first == c) first = next == c ? HalfFaceId() : next;
 }
 

@@ -122,16 +122,16 @@ std::vector<MeshViolation> TetMesh::validate() const {
 
 void TetMesh::check_corner_lists(std::vector<MeshViolation>& violations) const {
   Offences bad;
+  const CornerLists& lists = corner_lists();
   std::vector<char> listed(4 * tets_.size(), 0);
   for (std::size_t v = 0; v < vertex_count(); ++v) {
-    const HalfFaceId first = first_corner_[v];
+    const HalfFaceId first = lists.first[v];
     if (!first.valid()) continue;
     HalfFaceId c = first;
     do {
       // A corner met twice before coming round means a list that never does.
       if (c.index() >= listed.size() || listed[c.index()] != 0 || corner_vertex(c) != VertexId(v) ||
-          next_corner(c).index() >= listed.size() ||
-          previous_corner_[next_corner(c).index()] != c) {
+          next_corner(c).index() >= listed.size() || lists.previous[next_corner(c).index()] != c) {
         bad.add("vertex " + std::to_string(v) + ": broken corner list at " +
                 std::to_string(c.value()));
         break;

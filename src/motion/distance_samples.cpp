@@ -4,6 +4,9 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/buckets.hpp"
+#include "motion/nearest_region.hpp"
+
 namespace tetloft::internal::motion {
 
 namespace {
@@ -21,45 +24,181 @@ std::int64_t first_index(double at, std::int64_t low, std::int64_t high) {
   return k < static_cast<double>(high) ? static_cast<std::int64_t>(k) : high;
 }
 
-// Lowers the squared distances of the samples within `reach` of the edge.
-void measure(const Edge& e, const LatticeWindow& w, double reach, std::vector<double>& squared) {
-  const std::int64_t i0 = first_index(e.a.x - reach, w.i0, w.i1);
-  const std::int64_t j0 = first_index(std::min(e.a.y, e.b.y) - reach, w.j0, w.j1);
-  const std::int64_t j1 = first_index(std::max(e.a.y, e.b.y) + reach, w.j0, w.j1);
-  const auto n = static_cast<int>(first_index(e.b.x + reach, w.i0, w.i1) - i0);
-  if (n <= 0) return;
-  const double dx = e.b.x - e.a.x;
-  const double dy = e.b.y - e.a.y;
-  const double length2 = dx * dx + dy * dy;
-  const auto x0 = static_cast<double>(i0);
-  for (std::int64_t j = j0; j < j1; ++j) {
-    const double py = static_cast<double>(j) - e.a.y;
-    double* const row = squared.data() + w.place(i0, j);
-    for (int i = 0; i < n; ++i) {
-      const double px = (x0 + static_cast<double>(i)) - e.a.x;
+// The samples within `reach` of the edge along both axes.
+LatticeWindow near_edge(const Edge& e, const LatticeWindow& w, double reach) {
+  return {first_index(e.a.x - reach, w.i0, w.i1),
+          first_index(std::min(e.a.y, e.b.y) - reach, w.j0, w.j1),
+          first_index(e.b.x + reach, w.i0, w.i1),
+          first_index(std::max(e.a.y, e.b.y) + reach, w.j0, w.j1)};
+}
+
+// Squared distances of samples to an edge.
+class EdgeMeasure {
+ public:
+  explicit EdgeMeasure(const Edge& e)
+      : a_(e.a), dx_(e.b.x - e.a.x), dy_(e.b.y - e.a.y), length2_(dx_ * dx_ + dy_ * dy_) {}
+
+  /// Lowers the values of n samples of a row, from (i, j) on.
+  void lower(std::int64_t i, std::int64_t j, std::int64_t n, double* squared) const {
+    // Copies, which the values written are known not to be.
+    const Point2 a = a_;
+    const double dx = dx_;
+    const double dy = dy_;
+    const double length2 = length2_;
+    const auto x0 = static_cast<double>(i);
+    const double py = static_cast<double>(j) - a.y;
+    const auto count = static_cast<int>(n);
+    for (int k = 0; k < count; ++k) {
+      const double px = (x0 + static_cast<double>(k)) - a.x;
       double t = (px * dx + py * dy) / length2;
       t = t > 0 ? t : 0;
       t = t < 1 ? t : 1;
       const double ex = px - t * dx;
       const double ey = py - t * dy;
       const double d = ex * ex + ey * ey;
-      row[i] = d < row[i] ? d : row[i];
+      squared[k] = d < squared[k] ? d : squared[k];
     }
   }
-}
 
-// Where an edge passes the rows, all samples from there on change sides.
-void pass(const Edge& e, const LatticeWindow& w, std::vector<std::uint8_t>& passed) {
+ private:
+  Point2 a_;
+  double dx_, dy_, length2_;
+};
+
+// Distances in the making: squared where some edge was measured, in tiles.
+class Squares {
+ public:
+  Squares(DistanceSamples& samples, double farthest)
+      : samples_(samples), most_(farthest * farthest), tiles_(samples.tiles_in_row()) {
+    constexpr std::size_t kTile = DistanceSamples::kTile;
+    samples_.value.assign(samples_.window.size(), farthest);
+    samples_.near.assign(tiles_ * ((samples_.window.ny() + kTile - 1) / kTile), 0);
+  }
+
+  /// Lowers the values within `reach` of the edge.
+  void measure(const Edge& e, double reach) {
+    const LatticeWindow near = near_edge(e, samples_.window, reach);
+    if (near.i0 >= near.i1) return;
+    const EdgeMeasure measured(e);
+    for (std::int64_t j = near.j0; j < near.j1; ++j) {
+      lower(measured, near.i0, j, near.i1 - near.i0);
+    }
+  }
+
+  /// The same, but for samples to which others are nearer.
+  void measure_nearest(const Edge& e, double reach) {
+    const LatticeWindow near = near_edge(e, samples_.window, reach);
+    if (near.i0 >= near.i1 || near.j0 >= near.j1) return;
+    const EdgeMeasure measured(e);
+    const NearestRegion region(e, near);
+    const IndexRange rows = region.rows();
+    for (std::int64_t row = rows.first; row < rows.end; ++row) {
+      const IndexRange columns = region.in_row(row);
+      if (columns.empty()) continue;
+      lower(measured, near.i0 + columns.first, near.j0 + row, columns.end - columns.first);
+    }
+  }
+
+  /// Makes distances of them. The root of a square that was rounded is the number squared: what is
+  /// farther stays so.
+  void take_roots() {
+    for (std::size_t tile = 0; tile < samples_.near.size(); ++tile) {
+      if (samples_.near[tile] == 0) continue;
+      visit_rows(tile, [](double* row, std::size_t n) {
+        for (std::size_t k = 0; k < n; ++k) row[k] = std::sqrt(row[k]);
+      });
+    }
+  }
+
+ private:
+  void lower(const EdgeMeasure& measured, std::int64_t i, std::int64_t j, std::int64_t n) {
+    const LatticeWindow& w = samples_.window;
+    const auto first = static_cast<std::size_t>(i - w.i0);
+    const auto last = static_cast<std::size_t>(i - w.i0 + n - 1);
+    const std::size_t row = static_cast<std::size_t>(j - w.j0) / DistanceSamples::kTile * tiles_;
+    for (std::size_t k = first / DistanceSamples::kTile; k <= last / DistanceSamples::kTile; ++k) {
+      if (samples_.near[row + k] == 0) begin(row + k);
+    }
+    measured.lower(i, j, n, samples_.value.data() + w.place(i, j));
+  }
+
+  void begin(std::size_t tile) {
+    samples_.near[tile] = 1;
+    visit_rows(tile, [&](double* row, std::size_t n) { std::fill_n(row, n, most_); });
+  }
+
+  // Calls visit(first, how many) for the rows of a tile.
+  template <class Visit>
+  void visit_rows(std::size_t tile, const Visit& visit) {
+    constexpr std::size_t kTile = DistanceSamples::kTile;
+    const std::size_t nx = samples_.window.nx();
+    const std::size_t i = tile % tiles_ * kTile;
+    const std::size_t j = tile / tiles_ * kTile;
+    const std::size_t end = std::min(j + kTile, samples_.window.ny());
+    for (std::size_t row = j; row < end; ++row) {
+      visit(samples_.value.data() + row * nx + i, std::min(kTile, nx - i));
+    }
+  }
+
+  DistanceSamples& samples_;
+  double most_;
+  std::size_t tiles_;
+};
+
+// Calls visit(i, j) for the rows that an edge passes: all samples from i on change sides.
+template <class Visit>
+void visit_passed(const Edge& e, const LatticeWindow& w, const Visit& visit) {
   const bool up = e.a.y < e.b.y;
   const Point2& low = up ? e.a : e.b;
   const Point2& high = up ? e.b : e.a;
   const std::int64_t end = first_index(high.y, w.j0, w.j1);
   for (std::int64_t j = first_index(low.y, w.j0, w.j1); j < end; ++j) {
     const double t = (static_cast<double>(j) - low.y) / (high.y - low.y);
-    const std::int64_t i = first_index(low.x + t * (high.x - low.x), w.i0, w.i1);
-    if (i < w.i1) passed[w.place(i, j)] ^= 1U;
+    visit(first_index(low.x + t * (high.x - low.x), w.i0, w.i1), j);
   }
 }
+
+// Calls visit(i, j) for the samples at distance 0, or one that vanishes in doubles.
+template <class Visit>
+void visit_on(const Edge& e, const LatticeWindow& w, const Visit& visit) {
+  const LatticeWindow near = near_edge(e, w, kSlack);
+  const EdgeMeasure measured(e);
+  for (std::int64_t j = near.j0; j < near.j1; ++j) {
+    for (std::int64_t i = near.i0; i < near.i1; ++i) {
+      double squared = 1;
+      measured.lower(i, j, 1, &squared);
+      if (squared == 0) visit(i, j);
+    }
+  }
+}
+
+struct Sample {
+  std::int64_t i, j;
+};
+
+// Samples by row.
+class ByRow {
+ public:
+  ByRow(const std::vector<Sample>& samples, const LatticeWindow& w)
+      : samples_(samples), j0_(w.j0), rows_(w.ny(), samples.size(), [&](std::size_t k) {
+          return static_cast<std::size_t>(samples[k].j - w.j0);
+        }) {}
+
+  /// Ascending.
+  [[nodiscard]] std::vector<std::int64_t> row(std::int64_t j) const {
+    std::vector<std::int64_t> indices;
+    for (const std::uint32_t k : rows_[static_cast<std::size_t>(j - j0_)]) {
+      indices.push_back(samples_[k].i);
+    }
+    std::sort(indices.begin(), indices.end());
+    return indices;
+  }
+
+ private:
+  const std::vector<Sample>& samples_;
+  std::int64_t j0_;
+  Buckets rows_;
+};
 
 }  // namespace
 
@@ -73,14 +212,25 @@ LatticeEdges::LatticeEdges(const std::vector<const Contour*>& contours, double s
 
 void LatticeEdges::add(const Contour& contour, double step) {
   Box2 box;
-  Point2 last{contour.vertices.back().x / step, contour.vertices.back().y / step};
+  std::vector<Point2> vertices;
+  vertices.reserve(contour.vertices.size());
   for (const Point2& p : contour.vertices) {
     const Point2 next{p.x / step, p.y / step};
     box.add(next);
     // Rounding may have closed an edge.
-    if (canonical_less(last, next)) edges_.push_back({last, next});
-    if (canonical_less(next, last)) edges_.push_back({next, last});
-    last = next;
+    if (vertices.empty() || vertices.back() != next) vertices.push_back(next);
+  }
+  while (vertices.size() > 1 && vertices.front() == vertices.back()) vertices.pop_back();
+  const std::size_t n = vertices.size();
+  const auto at = [&](std::size_t v) -> const Point2& { return vertices[v % n]; };
+  for (std::size_t v = 0; n > 1 && v < n; ++v) {
+    const Point2& p = at(v);
+    const Point2& q = at(v + 1);
+    const bool forward = canonical_less(p, q);
+    const Point2& before = at(v + n - 1);
+    const Point2& after = at(v + 2);
+    edges_.push_back(forward ? Edge{p, q, before, after} : Edge{q, p, after, before});
+    longest_ = std::max({longest_, std::abs(q.x - p.x), std::abs(q.y - p.y)});
   }
   contours_.push_back({box, edges_.size()});
   box_.add(box);
@@ -95,22 +245,61 @@ Box2 LatticeEdges::reached_from(const LatticeWindow& w, double reach) {
 
 DistanceSamples sample_distances(const LatticeEdges& edges, const LatticeWindow& window,
                                  double farthest) {
-  DistanceSamples result{window, std::vector<double>(window.size(), farthest * farthest)};
-  std::vector<std::uint8_t> passed(window.size(), 0);
-  edges.visit_near(window, farthest + kSlack, [&](const Edge& e) {
-    measure(e, window, farthest + kSlack, result.value);
-    pass(e, window, passed);
+  DistanceSamples result{window, {}, {}};
+  Squares squares(result, farthest);
+  std::vector<Sample> passed;
+  const double reach = farthest + kSlack;
+  const bool nearest = edges.longest() + reach <= NearestRegion::kLongest;
+  edges.visit_near(window, reach, [&](const Edge& e) {
+    if (nearest) {
+      squares.measure_nearest(e, reach);
+    } else {
+      squares.measure(e, reach);
+    }
+    visit_passed(e, window, [&](std::int64_t i, std::int64_t j) { passed.push_back({i, j}); });
   });
-  std::size_t k = 0;
-  for (std::size_t j = 0; j < window.ny(); ++j) {
-    std::uint8_t inside = 0;
-    for (std::size_t i = 0; i < window.nx(); ++i, ++k) {
-      inside ^= passed[k];
-      const double d = std::sqrt(result.value[k]);
-      result.value[k] = inside != 0 ? -d : d;
+  squares.take_roots();
+  const ByRow by_row(passed, window);
+  for (std::int64_t j = window.j0; j < window.j1; ++j) {
+    const std::vector<std::int64_t> turns = by_row.row(j);
+    for (std::size_t k = 0; k + 1 < turns.size(); k += 2) {
+      double* const row = result.value.data() + window.place(window.i0, j);
+      double* const end = row + (turns[k + 1] - window.i0);
+      for (double* inside = row + (turns[k] - window.i0); inside < end; ++inside) {
+        *inside = -*inside;
+      }
     }
   }
   return result;
+}
+
+InsideSamples::InsideSamples(const LatticeEdges& edges, const LatticeWindow& window)
+    : j0_(window.j0) {
+  std::vector<Sample> passed;
+  std::vector<Sample> on_edges;
+  edges.visit_near(window, kSlack, [&](const Edge& e) {
+    visit_passed(e, window, [&](std::int64_t i, std::int64_t j) { passed.push_back({i, j}); });
+    visit_on(e, window, [&](std::int64_t i, std::int64_t j) { on_edges.push_back({i, j}); });
+  });
+  const ByRow starts(passed, window);
+  const ByRow gaps(on_edges, window);
+  for (std::int64_t j = window.j0; j < window.j1; ++j) {
+    begin_.push_back(runs_.size());
+    const std::vector<std::int64_t> turns = starts.row(j);
+    std::vector<std::int64_t> on = gaps.row(j);
+    on.erase(std::unique(on.begin(), on.end()), on.end());
+    auto next = on.begin();
+    for (std::size_t k = 0; k + 1 < turns.size(); k += 2) {
+      std::int64_t first = turns[k];
+      while (next != on.end() && *next < first) ++next;
+      for (; next != on.end() && *next < turns[k + 1]; ++next) {
+        if (first < *next) runs_.push_back({first, *next});
+        first = *next + 1;
+      }
+      if (first < turns[k + 1]) runs_.push_back({first, turns[k + 1]});
+    }
+  }
+  begin_.push_back(runs_.size());
 }
 
 }  // namespace tetloft::internal::motion

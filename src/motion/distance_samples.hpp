@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include <tetloft/point.hpp>
@@ -20,6 +22,7 @@ class LatticeEdges {
  public:
   struct Edge {
     Point2 a, b;
+    Point2 past_a, past_b;  ///< the other ends of the edges that come before a and after b
   };
   struct Part {
     Box2 box;
@@ -33,6 +36,8 @@ class LatticeEdges {
   [[nodiscard]] bool empty() const { return contours_.empty(); }
   /// The bounds of all contours.
   [[nodiscard]] const Box2& box() const { return box_; }
+  /// The longest extent of an edge along an axis.
+  [[nodiscard]] double longest() const { return longest_; }
   /// Calls visit(edge) for the edges of every contour that comes within `reach` of the window.
   template <class Visit>
   void visit_near(const LatticeWindow& window, double reach, const Visit& visit) const {
@@ -53,11 +58,18 @@ class LatticeEdges {
   std::vector<Edge> edges_;
   std::vector<Part> contours_;
   Box2 box_;
+  double longest_ = 0;
 };
 
 struct DistanceSamples {
+  /// Samples of a tile along each axis, from the first of the window on.
+  static constexpr std::size_t kTile = 8;
+
   LatticeWindow window;
   std::vector<double> value;  // by window.place()
+  /// By tile, row by row: 0 where all samples are as far as they can be, on one side.
+  std::vector<std::uint8_t> near;
+  [[nodiscard]] std::size_t tiles_in_row() const { return (window.nx() + kTile - 1) / kTile; }
   [[nodiscard]] const double* at(std::int64_t i, std::int64_t j) const {
     return value.data() + window.place(i, j);
   }
@@ -70,5 +82,26 @@ struct DistanceSamples {
 [[nodiscard]] DistanceSamples sample_distances(const LatticeEdges& edges,
                                                const LatticeWindow& window,
                                                double farthest = kFarthest);
+
+/// The samples of the window whose distance would be negative, without those distances.
+class InsideSamples {
+ public:
+  /// Of one row, from the first to before the end.
+  struct Run {
+    std::int64_t first, end;
+  };
+  InsideSamples(const LatticeEdges& edges, const LatticeWindow& window);
+
+  /// Those of row j, ascending.
+  [[nodiscard]] std::span<const Run> row(std::int64_t j) const {
+    const auto k = static_cast<std::size_t>(j - j0_);
+    return {runs_.data() + begin_[k], runs_.data() + begin_[k + 1]};
+  }
+
+ private:
+  std::int64_t j0_;
+  std::vector<std::size_t> begin_;  // by row, and behind the last
+  std::vector<Run> runs_;
+};
 
 }  // namespace tetloft::internal::motion

@@ -63,13 +63,15 @@ std::uint64_t detached_sheets(const Complex& complex) {
 }
 
 // All nodes of a slab's solid lie on its boundary, and a 3-manifold has half the Euler
-// characteristic of its boundary: (V − F / 2) / 2, where triangles alone bound.
-IdVector<ClassId, std::int32_t> chi_by_class(const SlabClasses& classes,
-                                             const std::vector<Piece>& pieces,
-                                             const std::vector<TriangleVertices>& boundary,
-                                             std::size_t nodes) {
-  IdVector<NodeId, ClassId> of_node(nodes);
-  for (const Piece& piece : pieces) {
+// characteristic of its boundary: (V − F / 2) / 2, where triangles alone bound. Vertices of regions
+// are all there.
+IdVector<ClassId, std::int32_t> chi_by_class(const Slab& slab, const SlabClasses& classes,
+                                             const Embedding& embedding) {
+  IdVector<NodeId, ClassId> of_node(embedding.points().size());
+  for (const SlabVertexId v : slab.vertices()) {
+    if (classes.of(v) != classes.exterior()) of_node[Nodes::of(v)] = classes.of(v);
+  }
+  for (const Piece& piece : embedding.pieces()) {
     const ClassId c = classes.of_region(piece.region);
     for (const NodeId n : piece.node) of_node[n] = c;
   }
@@ -77,7 +79,7 @@ IdVector<ClassId, std::int32_t> chi_by_class(const SlabClasses& classes,
   for (const ClassId c : of_node) {
     if (c.valid()) four_chi[c.index()] += 2;
   }
-  for (const TriangleVertices& triangle : boundary) {
+  for (const TriangleVertices& triangle : embedding.boundary()) {
     --four_chi[of_node[NodeId(triangle[0].value())].index()];
   }
   IdVector<ClassId, std::int32_t> chi;
@@ -121,10 +123,10 @@ class SlabBuilder {
   // Over the sections of pits_; nothing if these changed, since a pit was sealed.
   Result<std::optional<SlabOutcome>> attempt() {
     StepClock clock(seconds_);
-    Result<TetMesh> d =
+    Result<SlabDelaunay> d =
         slab_delaunay(id_, pits_.lower(), pits_.upper(), options_.engine, options_.work_limit);
     if (!d) return d.error();
-    work_ += d->tet_count();
+    work_ += d->mesh.tet_count();
     const Slab slab(pits_.lower(), pits_.upper(), std::move(*d));
     clock.end(Step::delaunay);
 
@@ -186,12 +188,12 @@ class SlabBuilder {
                                         const Complex& complex, std::vector<LoneEnd>& lone,
                                         RuleCounts& rules, StepClock& clock) {
     count(rules, Rule::detached_sheet, detached_sheets(complex));
-    const Subdivision subdivision = subdivide(slab, complex, rules);
+    const Subdivision subdivision = subdivide(slab, classes, complex, rules);
     Lifting lifting(slab, subdivision);
     if (!lifting.settle(rules)) return Unrepresentable{too_close(id_, lifting.at(), slab)};
     Truncation truncation = truncate(slab, classes, complex, subdivision,
                                      choose_trimmed(slab, classes, complex, subdivision, lifting));
-    Embedding embedding(slab, classes, subdivision, lifting, truncation, lone, rules);
+    Embedding embedding(slab, classes, complex, subdivision, lifting, truncation, lone, rules);
     const Embedding::Outcome outcome = embedding.settle();
     work_ += embedding.work();
     clock.end(Step::subdivision);
@@ -215,9 +217,8 @@ class SlabBuilder {
       solid.constructed.push_back(embedding.points()[n]);
       solid.origin.push_back(embedding.origin(n));
     }
-    solid.pieces = embedding.pieces();
-    solid.chi =
-        chi_by_class(classes, solid.pieces, embedding.boundary(), embedding.points().size());
+    solid.pieces = embedding.all_pieces();
+    solid.chi = chi_by_class(slab, classes, embedding);
     solid.deviations = deviations(topology_.groups(), classes, solid.chi);
     solid.smallest_lift = embedding.smallest_lift();
     solid.rules = rules;

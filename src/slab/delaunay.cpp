@@ -1,8 +1,13 @@
 #include "slab/delaunay.hpp"
 
+#include <algorithm>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/guard.hpp"
+#include "core/watched_work.hpp"
+#include "slab/canonical_slab.hpp"
 #include "slab/work_limit.hpp"
 
 namespace tetloft::internal {
@@ -26,10 +31,13 @@ Error too_much_work(SlabId id, const ConformingSection& lower, const ConformingS
           place};
 }
 
-Result<TetMesh> delaunay_of(const ConformingSection& lower, const ConformingSection& upper,
-                            DelaunayEngine engine, std::size_t most_tets) {
+Result<SlabDelaunay> delaunay_of(const ConformingSection& lower, const ConformingSection& upper,
+                                 DelaunayEngine engine, std::size_t most_tets) {
   if (engine != DelaunayEngine::incremental) {
-    return slab_delaunay3(lower.triangulation, upper.triangulation, most_tets);
+    const delaunay3_detail::SlabTets tets = delaunay3_detail::slab_overlay_with_bases(
+        lower.triangulation, upper.triangulation, WatchedWork({}, 1), most_tets);
+    if (tets.slots.empty()) return Error{ErrorCode::work_limit, {}, {}};
+    return canonical_slab(lower, upper, tets);
   }
   std::vector<Point3> points;
   points.reserve(lower.vertex_count() + upper.vertex_count());
@@ -40,16 +48,19 @@ Result<TetMesh> delaunay_of(const ConformingSection& lower, const ConformingSect
   Result<Delaunay3> d = delaunay3(points, {.engine = engine, .most_tets = most_tets});
   if (!d) return d.error();
   TETLOFT_CHECK(d->dimension == 3 && d->duplicates == 0);
-  return std::move(d->mesh);
+  return with_bases(lower, upper, std::move(d->mesh));
 }
 
 }  // namespace
 
-Result<TetMesh> slab_delaunay(SlabId id, const ConformingSection& lower,
-                              const ConformingSection& upper, DelaunayEngine engine,
-                              double work_limit) {
-  const std::size_t most_tets = most_work(work_limit, lower.vertex_count() + upper.vertex_count());
-  Result<TetMesh> d = delaunay_of(lower, upper, engine, most_tets);
+Result<SlabDelaunay> slab_delaunay(SlabId id, const ConformingSection& lower,
+                                   const ConformingSection& upper, DelaunayEngine engine,
+                                   double work_limit) {
+  // Half-faces are 4 t + i in 32 bits.
+  constexpr std::size_t kMaxTets = (std::size_t{1} << 30) - 1;
+  const std::size_t most_tets =
+      std::min(kMaxTets, most_work(work_limit, lower.vertex_count() + upper.vertex_count()));
+  Result<SlabDelaunay> d = delaunay_of(lower, upper, engine, most_tets);
   if (d || d.error().code != ErrorCode::work_limit) return d;
   return too_much_work(id, lower, upper, most_tets);
 }

@@ -6,14 +6,29 @@
 
 namespace tetloft::internal {
 
-Slab::Slab(const ConformingSection& lower, const ConformingSection& upper, TetMesh mesh)
+Slab::Slab(const ConformingSection& lower, const ConformingSection& upper, SlabDelaunay d)
     : lower_(&lower),
       upper_(&upper),
       numbering_(lower.vertex_count(), upper.vertex_count()),
-      mesh_(std::move(mesh)),
+      mesh_(std::move(d.mesh)),
+      base_(std::move(d.base)),
+      edges_(std::move(d.edges)),
       tet_on_{IdVector<TriangleId, TetId>(lower.triangulation.triangles.size()),
               IdVector<TriangleId, TetId>(upper.triangulation.triangles.size())} {
   classify_tets();
+}
+
+EdgeId Slab::edge(TetId t, int i, int j) const {
+  const bool upper = has_corner(upper_corners_[t], i);
+  if (base_[t].lower.valid() && base_[t].upper.valid()) return base_edge(upper, t);
+  // The third corner of the triangle faces the edge.
+  const TriangleId triangle = this->triangle(t);
+  const PlaneTriangleVertices& corner = section(upper).triangulation.triangles[triangle];
+  const PlaneVertexId a = in_section(vertex(t, i));
+  const PlaneVertexId b = in_section(vertex(t, j));
+  std::size_t k = 0;
+  while (corner[k] == a || corner[k] == b) ++k;
+  return edges_[upper ? 1 : 0][triangle][k];
 }
 
 EdgeKind Slab::edge_kind(SlabVertexId u, SlabVertexId v) const {
@@ -26,18 +41,12 @@ void Slab::classify_tets() {
   kind_.resize(tet_count());
   upper_corners_.resize(tet_count());
   for (const TetId t : tets()) {
-    std::array<Corners, 2> plane;  // below, above
     unsigned mask = 0;
-    for (int i = 0; i < 4; ++i) {
-      const SlabVertexId v = vertex(t, i);
-      const unsigned upper = is_upper(v) ? 1 : 0;
-      mask |= upper << i;
-      plane[upper].add(in_section(v));
-    }
+    for (int i = 0; i < 4; ++i) mask |= is_upper(vertex(t, i)) ? 1U << i : 0U;
     upper_corners_[t] = static_cast<std::uint8_t>(mask);
-    const bool above = plane[1].count > 2;
-    kind_[t] = plane[0].count == 2 ? classify_type2(plane[0], plane[1])
-                                   : classify_type1(t, plane[above ? 1 : 0], above);
+    const bool below = base_[t].lower.valid();
+    const bool above = base_[t].upper.valid();
+    kind_[t] = below && above ? classify_type2(t) : classify_type1(t, above);
   }
   // The 2D triangulations are the hull facets of D in their planes, triangle by triangle.
   for (const auto& tet_on : tet_on_) {
@@ -45,30 +54,23 @@ void Slab::classify_tets() {
   }
 }
 
-TetKind Slab::classify_type1(TetId t, const Corners& corners, bool above) {
-  TETLOFT_CHECK(corners.count == 3);
-  const ConformingSection& plane = section(above);
-  const TriangleId triangle = plane.find_triangle(corners.id[0], corners.id[1], corners.id[2]);
-  TETLOFT_CHECK(triangle.valid());
+TetKind Slab::classify_type1(TetId t, bool above) {
+  const TriangleId triangle = this->triangle(t);
   TetId& slot = tet_on_[above ? 1 : 0][triangle];
   TETLOFT_CHECK(!slot.valid());
   slot = t;
-  return plane.internal[triangle] != 0 ? TetKind::t1_internal : TetKind::t1_external;
+  return section(above).internal[triangle] != 0 ? TetKind::t1_internal : TetKind::t1_external;
 }
 
-TetKind Slab::classify_type2(const Corners& lower, const Corners& upper) const {
-  const EdgeId e = lower_->find_edge(lower.id[0], lower.id[1]);
-  const EdgeId f = upper_->find_edge(upper.id[0], upper.id[1]);
-  TETLOFT_CHECK(e.valid() && f.valid());
-  const EdgeKind below = lower_->edges[e].kind;
-  const EdgeKind above = upper_->edges[f].kind;
-  const auto has = [&](EdgeKind k) { return below == k || above == k; };
-  if (has(EdgeKind::internal)) {
-    if (below == above) return TetKind::ii;
-    return has(EdgeKind::external) ? TetKind::ie : TetKind::ic;
-  }
-  if (has(EdgeKind::external)) return below == above ? TetKind::ee : TetKind::ec;
-  return TetKind::cc;
+TetKind Slab::classify_type2(TetId t) const {
+  const EdgeKind below = lower_->edges[base_edge(false, t)].kind;
+  const EdgeKind above = upper_->edges[base_edge(true, t)].kind;
+  // By the kinds in the order of EdgeKind: internal, external, contour.
+  static constexpr std::array<std::array<TetKind, 3>, 3> kKinds{
+      {{TetKind::ii, TetKind::ie, TetKind::ic},
+       {TetKind::ie, TetKind::ee, TetKind::ec},
+       {TetKind::ic, TetKind::ec, TetKind::cc}}};
+  return kKinds[static_cast<std::size_t>(below)][static_cast<std::size_t>(above)];
 }
 
 TetId Slab::tet_at_edge(bool in_upper, EdgeId e) const {

@@ -14,6 +14,7 @@
 #include <tetloft/model.hpp>
 #include <tetloft/tet_mesh.hpp>
 
+#include "slab/delaunay.hpp"
 #include "slab/numbering.hpp"
 
 namespace tetloft::internal {
@@ -24,7 +25,7 @@ namespace tetloft::internal {
 class Slab {
  public:
   /// Requires two non-empty sections and their D.
-  Slab(const ConformingSection& lower, const ConformingSection& upper, TetMesh mesh);
+  Slab(const ConformingSection& lower, const ConformingSection& upper, SlabDelaunay d);
 
   [[nodiscard]] const ConformingSection& lower() const { return *lower_; }
   [[nodiscard]] const ConformingSection& upper() const { return *upper_; }
@@ -56,8 +57,11 @@ class Slab {
   [[nodiscard]] std::array<SlabVertexId, 4> vertices(TetId t) const {
     return {vertex(t, 0), vertex(t, 1), vertex(t, 2), vertex(t, 3)};
   }
+  /// The corner of t at v, which is one of its vertices.
   [[nodiscard]] int index_in(TetId t, SlabVertexId v) const {
-    return mesh_.index_in(t, mesh_vertex(v));
+    const TetVertices& tet = mesh_.vertices(t);
+    const VertexId u = mesh_vertex(v);
+    return (tet[1] == u ? 1 : 0) + (tet[2] == u ? 2 : 0) + (tet[3] == u ? 3 : 0);
   }
   /// The corners of a vertex: its star, by tet id.
   [[nodiscard]] CornerRange corners(SlabVertexId v) const { return mesh_.corners(mesh_vertex(v)); }
@@ -69,9 +73,22 @@ class Slab {
   [[nodiscard]] TetKind kind(TetId t) const { return kind_[t]; }
   /// Bit i: corner i lies in the upper plane.
   [[nodiscard]] std::uint8_t upper_corners(TetId t) const { return upper_corners_[t]; }
+  /// Does a type-1 tet have its triangle in this plane?
+  [[nodiscard]] bool has_triangle(TetId t, bool upper) const {
+    // Three corners above: 7, 11, 13 or 14; one: 1, 2, 4 or 8.
+    const unsigned mask = upper_corners_[t];
+    return upper ? (mask & (mask - 1)) != 0 : (mask & (mask - 1)) == 0;
+  }
   [[nodiscard]] bool same_plane(TetId t, int i, int j) const {
     return has_corner(upper_corners_[t], i) == has_corner(upper_corners_[t], j);
   }
+  /// The triangle of a type-1 tet, in its section.
+  [[nodiscard]] TriangleId triangle(TetId t) const {
+    const TetBase& base = base_[t];
+    return delaunay3_detail::triangle_of(base.lower.valid() ? base.lower : base.upper);
+  }
+  /// The edge of their section between corners i and j of t, which are in one plane.
+  [[nodiscard]] EdgeId edge(TetId t, int i, int j) const;
   /// The edge of their section between two slab vertices of one plane, and its kind.
   [[nodiscard]] EdgeId edge(SlabVertexId u, SlabVertexId v) const {
     return section_of(u).find_edge(in_section(u), in_section(v));
@@ -87,19 +104,21 @@ class Slab {
  private:
   [[nodiscard]] static VertexId mesh_vertex(SlabVertexId v) { return VertexId(v.value()); }
   void classify_tets();
-  // The corners of a tet in one plane.
-  struct Corners {
-    std::array<PlaneVertexId, 4> id;
-    std::size_t count = 0;
-    void add(PlaneVertexId v) { id[count++] = v; }
-  };
-  [[nodiscard]] TetKind classify_type1(TetId t, const Corners& corners, bool above);
-  [[nodiscard]] TetKind classify_type2(const Corners& lower, const Corners& upper) const;
+  [[nodiscard]] TetKind classify_type1(TetId t, bool above);
+  [[nodiscard]] TetKind classify_type2(TetId t) const;
+  // The edge that a type-2 tet has in a plane.
+  [[nodiscard]] EdgeId base_edge(bool upper, TetId t) const {
+    const delaunay3_detail::TriangleSideId side = upper ? base_[t].upper : base_[t].lower;
+    return edges_[upper ? 1 : 0][delaunay3_detail::triangle_of(side)]
+                 [delaunay3_detail::side_number(side)];
+  }
 
   const ConformingSection* lower_;
   const ConformingSection* upper_;
   SlabVertices numbering_;
   TetMesh mesh_;
+  IdVector<TetId, TetBase> base_;
+  std::array<EdgesOfSides, 2> edges_;  // of the triangles below, of those above
   IdVector<TetId, TetKind> kind_;
   IdVector<TetId, std::uint8_t> upper_corners_;
   // The type-1 tet on an in-plane triangle, below and above; every one has exactly one.

@@ -28,11 +28,12 @@ constexpr double kStubborn = 0x1p-3;
 
 }  // namespace
 
-Embedding::Embedding(const Slab& slab, const SlabClasses& classes, const Subdivision& subdivision,
-                     Lifting& lifting, Truncation& truncation, std::vector<LoneEnd>& lone,
-                     RuleCounts& rules)
+Embedding::Embedding(const Slab& slab, const SlabClasses& classes, const Complex& complex,
+                     const Subdivision& subdivision, Lifting& lifting, Truncation& truncation,
+                     std::vector<LoneEnd>& lone, RuleCounts& rules)
     : slab_(slab),
       classes_(classes),
+      complex_(complex),
       subdivision_(subdivision),
       truncation_(truncation),
       lone_(lone),
@@ -47,6 +48,10 @@ Embedding::Embedding(const Slab& slab, const SlabClasses& classes, const Subdivi
 void Embedding::add_prisms() {
   for (const bool upper : {false, true}) {
     const ConformingSection& section = slab_.section(upper);
+    const bool any = std::any_of(lone_.begin(), lone_.end(), [&](const LoneEnd& end) {
+      return end.is_prism() && classes_.regions().is_upper(end.region) == upper;
+    });
+    if (!any) continue;
     const auto triangles = triangles_by_region(section);
     const auto vertices = vertices_by_region(section);
     for (std::size_t k = 0; k < lone_.size(); ++k) {
@@ -61,15 +66,71 @@ void Embedding::add_prisms() {
   }
 }
 
-// Oriented outwards, by their sorted nodes.
+// Whole tets know from D which of their faces another one has, or nothing; only faces towards a
+// tet that was split or cut are matched with those of all other pieces.
 void Embedding::collect_boundary() {
-  const auto node = [&](std::size_t p) -> const std::array<NodeId, 4>& { return pieces_[p].node; };
+  struct Matched {
+    std::array<NodeId, 4> node;
+    TetId whole;  // invalid: a piece
+  };
+  std::vector<Matched> matched;
+  for (const Piece& piece : pieces_) matched.push_back({piece.node, TetId()});
+  for (const TetId t : slab_.tets()) {
+    if (subdivision_.whole[t] == 0) continue;
+    const std::array<NodeId, 4> node = Nodes::of(slab_.vertices(t));
+    bool matches = false;
+    for (int i = 0; i < 4; ++i) {
+      const TetId across = slab_.mesh().neighbour(t, i);
+      if (!across.valid() || complex_.attached[across] == 0) {
+        add_to_boundary(node, i);
+      } else {
+        matches = matches || subdivision_.whole[across] == 0;
+      }
+    }
+    if (matches) matched.push_back({node, t});
+  }
+  const auto node = [&](std::size_t k) -> const std::array<NodeId, 4>& { return matched[k].node; };
   mesh_detail::for_each_boundary_face(
-      nodes_.size_without_caps() + caps_.size(), pieces_.size(), node, mesh_detail::kAllSound,
+      nodes_.size_without_caps() + caps_.size(), matched.size(), node, mesh_detail::kAllSound,
       [&](HalfFaceId h) {
-        const auto [a, b, c] = face_of(node(TetMesh::tet_of(h).index()), TetMesh::face_of(h));
-        boundary_.push_back({VertexId(a.value()), VertexId(b.value()), VertexId(c.value())});
+        const std::size_t k = TetMesh::tet_of(h).index();
+        const TetId whole = matched[k].whole;
+        if (whole.valid() && !may_meet_pieces(whole, TetMesh::face_of(h))) return;
+        add_to_boundary(node(k), TetMesh::face_of(h));
       });
+}
+
+// Is there a tet across that is attached and not whole?
+bool Embedding::may_meet_pieces(TetId t, int face) const {
+  const TetId across = slab_.mesh().neighbour(t, face);
+  return across.valid() && complex_.attached[across] != 0 && subdivision_.whole[across] == 0;
+}
+
+void Embedding::add_to_boundary(const std::array<NodeId, 4>& tet, int face) {
+  const auto [a, b, c] = face_of(tet, face);
+  boundary_.push_back({VertexId(a.value()), VertexId(b.value()), VertexId(c.value())});
+}
+
+std::vector<Piece> Embedding::all_pieces() const {
+  std::vector<Piece> all;
+  const auto whole = std::count(subdivision_.whole.begin(), subdivision_.whole.end(), 1);
+  all.reserve(static_cast<std::size_t>(whole) + pieces_.size());
+  std::size_t next = 0;
+  for (const TetId t : slab_.tets()) {
+    if (subdivision_.whole[t] != 0) {
+      const SlabRegionId region = classes_.regions(classes_.of(slab_.vertex(t, 0))).front();
+      const auto& [i, j, k, l] = corners_by_plane(slab_.upper_corners(t));
+      all.push_back({Nodes::of({slab_.vertex(t, i), slab_.vertex(t, j), slab_.vertex(t, k),
+                                slab_.vertex(t, l)}),
+                     region, slab_.kind(t)});
+      continue;
+    }
+    while (next < truncation_.parent.size() && truncation_.parent[next] == t) {
+      all.push_back(pieces_[next++]);
+    }
+  }
+  all.insert(all.end(), pieces_.begin() + static_cast<std::ptrdiff_t>(next), pieces_.end());
+  return all;
 }
 
 PointOrigin Embedding::origin(NodeId node) const {
@@ -141,8 +202,8 @@ Embedding::Blame Embedding::find_fault() {
   const WorkStopwatch watch;
   const std::vector<Contact> contacts = boundary_contacts();
   contact_seconds_ += watch.seconds();
+  place_of(contacts);
   for (const Contact& contact : contacts) {
-    at_ = points_[node_of(boundary_[contact.first][0])];
     Blame pair;
     for (const VertexId v : boundary_[contact.first]) blame_node(node_of(v), pair);
     for (const VertexId v : boundary_[contact.second]) blame_node(node_of(v), pair);
@@ -155,6 +216,22 @@ Embedding::Blame Embedding::find_fault() {
     blame.prisms.insert(blame.prisms.end(), pair.prisms.begin(), pair.prisms.end());
   }
   return blame;
+}
+
+// The place told is that of the last contact, triangles in the order of their sorted nodes.
+void Embedding::place_of(const std::vector<Contact>& contacts) {
+  using Key = std::array<VertexId, 3>;
+  const auto key = [&](std::uint32_t k) {
+    Key nodes = boundary_[k];
+    std::sort(nodes.begin(), nodes.end());
+    return std::pair(nodes, k);
+  };
+  std::pair<Key, std::uint32_t> last;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const auto first = std::min(key(contacts[i].first), key(contacts[i].second));
+    if (i == 0 || last < first) last = first;
+  }
+  if (!contacts.empty()) at_ = points_[node_of(boundary_[last.second][0])];
 }
 
 // All contacts of the boundary. Of triangles without a constructed node no two are in contact

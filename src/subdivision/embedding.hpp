@@ -1,11 +1,11 @@
 // Embedding: positions for the constructed nodes of a slab under which the solid is
 // embedded, proven exactly in output coordinates.
 //
-// Proof. All pieces are positive by the exact predicate, and the boundary surface of the
-// slab's solid has no contact with itself. The degree of the piecewise linear map from the
-// abstract complex to space is locally constant off the image of the boundary; an embedded
-// boundary and positive tets make it 0 or 1 everywhere, unless one component lies inside
-// another or winds twice; but each component meets a section plane, and there only in its
+// Proof. All pieces are positive by the exact predicate (whole ones are tets of D), and the
+// boundary surface of the slab's solid has no contact with itself. The degree of the piecewise
+// linear map from the abstract complex to space is locally constant off the image of the boundary;
+// an embedded boundary and positive tets make it 0 or 1 everywhere, unless one component lies
+// inside another or winds twice; but each component meets a section plane, and there only in its
 // regions, which are disjoint and covered once. So no two tets overlap.
 //
 // Lemma: boundary triangles without a constructed node are not in contact with each other,
@@ -53,19 +53,22 @@ class Embedding {
 
   /// Keeps references to its arguments; `lifting` and `truncation` give way, `lone` has its
   /// levels raised.
-  Embedding(const Slab& slab, const SlabClasses& classes, const Subdivision& subdivision,
-            Lifting& lifting, Truncation& truncation, std::vector<LoneEnd>& lone,
-            RuleCounts& rules);
+  Embedding(const Slab& slab, const SlabClasses& classes, const Complex& complex,
+            const Subdivision& subdivision, Lifting& lifting, Truncation& truncation,
+            std::vector<LoneEnd>& lone, RuleCounts& rules);
 
   [[nodiscard]] Outcome settle();
 
   [[nodiscard]] const Point3& at() const { return at_; }
   [[nodiscard]] double smallest_lift() const { return lifting_.smallest_fraction(); }
 
-  /// The result, once embedded: positions of all nodes, and all pieces.
+  /// The result, once embedded: positions of all nodes, and all pieces but whole tets: by parent,
+  /// then prisms.
   [[nodiscard]] const IdVector<NodeId, Point3>& points() const { return points_; }
   [[nodiscard]] const std::vector<Piece>& pieces() const { return pieces_; }
-  /// Their boundary, section planes included: triangles over nodes.
+  /// With whole tets, by parent; then prisms.
+  [[nodiscard]] std::vector<Piece> all_pieces() const;
+  /// The boundary of the solid, section planes included: triangles over nodes, oriented outwards.
   [[nodiscard]] const std::vector<TriangleVertices>& boundary() const { return boundary_; }
   /// Of a constructed node.
   [[nodiscard]] PointOrigin origin(NodeId node) const;
@@ -85,10 +88,13 @@ class Embedding {
 
   void add_prisms();
   void collect_boundary();
+  void add_to_boundary(const std::array<NodeId, 4>& tet, int face);
+  [[nodiscard]] bool may_meet_pieces(TetId t, int face) const;
   void place();
   void squeeze_bad_cuts();
   [[nodiscard]] Blame find_fault();
   [[nodiscard]] std::vector<Contact> boundary_contacts();
+  void place_of(const std::vector<Contact>& contacts);
   [[nodiscard]] bool is_positive(const Piece& piece) const;
   // The boundary is handed to the contact tests with node k as vertex k.
   [[nodiscard]] static NodeId node_of(VertexId v) { return NodeId(v.value()); }
@@ -97,6 +103,7 @@ class Embedding {
 
   const Slab& slab_;
   const SlabClasses& classes_;
+  const Complex& complex_;
   const Subdivision& subdivision_;
   Truncation& truncation_;
   std::vector<LoneEnd>& lone_;

@@ -2,6 +2,7 @@
 // order in which it comes to be: lifted vertices, cuts, caps.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -35,6 +36,9 @@ class Nodes {
   [[nodiscard]] std::size_t size_without_caps() const { return first_cap_; }
 
   [[nodiscard]] static NodeId of(SlabVertexId v) { return NodeId(v.value()); }
+  [[nodiscard]] static std::array<NodeId, 4> of(const std::array<SlabVertexId, 4>& tet) {
+    return {of(tet[0]), of(tet[1]), of(tet[2]), of(tet[3])};
+  }
   [[nodiscard]] NodeId of(LiftedId k) const { return NodeId(first_lifted_ + k.value()); }
   [[nodiscard]] NodeId of(CutId k) const { return NodeId(first_cut_ + k.value()); }
   [[nodiscard]] NodeId of(CapId k) const { return NodeId(first_cap_ + k.value()); }

@@ -10,26 +10,38 @@ namespace tetloft::internal {
 
 namespace {
 
+constexpr std::uint8_t kAllCorners = 0xF;
+
 // A node of a child: its id and the parent's corners it is the mean of.
 struct Node {
   NodeId id;
   std::uint8_t mean_of = 0;
+  // Of a node that is a corner.
+  [[nodiscard]] int corner() const { return std::countr_zero(unsigned{mean_of}); }
 };
+
+bool has_external_edge(TetKind kind) {
+  return kind != TetKind::t1_internal && kind != TetKind::ii && kind != TetKind::ic &&
+         kind != TetKind::cc;
+}
 
 class Subdivider {
  public:
-  Subdivider(const Slab& slab, const Complex& complex, RuleCounts& rules)
+  Subdivider(const Slab& slab, const SlabClasses& classes, const Complex& complex,
+             RuleCounts& rules)
       : slab_(slab),
+        classes_(classes),
         complex_(complex),
         rules_(rules),
         midpoint_{IdVector<EdgeId, NodeId>(slab.lower().edges.size()),
                   IdVector<EdgeId, NodeId>(slab.upper().edges.size())} {}
 
   Subdivision run() {
+    choose_whole();
     choose_midpoints();
     choose_hole_vertices();
     for (const TetId t : slab_.tets()) {
-      if (complex_.attached[t] != 0) split(t);
+      if (complex_.attached[t] != 0 && result_.whole[t] == 0) split(t);
     }
     result_.nodes = Nodes(slab_.vertex_count(), result_.lifted.size());
     return std::move(result_);
@@ -38,20 +50,27 @@ class Subdivider {
  private:
   [[nodiscard]] bool attached(TetId t, int corner) const { return complex_.is_attached(t, corner); }
 
+  void choose_whole() {
+    result_.whole.assign(slab_.tet_count(), 0);
+    for (const TetId t : slab_.tets()) {
+      if (complex_.attached[t] != kAllCorners || has_external_edge(slab_.kind(t))) continue;
+      const ClassId c = classes_.of(slab_.vertex(t, 0));
+      result_.whole[t] = own_corners(slab_, classes_, t, c) == kAllCorners ? 1 : 0;
+    }
+  }
+
   void choose_midpoints() {
     // Flags first, ids in the order of the edges afterwards: canonical.
     std::array<IdVector<EdgeId, std::uint8_t>, 2> wanted{
         IdVector<EdgeId, std::uint8_t>(slab_.lower().edges.size(), 0),
         IdVector<EdgeId, std::uint8_t>(slab_.upper().edges.size(), 0)};
     for (const TetId t : slab_.tets()) {
-      if (complex_.attached[t] == 0) continue;
+      if (complex_.attached[t] == 0 || !has_external_edge(slab_.kind(t))) continue;
       for (const auto& [i, j] : kEdgeVertex) {
         if (!slab_.same_plane(t, i, j) || !(attached(t, i) || attached(t, j))) continue;
-        const SlabVertexId u = slab_.vertex(t, i);
-        const EdgeId e = slab_.edge(u, slab_.vertex(t, j));
-        if (slab_.section_of(u).edges[e].kind == EdgeKind::external) {
-          wanted[slab_.is_upper(u) ? 1 : 0][e] = 1;
-        }
+        const bool upper = has_corner(slab_.upper_corners(t), i);
+        const EdgeId e = slab_.edge(t, i, j);
+        if (slab_.section(upper).edges[e].kind == EdgeKind::external) wanted[upper ? 1 : 0][e] = 1;
       }
     }
     for (const bool upper : {false, true}) {
@@ -101,6 +120,7 @@ class Subdivider {
       std::array<SlabVertexId, 3> corner;
       std::size_t corners = 0;
       bool any_attached = false;
+      std::array<int, 3> at{};
       SlabVertexId apex;
       for (int i = 0; i < 4; ++i) {
         const SlabVertexId v = slab_.vertex(t, i);
@@ -108,14 +128,16 @@ class Subdivider {
           apex = v;
           continue;
         }
+        at[corners] = i;
         corner[corners++] = v;
         any_attached = any_attached || attached(t, i);
       }
       if (!any_attached) continue;
       bool only_contour_edges = true;
       for (std::size_t i = 0; i < 3; ++i) {
-        only_contour_edges = only_contour_edges &&
-                             slab_.edge_kind(corner[i], corner[(i + 1) % 3]) == EdgeKind::contour;
+        const EdgeId e = slab_.edge(t, at[i], at[(i + 1) % 3]);
+        only_contour_edges =
+            only_contour_edges && slab_.section(upper).edges[e].kind == EdgeKind::contour;
       }
       if (!only_contour_edges) continue;
       count(rules_, Rule::triangular_hole);
@@ -138,63 +160,42 @@ class Subdivider {
   }
 
   // The midpoint between two corners of t, invalid id if the edge has none.
-  [[nodiscard]] Node midpoint(const Node& a, const Node& b) const {
-    const SlabVertexId u = Nodes::slab_vertex(a.id);
-    const EdgeId e = slab_.edge(u, Nodes::slab_vertex(b.id));
-    return {midpoint_[slab_.is_upper(u) ? 1 : 0][e],
+  [[nodiscard]] Node midpoint(TetId t, const Node& a, const Node& b) const {
+    const EdgeId e = slab_.edge(t, a.corner(), b.corner());
+    return {midpoint_[has_corner(slab_.upper_corners(t), a.corner()) ? 1 : 0][e],
             static_cast<std::uint8_t>(a.mean_of | b.mean_of)};
   }
 
   void split(TetId t) {
     std::array<Node, 4> corner;
-    for (int i = 0; i < 4; ++i) {
-      corner[static_cast<std::size_t>(i)] = {Nodes::of(slab_.vertex(t, i)),
-                                             static_cast<std::uint8_t>(1U << i)};
+    const std::uint8_t upper = slab_.upper_corners(t);
+    for (std::size_t k = 0; k < 4; ++k) {
+      const int i = corners_by_plane(upper)[k];
+      corner[k] = {Nodes::of(slab_.vertex(t, i)), static_cast<std::uint8_t>(1U << i)};
     }
-    const int highs = std::popcount(slab_.upper_corners(t));
-    if (highs == 2) {
+    if (std::popcount(upper) == 2) {
       split_type2(t, corner);
     } else {
-      split_type1(t, corner, highs == 3);
+      split_type1(t, corner);
     }
   }
 
-  // An even permutation that brings the corners accepted by `first` to the front.
-  template <class Test>
-  static void bring_forward(std::array<Node, 4>& corner, const Test& first) {
-    std::array<std::size_t, 4> order{0, 1, 2, 3};
-    std::stable_partition(order.begin(), order.end(),
-                          [&](std::size_t i) { return first(corner[i]); });
-    int inversions = 0;
-    for (std::size_t i = 0; i < 4; ++i) {
-      for (std::size_t j = i + 1; j < 4; ++j) inversions += order[i] > order[j] ? 1 : 0;
-    }
-    if (inversions % 2 != 0) std::swap(order[0], order[1]);
-    const std::array<Node, 4> old = corner;
-    for (std::size_t i = 0; i < 4; ++i) corner[i] = old[order[i]];
-  }
-
-  // Of a node that is a corner.
-  [[nodiscard]] bool is_upper(const Node& n) const {
-    return slab_.is_upper(Nodes::slab_vertex(n.id));
-  }
-
-  void split_type2(TetId t, std::array<Node, 4>& corner) {
-    bring_forward(corner, [&](const Node& n) { return !is_upper(n); });
+  // Corners as corners_by_plane() has them.
+  void split_type2(TetId t, const std::array<Node, 4>& corner) {
     const auto& [a, b, c, d] = corner;
-    const Node below = midpoint(a, b);
-    const Node above = midpoint(c, d);
-    std::vector<std::array<Node, 2>> lows{{a, b}};
-    if (below.id.valid()) lows = {{a, below}, {below, b}};
-    std::vector<std::array<Node, 2>> highs{{c, d}};
-    if (above.id.valid()) highs = {{c, above}, {above, d}};
-    for (const auto& low : lows) {
-      for (const auto& high : highs) emit(t, {low[0], low[1], high[0], high[1]});
+    const Node below = midpoint(t, a, b);
+    const Node above = midpoint(t, c, d);
+    using Half = std::array<Node, 2>;
+    const std::array<Half, 2> lows{Half{a, below.id.valid() ? below : b}, Half{below, b}};
+    const std::array<Half, 2> highs{Half{c, above.id.valid() ? above : d}, Half{above, d}};
+    for (std::size_t i = 0; i < (below.id.valid() ? 2U : 1U); ++i) {
+      for (std::size_t j = 0; j < (above.id.valid() ? 2U : 1U); ++j) {
+        emit(t, {lows[i][0], lows[i][1], highs[j][0], highs[j][1]});
+      }
     }
   }
 
-  void split_type1(TetId t, std::array<Node, 4>& corner, bool triangle_above) {
-    bring_forward(corner, [&](const Node& n) { return is_upper(n) == triangle_above; });
+  void split_type1(TetId t, const std::array<Node, 4>& corner) {
     const Node apex = corner[3];
     if (hole_vertex_[t].valid()) {
       const Node x{hole_vertex_[t], static_cast<std::uint8_t>(
@@ -206,7 +207,7 @@ class Subdivider {
     std::array<Node, 3> mid;
     int mids = 0;
     for (std::size_t i = 0; i < 3; ++i) {
-      mid[i] = midpoint(corner[i], corner[(i + 1) % 3]);
+      mid[i] = midpoint(t, corner[i], corner[(i + 1) % 3]);
       mids += mid[i].id.valid() ? 1 : 0;
     }
     if (mids == 0) {
@@ -242,6 +243,7 @@ class Subdivider {
   }
 
   const Slab& slab_;
+  const SlabClasses& classes_;
   const Complex& complex_;
   RuleCounts& rules_;
   std::array<IdVector<EdgeId, NodeId>, 2> midpoint_;  // lower, upper; invalid: none
@@ -251,10 +253,37 @@ class Subdivider {
   std::vector<SlabVertexId> opposite_;
 };
 
+// By mask of upper corners: those of the triangle, or the lower ones, before the others, in their
+// order but for the first two where that would be an odd permutation.
+constexpr std::array<std::array<int, 4>, 16> orders_by_plane() {
+  std::array<std::array<int, 4>, 16> orders{};
+  for (unsigned mask = 0; mask < orders.size(); ++mask) {
+    const unsigned first = std::popcount(mask) == 3 ? mask : ~mask;
+    std::array<int, 4>& order = orders[mask];
+    std::size_t next = 0;
+    int passed = 0;
+    for (const bool front : {true, false}) {
+      for (int i = 0; i < 4; ++i) {
+        if (has_corner(first, i) != front) continue;
+        if (front) passed += i - static_cast<int>(next);
+        order[next++] = i;
+      }
+    }
+    if (passed % 2 != 0) std::swap(order[0], order[1]);
+  }
+  return orders;
+}
+
 }  // namespace
 
-Subdivision subdivide(const Slab& slab, const Complex& complex, RuleCounts& rules) {
-  return Subdivider(slab, complex, rules).run();
+const std::array<int, 4>& corners_by_plane(std::uint8_t upper) {
+  static constexpr std::array<std::array<int, 4>, 16> kOrders = orders_by_plane();
+  return kOrders[upper];
+}
+
+Subdivision subdivide(const Slab& slab, const SlabClasses& classes, const Complex& complex,
+                      RuleCounts& rules) {
+  return Subdivider(slab, classes, complex, rules).run();
 }
 
 }  // namespace tetloft::internal

@@ -7,6 +7,10 @@
 // the diagonal of a quadrilateral left on an external triangle lies on the underside, which
 // no neighbour sees. A type-1 tet over a triangular hole (three contour edges) has no edge
 // to split and gets a vertex inside its triangle.
+//
+// Most tets are *whole*: without an external edge, attached at all four corners for one class.
+// Nothing is split, lifted or cut off there, so they are pieces of the solid as they are, and
+// none of the steps from here to the embedding sees them.
 #pragma once
 
 #include <array>
@@ -39,9 +43,17 @@ struct Child {
 struct Subdivision {
   Nodes nodes;  ///< slab vertices and lifted ones
   IdVector<LiftedId, LiftedVertex> lifted;
-  std::vector<Child> children;  ///< positive once lifted, of all attached tets by id
+  /// Of all attached tets that are not whole, by id; positive once lifted.
+  std::vector<Child> children;
+  IdVector<TetId, std::uint8_t> whole;  ///< whether a tet is
 };
 
-[[nodiscard]] Subdivision subdivide(const Slab& slab, const Complex& complex, RuleCounts& rules);
+/// In which order pieces of a tet list what comes of its corners: of type 1 its triangle's first,
+/// of type 2 the lower ones. An even permutation. `upper` is the mask of corners in the upper
+/// plane.
+[[nodiscard]] const std::array<int, 4>& corners_by_plane(std::uint8_t upper);
+
+[[nodiscard]] Subdivision subdivide(const Slab& slab, const SlabClasses& classes,
+                                    const Complex& complex, RuleCounts& rules);
 
 }  // namespace tetloft::internal

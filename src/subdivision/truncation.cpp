@@ -138,6 +138,7 @@ class Truncator {
 
   void emit(const Child& child, SlabRegionId region, const std::array<NodeId, 4>& node) {
     result_.pieces.push_back({node, region, slab_.kind(child.parent)});
+    result_.parent.push_back(child.parent);
   }
 
   void emit_prism(const Child& child, SlabRegionId region, const std::array<NodeId, 6>& prism) {
@@ -146,16 +147,21 @@ class Truncator {
 
   void cut_out(const Child& child, SlabRegionId region, unsigned attached) {
     // Even permutation: kept corners first.
-    std::array<std::size_t, 4> order{0, 1, 2, 3};
-    std::stable_partition(order.begin(), order.end(),
-                          [&](std::size_t i) { return whole(child, i, attached); });
-    int inversions = 0;
+    std::array<std::size_t, 4> order{};
     std::size_t kept = 0;
+    std::size_t others = 0;
+    std::size_t inversions = 0;
+    std::array<std::size_t, 4> other{};
     for (std::size_t i = 0; i < 4; ++i) {
-      kept += whole(child, i, attached) ? 1U : 0U;
-      for (std::size_t j = i + 1; j < 4; ++j) inversions += order[i] > order[j] ? 1 : 0;
+      if (whole(child, i, attached)) {
+        inversions += others;
+        order[kept++] = i;
+      } else {
+        other[others++] = i;
+      }
     }
     if (kept == 0) return;
+    std::copy_n(other.begin(), others, order.begin() + static_cast<std::ptrdiff_t>(kept));
     if (inversions % 2 != 0) {
       if (kept >= 2) {
         std::swap(order[0], order[1]);

@@ -49,7 +49,9 @@ struct Piece {
 struct Truncation {
   Nodes nodes;                ///< slab vertices, lifted ones and cuts
   IdVector<CutId, Cut> cuts;  ///< sorted by (kept, away)
+  /// Of tets that are not whole (subdivision.hpp), by parent.
   std::vector<Piece> pieces;
+  std::vector<TetId> parent;  ///< of each piece
 };
 
 [[nodiscard]] Truncation truncate(const Slab& slab, const SlabClasses& classes,

@@ -64,7 +64,8 @@ endforeach()
 set(public_only_contact mesh)
 
 # Headers beside the C++ standard library: the terminal and the signals of the command line; files
-# without a name, links, permissions, and signals that wait (POSIX).
+# without a name, links, permissions, and signals that wait; memory page by page (POSIX).
+set(system_core sys/mman.h)
 set(system_cli fcntl.h signal.h unistd.h)
 set(system_io fcntl.h pthread.h signal.h sys/stat.h sys/types.h unistd.h)
 
@@ -133,7 +134,7 @@ function(check_system header)
   if(shown STREQUAL "tetloft/tetloft.h" AND header MATCHES "^std(def|int)[.]h$")
     return()  # of C
   endif()
-  foreach(module cli io)
+  foreach(module core cli io)
     if(from STREQUAL module AND header IN_LIST system_${module})
       return()
     endif()

@@ -19,7 +19,7 @@ Subdivided subdivide_case(const SlabCase& c) {
   Subdivided result;
   result.rules = completed.rules;
   result.complex = std::move(completed.complex);
-  result.subdivision = subdivide(*c.slab, result.complex, result.rules);
+  result.subdivision = subdivide(*c.slab, *c.classes, result.complex, result.rules);
   return result;
 }
 

@@ -187,7 +187,7 @@ TEST(ClassShape, ItsBorderIsOutsideAndNoValueIsZero) {
     for (const double step : {0.4, 1.0, 5.0}) {
       const ClassShape got = shape.at({0.2, 0.5, 0.9}, step);
       const LatticeWindow& w = got.window;
-      ASSERT_EQ(got.motion.size(), w.size());
+      ASSERT_TRUE(got.motion.empty() || got.motion.size() == w.size());
       for (const std::vector<double>& value : got.value) {
         ASSERT_EQ(value.size(), w.size());
         EXPECT_EQ(std::count(value.begin(), value.end(), 0.0), 0);

@@ -13,7 +13,8 @@ namespace {
 
 bool share_a_face(const Slab& slab, TetId a, TetId b) {
   int common = 0;
-  for (int i = 0; i < 4; ++i) common += slab.index_in(b, slab.vertex(a, i)) >= 0 ? 1 : 0;
+  for (int i = 0; i < 4; ++i)
+    common += slab.mesh().index_in(b, VertexId(slab.vertex(a, i).value())) >= 0 ? 1 : 0;
   return common == 3;
 }
 

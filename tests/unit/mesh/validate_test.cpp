@@ -6,8 +6,10 @@ namespace tetloft {
 struct TetMeshTestAccess {
   static std::vector<TetVertices>& tets(TetMesh& m) { return m.tets_; }
   static std::vector<HalfFaceId>& opposite(TetMesh& m) { return m.opposite_; }
-  static std::vector<HalfFaceId>& first_corner(TetMesh& m) { return m.first_corner_; }
-  static std::vector<HalfFaceId>& next_corner(TetMesh& m) { return m.next_corner_; }
+  static std::vector<HalfFaceId>& first_corner(TetMesh& m) {
+    return m.editable_corner_lists().first;
+  }
+  static std::vector<HalfFaceId>& next_corner(TetMesh& m) { return m.editable_corner_lists().next; }
   static std::vector<TetId>& free_list(TetMesh& m) { return m.free_; }
 };
 

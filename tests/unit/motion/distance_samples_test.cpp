@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <utility>
 
+#include "core/prng.hpp"
 #include "unit/motion/motion_stacks.hpp"
 
 namespace tetloft::testing {
@@ -59,6 +62,108 @@ TEST(DistanceSamples, OfNothingAreFarOutside) {
   const DistanceSamples samples =
       sample_distances(LatticeEdges(Section{}, 1), LatticeWindow{0, 0, 3, 2});
   EXPECT_EQ(samples.value, std::vector<double>(6, motion::kFarthest));
+}
+
+// As the README defines D, edge by edge, for comparison bit by bit.
+double by_all_edges(const Section& section, double step, std::int64_t i, std::int64_t j,
+                    double farthest) {
+  const Point2 at{static_cast<double>(i), static_cast<double>(j)};
+  double least = farthest * farthest;
+  bool inside = false;
+  for (const Contour& contour : section.contours) {
+    for (std::size_t v = 0; v < contour.vertices.size(); ++v) {
+      const Point2& p = contour.vertices[v];
+      const Point2& q = contour.vertices[(v + 1) % contour.vertices.size()];
+      Point2 a{p.x / step, p.y / step};
+      Point2 b{q.x / step, q.y / step};
+      if (a == b) continue;
+      if (canonical_less(b, a)) std::swap(a, b);
+      const Point2 d{b.x - a.x, b.y - a.y};
+      const Point2 from{at.x - a.x, at.y - a.y};
+      const double t =
+          std::clamp((from.x * d.x + from.y * d.y) / (d.x * d.x + d.y * d.y), 0.0, 1.0);
+      const Point2 e{from.x - t * d.x, from.y - t * d.y};
+      least = std::min(least, e.x * e.x + e.y * e.y);
+      const auto [l, h] = a.y < b.y ? std::pair(a, b) : std::pair(b, a);
+      if (l.y <= at.y && at.y < h.y && l.x + (at.y - l.y) / (h.y - l.y) * (h.x - l.x) <= at.x) {
+        inside = !inside;
+      }
+    }
+  }
+  return inside ? -std::sqrt(least) : std::sqrt(least);
+}
+
+// A star-shaped polygon, jagged or smooth; or with its vertices on a lattice.
+Contour star(Prng& prng, std::size_t vertices, double lattice) {
+  const bool smooth = prng.chance(0.5);
+  const double radius = prng.between(1, 12);
+  const double phase = prng.unit();
+  Contour contour;
+  for (std::size_t v = 0; v < vertices; ++v) {
+    const double angle =
+        6.283185307179586 * (static_cast<double>(v) + phase) / static_cast<double>(vertices);
+    const double r = radius * (smooth ? 1 + 0.1 * std::sin(3 * angle) : prng.between(0.3, 1));
+    Point2 p{r * std::cos(angle) + 0.3, r * std::sin(angle) - 0.2};
+    if (lattice > 0) p = {std::round(p.x / lattice) * lattice, std::round(p.y / lattice) * lattice};
+    contour.vertices.push_back(p);
+  }
+  return contour;
+}
+
+void expect_by_all_edges(const Section& section, double step, double farthest) {
+  const LatticeEdges edges(section, step);
+  const LatticeWindow window{-31, -29, 30, 33};
+  const DistanceSamples samples = sample_distances(edges, window, farthest);
+  const motion::InsideSamples inside(edges, window);
+  for (std::int64_t j = window.j0; j < window.j1; ++j) {
+    std::int64_t count = 0;
+    for (std::int64_t i = window.i0; i < window.i1; ++i) {
+      ASSERT_EQ(*samples.at(i, j), by_all_edges(section, step, i, j, farthest)) << i << ' ' << j;
+      const auto runs = inside.row(j);
+      const auto in_runs = std::count_if(
+          runs.begin(), runs.end(), [&](const auto& run) { return run.first <= i && i < run.end; });
+      ASSERT_EQ(in_runs, *samples.at(i, j) < 0 ? 1 : 0) << i << ' ' << j;
+      count += in_runs;
+    }
+    for (std::int64_t i = window.i0; i < window.i1; ++i) {
+      constexpr auto kTile = static_cast<std::int64_t>(DistanceSamples::kTile);
+      const auto tile = static_cast<std::size_t>((j - window.j0) / kTile) * samples.tiles_in_row() +
+                        static_cast<std::size_t>((i - window.i0) / kTile);
+      const bool is_near = std::abs(*samples.at(i, j)) < farthest;
+      ASSERT_TRUE(!is_near || samples.near[tile] != 0) << i << ' ' << j;
+    }
+    std::int64_t length = 0;
+    for (const auto& run : inside.row(j)) length += run.end - run.first;
+    EXPECT_EQ(length, count);
+  }
+}
+
+TEST(DistanceSamples, AreThoseOfAllEdgesBitByBit) {
+  for (std::uint64_t seed = 0; seed < 120; ++seed) {
+    Prng prng(seed);
+    const double lattice = seed % 3 == 0 ? 0.5 : 0;
+    Section section;
+    section.contours.push_back(star(prng, 3 + prng.below(60), lattice));
+    if (prng.chance(0.3)) section.contours.push_back(star(prng, 3 + prng.below(9), lattice));
+    const double step = lattice > 0 ? prng.chance(0.5) ? 0.25 : 0.375 : prng.between(0.2, 2);
+    SCOPED_TRACE(seed);
+    expect_by_all_edges(section, step, prng.between(1, 20));
+  }
+}
+
+TEST(DistanceSamples, NeedNoLongEdgesToBeRight) {
+  // Too long for what is left out, with ends at which much would be; and with edges of no length.
+  Section section;
+  section.contours.push_back(Contour{{{-1e5, -3}, {0.1, 0.2}, {0.1, 0.2}, {1e5, -3}, {7, 9}}});
+  expect_by_all_edges(section, 1, 6);
+}
+
+TEST(DistanceSamples, OfDoubledAndTinyEdgesAreRight) {
+  Section section;
+  section.contours.push_back(Contour{{{-5, -5}, {6.3, 2.1}}});
+  section.contours.push_back(Contour{{{1, 1}, {1 + 1e-9, 1}, {1, 1 + 1e-300}, {1, 1e-3}, {9, 4}}});
+  section.contours.push_back(Contour{{{0, 0}, {0, 1e-200}, {1e-170, 0}, {-8, 3}}});
+  expect_by_all_edges(section, 1, 5);
 }
 
 }  // namespace

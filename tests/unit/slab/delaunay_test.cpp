@@ -33,7 +33,8 @@ TEST(SlabDelaunay, NoVertexLiesInACircumsphere) {
     if (points.size() > 60) continue;
     const TetMesh d = slab_delaunay(SlabId(0), s.built->lower, s.built->upper,
                                     DelaunayEngine::automatic, kDefaultWorkLimit)
-                          .value();
+                          .value()
+                          .mesh;
     ASSERT_EQ(d.vertex_count(), points.size());
     for (std::size_t t = 0; t < d.tet_slots(); ++t) {
       const TetVertices& v = d.vertices(TetId(t));
@@ -54,7 +55,8 @@ TEST(SlabDelaunay, IsTheSameByEitherEngine) {
     const auto by = [&](DelaunayEngine engine) {
       const TetMesh d =
           slab_delaunay(SlabId(0), s.built->lower, s.built->upper, engine, kDefaultWorkLimit)
-              .value();
+              .value()
+              .mesh;
       std::vector<TetVertices> tets;
       for (std::size_t t = 0; t < d.tet_slots(); ++t) tets.push_back(d.vertices(TetId(t)));
       return tets;
@@ -71,7 +73,8 @@ TEST(SlabDelaunay, TooManyTetsAreRefusedNamingSlabAndTheSectionOfMoreVertices) {
                                    : stack_of_boxes({{box(0, 0, 4, 4)}, {polygon}}),
                              0);
     for (const DelaunayEngine engine : {DelaunayEngine::slab, DelaunayEngine::incremental}) {
-      const Result<TetMesh> refused = slab_delaunay(SlabId(5), c->lower, c->upper, engine, 1e-9);
+      const Result<SlabDelaunay> refused =
+          slab_delaunay(SlabId(5), c->lower, c->upper, engine, 1e-9);
       ASSERT_FALSE(refused.ok());
       EXPECT_EQ(refused.error().code, ErrorCode::work_limit);
       EXPECT_EQ(refused.error().where.slab, 5U);

@@ -158,8 +158,8 @@ TEST(Slab, FindsATetAtEveryInPlaneEdge) {
       for (std::size_t e = 0; e < section.edges.size(); ++e) {
         const TetId t = slab.tet_at_edge(upper, EdgeId(e));
         const auto& edge = section.edges[EdgeId(e)];
-        EXPECT_GE(slab.index_in(t, SlabVertexId(edge.a.index() + offset)), 0);
-        EXPECT_GE(slab.index_in(t, SlabVertexId(edge.b.index() + offset)), 0);
+        EXPECT_GE(slab.mesh().index_in(t, VertexId(edge.a.index() + offset)), 0);
+        EXPECT_GE(slab.mesh().index_in(t, VertexId(edge.b.index() + offset)), 0);
       }
     }
   }

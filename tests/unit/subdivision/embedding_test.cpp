@@ -41,19 +41,20 @@ std::optional<Embedded> embed(const SlabCase& c) {
                           rules);
     if (!completion.run().empty()) return std::nullopt;
     const Complex& complex = completion.complex();
-    const Subdivision subdivision = subdivide(*c.slab, complex, rules);
+    const Subdivision subdivision = subdivide(*c.slab, *c.classes, complex, rules);
     Lifting lifting(*c.slab, subdivision);
     if (!lifting.settle(rules)) return std::nullopt;
     Truncation truncation =
         truncate(*c.slab, *c.classes, complex, subdivision,
                  choose_trimmed(*c.slab, *c.classes, complex, subdivision, lifting));
-    Embedding embedding(*c.slab, *c.classes, subdivision, lifting, truncation, lone, rules);
+    Embedding embedding(*c.slab, *c.classes, complex, subdivision, lifting, truncation, lone,
+                        rules);
     const Embedding::Outcome outcome = embedding.settle();
     if (outcome == Embedding::Outcome::more_truncated) continue;
     if (outcome == Embedding::Outcome::failed) return std::nullopt;
     Embedded result{embedding.points(),
                     {},
-                    embedding.pieces(),
+                    embedding.all_pieces(),
                     subdivision.lifted.size(),
                     truncation.cuts.size()};
     for (std::size_t n = c.slab->vertex_count(); n < result.points.size(); ++n) {

@@ -30,9 +30,16 @@ std::array<NodeId, 4> as_nodes(const std::array<SlabVertexId, 4>& corners) {
   return nodes;
 }
 
-std::map<TetId, std::vector<Child>> children_by_parent(const Subdivision& subdivision) {
+// A whole tet is its own child.
+std::map<TetId, std::vector<Child>> children_by_parent(const SlabCase& c,
+                                                       const Subdivision& subdivision) {
   std::map<TetId, std::vector<Child>> result;
   for (const Child& child : subdivision.children) result[child.parent].push_back(child);
+  for (const TetId t : subdivision.whole.ids()) {
+    if (subdivision.whole[t] == 0) continue;
+    EXPECT_FALSE(result.contains(t));
+    result[t].push_back({as_nodes(c.slab->vertices(t)), {1, 2, 4, 8}, t});
+  }
   return result;
 }
 
@@ -60,7 +67,7 @@ TEST(Subdivision, UnliftedChildrenTileTheirParent) {
     const SlabCase& c = *s.built;
     const Subdivided result = subdivide_case(c);
     const Subdivision& subdivision = result.subdivision;
-    for (const auto& [parent, children] : children_by_parent(subdivision)) {
+    for (const auto& [parent, children] : children_by_parent(c, subdivision)) {
       const auto volume_of = [&](const std::array<NodeId, 4>& node) {
         std::array<Point3, 4> p;
         for (std::size_t i = 0; i < 4; ++i) p[i] = unlifted(c, subdivision, node[i]);
@@ -85,7 +92,7 @@ TEST(Subdivision, SplitsExactlyExternalEdgesThatHaveAnAttachedEnd) {
     const SlabCase& c = *s.built;
     const Subdivided result = subdivide_case(c);
     const auto attached_at = [&](TetId t, SlabVertexId v) {
-      const int i = c.slab->index_in(t, v);
+      const int i = c.slab->mesh().index_in(t, VertexId(v.value()));
       return i >= 0 && result.complex.is_attached(t, i);
     };
     const auto has_midpoint = [&](SlabVertexId u, SlabVertexId v) {
@@ -95,7 +102,7 @@ TEST(Subdivision, SplitsExactlyExternalEdgesThatHaveAnAttachedEnd) {
       return std::any_of(around.begin(), around.end(),
                          [&](TetId t) { return attached_at(t, u) || attached_at(t, v); });
     };
-    const auto children = children_by_parent(result.subdivision);
+    const auto children = children_by_parent(c, result.subdivision);
     for (std::size_t k = 0; k < c.slab->tet_count(); ++k) {
       const TetId t(k);
       if (result.complex.attached[t] == 0) {
@@ -169,7 +176,7 @@ TEST(Subdivision, ATriangularHoleGetsAnInnerVertexAndThreeChildren) {
     EXPECT_NEAR(v.base.y, -1.0 / 3, 1e-15);
   }
   EXPECT_EQ(inner, 1U);
-  for (const auto& [parent, children] : children_by_parent(result.subdivision)) {
+  for (const auto& [parent, children] : children_by_parent(*c, result.subdivision)) {
     if (c->slab->kind(parent) == TetKind::t1_external) {
       EXPECT_EQ(children.size(), 3U);
     }

@@ -121,7 +121,7 @@ TEST(Truncation, PiecesOfTwoClassesInOneTetAreDisjoint) {
   ASSERT_GT(rules[static_cast<std::size_t>(Rule::two_class_tet)], 0U);
 
   const Complex& complex = completion.complex();
-  const Subdivision subdivision = subdivide(*c->slab, complex, rules);
+  const Subdivision subdivision = subdivide(*c->slab, *c->classes, complex, rules);
   Lifting lifting(*c->slab, subdivision);
   ASSERT_TRUE(lifting.settle(rules));
   const Truncation truncation =

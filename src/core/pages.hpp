@@ -1,0 +1,26 @@
+// Large pieces of memory, page by page.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace tetloft::internal::core {
+
+/// Gives the whole pages within `bytes` back to the system, where it takes them: what they held is
+/// lost, but they may be used again.
+void give_back_pages(std::span<std::byte> bytes);
+
+template <class T>
+void give_back_pages(std::span<T> items) {
+  give_back_pages(std::as_writable_bytes(items));
+}
+
+/// Frees a large vector at once, where an allocator would keep its memory for later.
+template <class T>
+void release(std::vector<T>& items) {
+  give_back_pages(std::span<T>(items));
+  items = std::vector<T>();
+}
+
+}  // namespace tetloft::internal::core

@@ -1,0 +1,79 @@
+// Where an edge of a contour may be the nearest one. Beyond one of its ends it is as far away as
+// that end; the edge that follows there is nearer wherever its own foot lies past that end, too. So
+// an edge is measured between the normals at its ends, and beyond an end only where the next edge
+// has its foot behind that end.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include <tetloft/point.hpp>
+
+#include "motion/distance_samples.hpp"
+#include "motion/lattice_window.hpp"
+
+namespace tetloft::internal::motion {
+
+/// Indices first ≤ k < end.
+struct IndexRange {
+  std::int64_t first = 0, end = 0;
+  [[nodiscard]] bool empty() const { return first >= end; }
+  [[nodiscard]] IndexRange common(const IndexRange& r) const {
+    return {std::max(first, r.first), std::min(end, r.end)};
+  }
+  /// All from the first of both to the last.
+  [[nodiscard]] IndexRange joined(const IndexRange& r) const {
+    if (empty()) return r;
+    return r.empty() ? *this : IndexRange{std::min(first, r.first), std::max(end, r.end)};
+  }
+};
+
+/// Rows and columns are counted from the first of the window on.
+class NearestRegion {
+ public:
+  /// What an edge may be nearest to if edges and `reach` together are no longer, along each axis.
+  static constexpr double kLongest = 0x1p11;
+
+  /// Of the samples of the window.
+  NearestRegion(const LatticeEdges::Edge& edge, const LatticeWindow& window);
+
+  /// The rows that have samples of the region; maybe some more.
+  [[nodiscard]] IndexRange rows() const;
+  /// Its samples in a row, from the first to the last; maybe some more.
+  [[nodiscard]] IndexRange in_row(std::int64_t row) const {
+    IndexRange all{0, columns_};
+    for (const auto& end : ends_) {
+      all = all.common(end[0]
+                           .along_x.behind(static_cast<double>(row), columns_)
+                           .joined(end[1].along_x.behind(static_cast<double>(row), columns_)));
+    }
+    return all;
+  }
+
+ private:
+  /// One coordinate of a line by the other one, and the side of it that counts.
+  struct Line {
+    double at_0, slope;
+    bool upwards;
+    [[nodiscard]] IndexRange behind(double other, std::int64_t size) const {
+      const double limit = at_0 + slope * other;
+      const std::int64_t whole = !(limit >= 0) ? -1
+                                 : limit < static_cast<double>(size)
+                                     ? static_cast<std::int64_t>(limit)
+                                     : size;
+      if (upwards) return {std::max(whole, std::int64_t{0}), size};
+      return {0, std::min(whole + 1, size)};
+    }
+  };
+  struct HalfPlane {
+    Line along_x, along_y;
+  };
+  [[nodiscard]] static HalfPlane half_plane(const Point2& vertex, const Point2& direction);
+
+  std::int64_t columns_, rows_;
+  /// At a and b: what lies behind them on the edge, and on the next one, turned away.
+  std::array<std::array<HalfPlane, 2>, 2> ends_;
+};
+
+}  // namespace tetloft::internal::motion
