@@ -156,17 +156,15 @@ class Interpolation {
           window.widened(static_cast<std::int64_t>(std::ceil(most)) + 1);
       const LatticeWindow reached = window_around(edges_[s].box(), reach + 1);
       field = DistanceField(sample_distances(edges_[s], common(looked_at, reached), reach), reach);
-      if (s == lower || s == upper) field.find_depths();
     }
   }
 
   [[nodiscard]] std::vector<double> given(const LatticeWindow& w, Around s) const {
-    std::vector<double> value;
-    value.reserve(w.size());
+    std::vector<double> value(w.size());
     std::vector<double> beyond_samples;
     for (std::int64_t j = w.j0; j < w.j1; ++j) {
       const double* const row = around_.field[s].row(w.i0, w.i1, j, beyond_samples);
-      std::transform(row, row + w.nx(), std::back_inserter(value), never_zero);
+      std::transform(row, row + w.nx(), value.data() + w.place(w.i0, j), never_zero);
     }
     return value;
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 
 #include "between/segment_distance.hpp"
@@ -118,14 +119,15 @@ void GivenLabels::visit_runs(const Visit& visit) const {
   }
 }
 
-// Gives samples in no region to the nearest one.
-void GivenLabels::thicken(std::vector<std::uint32_t>& node) const {
+// The samples in no region that are near one, each as a run of the nearest.
+std::vector<LabelledRun> GivenLabels::samples_beside(const std::vector<LabelledRun>& runs) const {
   struct Near {
     double squared;
     std::uint32_t place, solid;
   };
   std::vector<Near> found;
   const LatticeWindow& w = window_;
+  const RunsByRow rows(runs, w);
   for (const LatticeContour& contour : contours_) {
     Point2 last = contour.vertices.back();
     for (const Point2& next : contour.vertices) {
@@ -140,7 +142,7 @@ void GivenLabels::thicken(std::vector<std::uint32_t>& node) const {
       for (std::int64_t j = first_index(box.y0 - kThickening, w.j0, w.j1); j < j1; ++j) {
         for (std::int64_t i = i0; i < i1; ++i) {
           const auto place = static_cast<std::uint32_t>(w.place(i, j));
-          if (node[place] != kNoNode) continue;
+          if (rows.node_at(static_cast<std::size_t>(j - w.j0), place) != kNoNode) continue;
           const Point2 p{static_cast<double>(i), static_cast<double>(j)};
           const double squared = squared_distance(p, a, b);
           if (squared < kThickening * kThickening) {
@@ -155,17 +157,24 @@ void GivenLabels::thicken(std::vector<std::uint32_t>& node) const {
     if (x.place != y.place) return x.place < y.place;
     return x.squared != y.squared ? x.squared < y.squared : x.solid < y.solid;
   });
+  std::vector<LabelledRun> beside;
   for (const Near& near : found) {
-    if (node[near.place] == kNoNode) node[near.place] = near.solid;
+    if (!beside.empty() && beside.back().first == near.place) continue;
+    beside.push_back({near.place, near.place + 1, near.solid});
   }
+  return beside;
 }
 
-// Regions too small to have a sample get the one nearest to their lowest vertex. False if there are
-// none, or nothing can be spared.
-bool GivenLabels::give_one_each(std::vector<std::uint32_t>& node) {
-  bool given = false;
+// Regions too small to have a sample get the one nearest to their lowest vertex, if it can be
+// spared.
+void GivenLabels::give_one_each() {
+  const auto is_empty = [&](const LatticeContour& contour) {
+    return contour.hole == kNoNode && solids_.size[contour.solid] == 0;
+  };
+  if (std::none_of(contours_.begin(), contours_.end(), is_empty)) return;
+  std::vector<std::uint32_t> node = solids_.nodes(window_.size());
   for (const LatticeContour& contour : contours_) {
-    if (contour.hole != kNoNode || solids_.size[contour.solid] > 0) continue;
+    if (!is_empty(contour)) continue;
     const Point2& lowest = lowest_vertex(contour.vertices);
     const std::int64_t i = first_index(lowest.x - 0.5, window_.i0, window_.i1 - 1);
     const std::int64_t j = first_index(lowest.y - 0.5, window_.j0, window_.j1 - 1);
@@ -174,9 +183,8 @@ bool GivenLabels::give_one_each(std::vector<std::uint32_t>& node) {
     if (at != kNoNode) --solids_.size[at];
     at = contour.solid;
     solids_.size[at] = 1;
-    given = true;
   }
-  return given;
+  solids_.runs = runs_of(window_, node);
 }
 
 // By their lowest vertices, so that nothing depends on their order in the section.
@@ -203,15 +211,18 @@ void GivenLabels::add_contours(const GivenRegions& given) {
 
 GivenLabels::GivenLabels(const GivenRegions& given, const LatticeWindow& window) : window_(window) {
   add_contours(given);
-  std::vector<std::uint32_t> node(window.size(), kNoNode);
+  std::vector<LabelledRun> within;
   visit_runs([&](std::size_t first, std::size_t end, const Around& around) {
     const std::uint32_t solid = around.solid();
-    if (solid != kNoNode) std::fill(node.data() + first, node.data() + end, solid);
+    if (solid == kNoNode) return;
+    within.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(end), solid});
   });
-  thicken(node);
-  solids_.runs = runs_of(window, node);
+  const std::vector<LabelledRun> beside = samples_beside(within);
+  std::merge(within.begin(), within.end(), beside.begin(), beside.end(),
+             std::back_inserter(solids_.runs),
+             [](const LabelledRun& a, const LabelledRun& b) { return a.first < b.first; });
   solids_.size = sizes_of(solids_.runs, given.regions.size());
-  if (give_one_each(node)) solids_.runs = runs_of(window, node);
+  give_one_each();
 }
 
 LayerLabels GivenLabels::voids() const {

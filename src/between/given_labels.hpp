@@ -48,8 +48,8 @@ class GivenLabels {
   void add_contours(const GivenRegions& given);
   template <class Visit>
   void visit_runs(const Visit& visit) const;
-  void thicken(std::vector<std::uint32_t>& node) const;
-  [[nodiscard]] bool give_one_each(std::vector<std::uint32_t>& node);
+  [[nodiscard]] std::vector<LabelledRun> samples_beside(const std::vector<LabelledRun>& runs) const;
+  void give_one_each();
 
   motion::LatticeWindow window_;
   std::vector<LatticeContour> contours_;  // by their lowest vertices

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "between/inside_runs.hpp"
 #include "core/union_find.hpp"
 
 namespace tetloft::internal::between {
@@ -31,23 +32,15 @@ void visit_touching(const Runs& runs, std::uint32_t nx, std::uint32_t aside, con
   }
 }
 
-// Labels the parts of the samples for which in(value) holds; those across are neighbours if
+// Labels the parts of the negative samples, or of the others; those across are neighbours if
 // `aside` is 1.
-template <class In>
 LayerLabels label_parts(const motion::LatticeWindow& window, const std::vector<double>& value,
-                        std::uint32_t aside, const In& in) {
+                        bool negative, std::uint32_t aside) {
   const auto nx = static_cast<std::uint32_t>(window.nx());
   LayerLabels labels;
-  for (std::uint32_t row = 0; row < value.size(); row += nx) {
-    const std::uint32_t end = row + nx;
-    for (std::uint32_t at = row; at < end;) {
-      while (at < end && !in(value[at])) ++at;
-      if (at == end) break;
-      const std::uint32_t first = at;
-      while (at < end && in(value[at])) ++at;
-      labels.runs.push_back({first, at, kNoNode});
-    }
-  }
+  visit_sign_runs(window, value, negative, [&](std::uint32_t first, std::uint32_t end) {
+    labels.runs.push_back({first, end, kNoNode});
+  });
   UnionFind parts(labels.runs.size());
   // In each part runs that touch are one more than a tree has for each void that they enclose.
   visit_touching(labels.runs, nx, aside, [&](std::size_t low, std::size_t high) {
@@ -85,6 +78,16 @@ std::vector<std::uint32_t> LayerLabels::nodes(std::size_t places) const {
   return node;
 }
 
+RunsByRow::RunsByRow(const std::vector<LabelledRun>& runs, const motion::LatticeWindow& window)
+    : runs_(runs) {
+  first_.reserve(window.ny() + 1);
+  std::size_t run = 0;
+  for (std::size_t row = 0; row <= window.ny(); ++row) {
+    while (run < runs.size() && runs[run].first < row * window.nx()) ++run;
+    first_.push_back(run);
+  }
+}
+
 std::vector<LabelledRun> runs_of(const motion::LatticeWindow& window,
                                  const std::vector<std::uint32_t>& node) {
   std::vector<LabelledRun> runs;
@@ -101,11 +104,11 @@ std::vector<LabelledRun> runs_of(const motion::LatticeWindow& window,
 }
 
 LayerLabels label_solids(const motion::LatticeWindow& window, const std::vector<double>& value) {
-  return label_parts(window, value, 0, [](double v) { return v < 0; });
+  return label_parts(window, value, true, 0);
 }
 
 LayerLabels label_voids(const motion::LatticeWindow& window, const std::vector<double>& value) {
-  LayerLabels labels = label_parts(window, value, 1, [](double v) { return !(v < 0); });
+  LayerLabels labels = label_parts(window, value, false, 1);
   labels.enclosed = 0;
   if (!labels.size.empty()) labels.size[kExterior] = kUnbounded;
   return labels;

@@ -94,10 +94,9 @@ class Layer {
     for (std::int64_t j = tile.j0; j < tile.j1; ++j) {
       const Point2* const u = motion.data() + window_.place(tile.i0, j);
       if (sampled) {
-        fill_row(tile, j, u,
-                 [](const DistanceField& f, double x, double y) { return f.at_sampled(x, y); });
+        fill_row(tile, j, u, [](const DistanceField& field) { return field.sampled(); });
       } else {
-        fill_row(tile, j, u, [](const DistanceField& f, double x, double y) { return f.at(x, y); });
+        fill_row(tile, j, u, [](const DistanceField& field) { return Anywhere{field}; });
       }
     }
   }
@@ -118,16 +117,25 @@ class Layer {
         cubic_counts(row[lower], row[upper]) ? values(row) : far_values(row[lower], row[upper]));
   }
 
-  // Row j of a tile, of these motions; at(field, x, y): the distance there.
-  template <class At>
-  void fill_row(const LatticeWindow& tile, std::int64_t j, const Point2* motion, const At& at) {
+  struct Anywhere {
+    const DistanceField& field;
+    [[nodiscard]] double at(double x, double y) const { return field.at(x, y); }
+  };
+
+  // Row j of a tile, of these motions; of(field).at(x, y): the distance there.
+  template <class Of>
+  void fill_row(const LatticeWindow& tile, std::int64_t j, const Point2* motion, const Of& of) {
+    const std::size_t n = tile.nx();
     const auto y = static_cast<double>(j);
     std::array<TileRow, 4> p;
     const auto look_up = [&](std::size_t s) {
-      p[s].fill(around_.reach);
-      for (std::size_t k = 0; k < tile.nx(); ++k) {
+      const auto distance = of(around_.field[s]);
+      const double by = by_[s];
+      TileRow& row = p[s];
+      row.fill(around_.reach);
+      for (std::size_t k = 0; k < n; ++k) {
         const auto x = static_cast<double>(tile.i0 + static_cast<std::int64_t>(k));
-        p[s][k] = at(around_.field[s], x + by_[s] * motion[k].x, y + by_[s] * motion[k].y);
+        row[k] = distance.at(x + by * motion[k].x, y + by * motion[k].y);
       }
     };
     look_up(lower);

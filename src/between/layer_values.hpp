@@ -19,8 +19,8 @@ inline constexpr double kOvergrowth = 0.4;
 
 /// What lies around a slab, in steps.
 struct FieldsAround {
-  std::array<DistanceField, 4> field;  ///< of the slab's own sections with their depths
-  std::array<double, 4> share{};       ///< heights, in gaps
+  std::array<DistanceField, 4> field;
+  std::array<double, 4> share{};  ///< heights, in gaps
   Beside beside;
   double reach = 0;  ///< what is far in all fields
 };

@@ -68,16 +68,17 @@ class Tester {
     const Contact pair{std::min(i, j), std::max(i, j)};
     if (!lowest_.wants(pair)) return;
     ++tested_;
-    TriangleVertices a = triangles_[i];
-    TriangleVertices b = triangles_[j];
-    const std::size_t shared = contact_detail::bring_shared_forward(a, b);
-    if (shared == 0 && separation_.apart(a, b)) return;
+    const contact_detail::Meeting meeting(triangles_[i], triangles_[j]);
+    if (meeting.shared == 0 && separation_.apart(meeting.a, meeting.b)) return;
     const Facing& of_a = facing(i);
     const Facing& of_b = facing(j);
     const bool degenerate =
         of_a.axis == contact_detail::Axis::none || of_b.axis == contact_detail::Axis::none;
-    if (shared == 1 && !degenerate && separation_.meet_in_first_alone(a, b)) return;
-    if (contact_detail::touch(points_, shared, a, of_a, b, of_b)) lowest_.add(pair);
+    if (meeting.shared == 1 && !degenerate &&
+        separation_.meet_in_first_alone(meeting.a, meeting.b)) {
+      return;
+    }
+    if (contact_detail::touch(points_, meeting, of_a, of_b)) lowest_.add(pair);
   }
 
   [[nodiscard]] std::vector<Contact> sorted() { return lowest_.sorted(); }

@@ -72,23 +72,29 @@ class Conforming {
   IdVector<SectionId, std::optional<std::string>> refused_;  // by section: why it is not divided
 };
 
+Result<IdVector<SectionId, Nesting>> nestings_of(const GivenStack& given,
+                                                 const Execution& execution) {
+  if (given.nestings != nullptr) return *given.nestings;
+  const Execution alone = untold(execution);
+  WatchedWork work(alone, 0);
+  return sections::nest_if_valid(*given.stack, work);
+}
+
 }  // namespace
 
-Result<PreparedStack> prepare(const SectionStack& given, Unit unit,
-                              const ReconstructOptions& options, WatchedWork& work,
-                              Conform conform) {
-  const Execution alone = untold(options.execution);
-  WatchedWork validation(alone, 0);
-  Result<IdVector<SectionId, Nesting>> nestings = sections::nest_if_valid(given, validation);
+Result<PreparedStack> prepare(const GivenStack& given, Unit unit, const ReconstructOptions& options,
+                              WatchedWork& work, Conform conform) {
+  Result<IdVector<SectionId, Nesting>> nestings = nestings_of(given, options.execution);
   if (!nestings) return nestings.error();
+  const SectionStack& stack = *given.stack;
   PreparedStack prepared;
   prepared.work_limit = options.work_limit;
   if (unit == Unit::of_the_stack) {
-    UnitOfLength length = sections::unit_of(given);
-    if (given.sections.size() == 1 && options.thickness) length.include(*options.thickness);
+    UnitOfLength length = sections::unit_of(stack);
+    if (stack.sections.size() == 1 && options.thickness) length.include(*options.thickness);
     prepared.exponent = length.exponent();
   }
-  prepared.stack = sections::scaled(given, prepared.exponent);
+  prepared.stack = sections::scaled(stack, prepared.exponent);
   prepared.nestings = *std::move(nestings);  // scaling by a power of two changes no order
   prepared.sections.resize(prepared.section_count());
   Conforming sections(prepared, divides_coarse(options) && conform == Conform::all);

@@ -6,11 +6,17 @@
 
 #include <tetloft/conforming_section.hpp>
 
+#include "delaunay2/conforming.hpp"
+
 namespace tetloft::internal::sections {
 
-/// Renumbers the vertices of `triangulation` in canonical order and its triangles
-/// canonically, and fills triangulation, edges (kinds left external) and first_edge of
-/// `section`. Returns the new id of every old vertex.
+/// Numbers vertices and triangles canonically, and fills triangulation, edges (kinds left external)
+/// and first_edge of `section`. Returns the new id of every point.
+IdVector<PlaneVertexId, PlaneVertexId> adopt(const delaunay2_detail::ConformedPlane& plane,
+                                             ConformingSection& section);
+/// The same of a triangulation whose neighbours do not matter: renumbers the vertices of
+/// `triangulation` in canonical order and its triangles canonically, and fills triangulation, edges
+/// (kinds left external) and first_edge of `section`. Returns the new id of every old vertex.
 IdVector<PlaneVertexId, PlaneVertexId> adopt(const Triangulation2& triangulation,
                                              ConformingSection& section);
 

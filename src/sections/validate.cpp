@@ -203,6 +203,12 @@ Result<IdVector<SectionId, Nesting>> sections::nest_if_valid(const SectionStack&
   return error;
 }
 
+Result<IdVector<SectionId, Nesting>> sections::nest_if_valid(const SectionStack& stack) {
+  const Execution alone{.threads = 1};
+  WatchedWork work(alone, 0);
+  return nest_if_valid(stack, work);
+}
+
 Result<void> sections::validate_within(const SectionStack& stack, WatchedWork& work) {
   const Result<IdVector<SectionId, Nesting>> nested = nest_if_valid(stack, work);
   if (!nested) return nested.error();
@@ -213,6 +219,15 @@ Result<void> validate(const SectionStack& stack, const Execution& given) {
   return guard_threads(given, [&](const Execution& execution) {
     WatchedWork work(execution, stack.sections.size());
     return sections::validate_within(stack, work);
+  });
+}
+
+Result<ValidStack> ValidStack::of(SectionStack stack, const Execution& given) {
+  return guard_threads(given, [&](const Execution& execution) -> Result<ValidStack> {
+    WatchedWork work(execution, stack.sections.size());
+    Result<IdVector<SectionId, Nesting>> nested = sections::nest_if_valid(stack, work);
+    if (!nested) return nested.error();
+    return sections::ValidStackMaker::make(std::move(stack), *std::move(nested));
   });
 }
 
