@@ -36,12 +36,12 @@ class Layered {
     sort_distinct(all);
     std::vector<std::vector<std::uint32_t>> sets(all.size());
     for (std::size_t k = 0; k < layers(); ++k) {
-      for (std::size_t at = 0; at < samples_; ++at) {
-        const std::uint32_t node = solids_.layers[k].node[at];
-        if (node == kNoNode || is_on_border(at)) continue;
+      for (const auto& [first, end, node] : solids_.layers[k].runs) {
         const auto set = std::lower_bound(all.begin(), all.end(), numbers[k][node]);
-        sets[static_cast<std::size_t>(set - all.begin())].push_back(
-            static_cast<std::uint32_t>(k * samples_ + at));
+        std::vector<std::uint32_t>& of_set = sets[static_cast<std::size_t>(set - all.begin())];
+        for (std::size_t at = first; at < end; ++at) {
+          if (!is_on_border(at)) of_set.push_back(static_cast<std::uint32_t>(k * samples_ + at));
+        }
       }
     }
     return sets;

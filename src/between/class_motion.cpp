@@ -26,6 +26,9 @@ using motion::LatticeWindow;
 // for. What sections differ in is looked at tile by tile, as many nodes along each axis.
 constexpr std::int64_t kStride = 4;
 constexpr std::int64_t kTile = 16;
+// As many nodes are sampled at once: what lies around them is sampled again for the next ones, so
+// there are several tiles; their samples take some megabytes.
+constexpr std::int64_t kBlock = 4 * kTile;
 constexpr double kAround = 2 * kStepsPerGap;
 constexpr double kNodesPerGap = static_cast<double>(kStepsPerGap) / kStride;
 // All from here on settled by measurement, and flat: README. Both sections are moved by whole
@@ -86,14 +89,25 @@ LatticeWindow samples_of(const LatticeWindow& nodes) {
   return {nodes.i0 * kStride, nodes.j0 * kStride, nodes.i1 * kStride, nodes.j1 * kStride};
 }
 
-std::vector<LatticeWindow> tiles_of(const LatticeWindow& nodes) {
+// Parts of a window, as long as `side` along each axis, row by row.
+std::vector<LatticeWindow> tiles_of(const LatticeWindow& nodes, std::int64_t side) {
   std::vector<LatticeWindow> tiles;
-  for (std::int64_t j = nodes.j0; j < nodes.j1; j += kTile) {
-    for (std::int64_t i = nodes.i0; i < nodes.i1; i += kTile) {
-      tiles.push_back({i, j, std::min(i + kTile, nodes.i1), std::min(j + kTile, nodes.j1)});
+  for (std::int64_t j = nodes.j0; j < nodes.j1; j += side) {
+    for (std::int64_t i = nodes.i0; i < nodes.i1; i += side) {
+      tiles.push_back({i, j, std::min(i + side, nodes.i1), std::min(j + side, nodes.j1)});
     }
   }
   return tiles;
+}
+
+// Are there different values in a part of the samples?
+bool varies(const DistanceSamples& samples, const LatticeWindow& part) {
+  const double first = *samples.at(part.i0, part.j0);
+  for (std::int64_t j = part.j0; j < part.j1; ++j) {
+    const double* const row = samples.at(part.i0, j);
+    if (std::any_of(row, row + part.nx(), [=](double d) { return d != first; })) return true;
+  }
+  return false;
 }
 
 // How many samples of a row are inside in both sections.
@@ -163,18 +177,22 @@ class Fit {
     return static_cast<double>(both) >= kAtRest * static_cast<double>(either);
   }
 
-  // Turns to some nodes. False if there is nothing to see: all is far inside or far outside.
+  // Samples what is looked at of these nodes and of all among them.
+  void sample(const LatticeWindow& nodes) {
+    for (std::size_t s = 0; s < 4; ++s) {
+      if (tells_[s]) samples_[s] = sample_distances(edges_[s], looked_at(nodes, s));
+    }
+  }
+
+  // Turns to some nodes that were sampled. False if there is nothing to see: all is far inside or
+  // far outside.
   bool look_at(const LatticeWindow& nodes) {
     tile_ = nodes;
     bool seen = false;
-    const double longest = std::sqrt(static_cast<double>(kLongest2));
     for (std::size_t s = 0; s < 4; ++s) {
       if (!tells_[s]) continue;
-      const auto margin = static_cast<std::int64_t>(std::ceil(std::abs(share_[s]) * longest)) + 1;
-      samples_[s] = sample_distances(edges_[s], samples_of(nodes).widened(margin));
       row_[s].resize(nodes.nx());
-      const std::vector<double>& d = samples_[s].value;
-      seen = seen || std::any_of(d.begin(), d.end(), [&](double x) { return x != d.front(); });
+      seen = seen || varies(samples_[s], looked_at(nodes, s));
     }
     return seen;
   }
@@ -203,6 +221,13 @@ class Fit {
   }
 
  private:
+  // The samples of a section that some half of a motion moves to one of these nodes.
+  [[nodiscard]] LatticeWindow looked_at(const LatticeWindow& nodes, std::size_t s) const {
+    const double longest = std::sqrt(static_cast<double>(kLongest2));
+    const auto margin = static_cast<std::int64_t>(std::ceil(std::abs(share_[s]) * longest)) + 1;
+    return samples_of(nodes).widened(margin);
+  }
+
   // In one section of the slab only.
   [[nodiscard]] bool is_lone() const { return !tells_[lower] || !tells_[upper]; }
 
@@ -266,6 +291,10 @@ std::pair<std::int64_t, double> place_between(double at, std::int64_t low, std::
   return {low + whole, on - static_cast<double>(whole)};
 }
 
+Point2 part_of_way(const Point2& from, const Point2& to, double share) {
+  return {from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)};
+}
+
 }  // namespace
 
 Point2 MotionField::at(const Point2& p) const {
@@ -273,10 +302,38 @@ Point2 MotionField::at(const Point2& p) const {
   const auto [j, fy] = place_between(p.y / spacing, window.j0, window.j1);
   const Point2* const low = node.data() + window.place(i, j);
   const Point2* const high = low + window.nx();
-  const Point2 a{low[0].x + fx * (low[1].x - low[0].x), low[0].y + fx * (low[1].y - low[0].y)};
-  const Point2 b{high[0].x + fx * (high[1].x - high[0].x),
-                 high[0].y + fx * (high[1].y - high[0].y)};
-  return {a.x + fy * (b.x - a.x), a.y + fy * (b.y - a.y)};
+  return part_of_way(part_of_way(low[0], low[1], fx), part_of_way(high[0], high[1], fx), fy);
+}
+
+std::vector<Point2> MotionField::at_samples(const motion::LatticeWindow& samples,
+                                            double step) const {
+  std::vector<std::pair<std::int64_t, double>> columns;
+  for (std::int64_t i = samples.i0; i < samples.i1; ++i) {
+    columns.push_back(place_between(static_cast<double>(i) * step / spacing, window.i0, window.i1));
+  }
+  std::vector<Point2> result(samples.size());
+  auto next = result.begin();
+  // At the columns, on the rows of nodes below and above; for one row of cells after the other.
+  std::vector<Point2> below(columns.size());
+  std::vector<Point2> above(columns.size());
+  std::optional<std::int64_t> cells;
+  for (std::int64_t j = samples.j0; j < samples.j1; ++j) {
+    const auto [row, fy] =
+        place_between(static_cast<double>(j) * step / spacing, window.j0, window.j1);
+    if (row != cells) {
+      for (std::size_t k = 0; k < columns.size(); ++k) {
+        const Point2* const low = node.data() + window.place(columns[k].first, row);
+        const Point2* const high = low + window.nx();
+        below[k] = part_of_way(low[0], low[1], columns[k].second);
+        above[k] = part_of_way(high[0], high[1], columns[k].second);
+      }
+      cells = row;
+    }
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      *next++ = part_of_way(below[k], above[k], fy);
+    }
+  }
+  return result;
 }
 
 std::optional<MotionField> estimate_motion(const ClassOutlines& outlines) {
@@ -290,17 +347,20 @@ std::optional<MotionField> estimate_motion(const ClassOutlines& outlines) {
   std::vector<double> weight(nodes.size(), 0);
   Smoother around(kSigma * kNodesPerGap, Smoother::Outside::zero);
   Misfits misfit;
-  for (const LatticeWindow& tile : tiles_of(nodes)) {
-    const LatticeWindow wide = tile.widened(around.reach());
-    if (!fit.look_at(wide)) continue;
-    measure_misfits(fit, wide, halves, around, misfit);
-    for (std::int64_t j = tile.j0; j < tile.j1; ++j) {
-      for (std::int64_t i = tile.i0; i < tile.i1; ++i) {
-        const Vote vote = vote_of(halves, misfit, wide.place(i, j));
-        const std::size_t k = nodes.place(i, j);
-        x[k] = vote.weight * vote.motion.x;
-        y[k] = vote.weight * vote.motion.y;
-        weight[k] = vote.weight;
+  for (const LatticeWindow& block : tiles_of(nodes, kBlock)) {
+    fit.sample(block.widened(around.reach()));
+    for (const LatticeWindow& tile : tiles_of(block, kTile)) {
+      const LatticeWindow wide = tile.widened(around.reach());
+      if (!fit.look_at(wide)) continue;
+      measure_misfits(fit, wide, halves, around, misfit);
+      for (std::int64_t j = tile.j0; j < tile.j1; ++j) {
+        for (std::int64_t i = tile.i0; i < tile.i1; ++i) {
+          const Vote vote = vote_of(halves, misfit, wide.place(i, j));
+          const std::size_t k = nodes.place(i, j);
+          x[k] = vote.weight * vote.motion.x;
+          y[k] = vote.weight * vote.motion.y;
+          weight[k] = vote.weight;
+        }
       }
     }
   }

@@ -20,6 +20,9 @@ struct MotionField {
   std::vector<Point2> node;
   /// Bilinear between nodes; outside the window that of its border.
   [[nodiscard]] Point2 at(const Point2& p) const;
+  /// At the samples (i · step, j · step) of a window, row by row.
+  [[nodiscard]] std::vector<Point2> at_samples(const motion::LatticeWindow& samples,
+                                               double step) const;
 };
 
 /// The motion of a class around its regions in the slab's two sections, as the README defines it,

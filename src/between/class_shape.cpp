@@ -43,16 +43,15 @@ LatticeWindow common(const LatticeWindow& a, const LatticeWindow& b) {
   return w.i0 < w.i1 && w.j0 < w.j1 ? w : LatticeWindow{};
 }
 
+// Keeps the values of a part of the window.
 template <class Value>
-std::vector<Value> part_of(const std::vector<Value>& all, const LatticeWindow& from,
-                           const LatticeWindow& to) {
-  std::vector<Value> part;
-  part.reserve(to.size());
+void crop(std::vector<Value>& values, const LatticeWindow& from, const LatticeWindow& to) {
+  auto kept = values.begin();
   for (std::int64_t j = to.j0; j < to.j1; ++j) {
-    const auto row = all.begin() + static_cast<std::ptrdiff_t>(from.place(to.i0, j));
-    part.insert(part.end(), row, row + static_cast<std::ptrdiff_t>(to.nx()));
+    const auto row = values.begin() + static_cast<std::ptrdiff_t>(from.place(to.i0, j));
+    kept = std::copy(row, row + static_cast<std::ptrdiff_t>(to.nx()), kept);
   }
-  return part;
+  values.erase(kept, values.end());
 }
 
 // The samples inside in any layer, and those around them.
@@ -80,8 +79,8 @@ LatticeWindow inside_of(const ClassShape& shape, LatticeWindow inside) {
 }
 
 void crop(ClassShape& shape, const LatticeWindow& to) {
-  for (std::vector<double>& value : shape.value) value = part_of(value, shape.window, to);
-  if (!shape.motion.empty()) shape.motion = part_of(shape.motion, shape.window, to);
+  for (std::vector<double>& value : shape.value) crop(value, shape.window, to);
+  if (!shape.motion.empty()) crop(shape.motion, shape.window, to);
   shape.window = to;
 }
 
@@ -161,12 +160,11 @@ class Interpolation {
   }
 
   [[nodiscard]] std::vector<double> given(const LatticeWindow& w, Around s) const {
-    std::vector<double> value;
-    value.reserve(w.size());
+    std::vector<double> value(w.size());
     std::vector<double> beyond_samples;
     for (std::int64_t j = w.j0; j < w.j1; ++j) {
       const double* const row = around_.field[s].row(w.i0, w.i1, j, beyond_samples);
-      std::transform(row, row + w.nx(), std::back_inserter(value), never_zero);
+      std::transform(row, row + w.nx(), value.data() + w.place(w.i0, j), never_zero);
     }
     return value;
   }
@@ -198,14 +196,8 @@ ClassShape interpolate(const ClassOutlines& outlines, double step, const std::ve
     longest = std::max({longest, std::abs(u.x), std::abs(u.y)});
   }
   const LatticeWindow w = interpolation.window(longest);
-  std::vector<Point2> motion;
-  motion.reserve(w.size());
-  for (std::int64_t j = w.j0; j < w.j1; ++j) {
-    for (std::int64_t i = w.i0; i < w.i1; ++i) {
-      const Point2 u = field->at({static_cast<double>(i) * step, static_cast<double>(j) * step});
-      motion.push_back(interpolation.shortened({u.x / step, u.y / step}));
-    }
-  }
+  std::vector<Point2> motion = field->at_samples(w, step);
+  for (Point2& u : motion) u = interpolation.shortened({u.x / step, u.y / step});
   return interpolation.shape(at, std::move(motion), longest);
 }
 

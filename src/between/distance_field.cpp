@@ -5,17 +5,7 @@
 
 namespace tetloft::internal::between {
 
-namespace {
-
-// Samples of a tile along each axis, as a power of two.
-constexpr std::size_t kTileBits = 3;
-
-Depth depth_of(double value, double far) {
-  if (value == far) return Depth::far_outside;
-  return value == -far ? Depth::far_inside : Depth::near;
-}
-
-}  // namespace
+using motion::DistanceSamples;
 
 DistanceField::DistanceField(motion::DistanceSamples samples, double far)
     : samples_(std::move(samples)), far_(far) {
@@ -25,29 +15,6 @@ DistanceField::DistanceField(motion::DistanceSamples samples, double far)
   last_x_ = static_cast<double>(w.i1 - w.i0 - 1);
   last_y_ = static_cast<double>(w.j1 - w.j0 - 1);
   nx_ = w.i1 - w.i0;
-  find_depths();
-}
-
-void DistanceField::find_depths() {
-  const std::size_t nx = samples_.window.nx();
-  const std::size_t ny = samples_.window.ny();
-  const double* const value = samples_.value.data();
-  tiles_ = (nx >> kTileBits) + 1;
-  depths_.resize(tiles_ * ((ny >> kTileBits) + 1));
-  for (std::size_t j = 0; j < ny; ++j) {
-    const double* const row = value + j * nx;
-    Depth* const of_row = depths_.data() + (j >> kTileBits) * tiles_;
-    for (std::size_t first = 0; first < nx; first += std::size_t{1} << kTileBits) {
-      Depth& depth = of_row[first >> kTileBits];
-      const std::size_t end = std::min(first + (std::size_t{1} << kTileBits), nx);
-      if (j % (std::size_t{1} << kTileBits) == 0) depth = depth_of(row[first], far_);
-      if (depth == Depth::near) continue;
-      const double same = depth == Depth::far_outside ? far_ : -far_;
-      if (!std::all_of(row + first, row + end, [=](double v) { return v == same; })) {
-        depth = Depth::near;
-      }
-    }
-  }
 }
 
 const double* DistanceField::row(std::int64_t i0, std::int64_t i1, std::int64_t j,
@@ -75,16 +42,21 @@ Depth DistanceField::depth(const Box2& box) const {
   // At a place there are the samples on both sides.
   const double i1 = std::min(box.x1 - x0_ + 1, last_x_);
   const double j1 = std::min(box.y1 - y0_ + 1, last_y_);
-  if (depths_.empty() || !(i0 <= i1 && j0 <= j1)) return Depth::far_outside;
-  const auto tile_of = [](double at) { return static_cast<std::size_t>(at) >> kTileBits; };
-  const Depth depth =
-      samples_all(box) ? depths_[tile_of(j0) * tiles_ + tile_of(i0)] : Depth::far_outside;
+  if (samples_.near.empty() || !(i0 <= i1 && j0 <= j1)) return Depth::far_outside;
+  const auto tile_of = [](double at) {
+    return static_cast<std::size_t>(static_cast<std::int64_t>(at)) / DistanceSamples::kTile;
+  };
+  // Whatever is near lies in a tile that is so: elsewhere all of the box is on one side.
+  const std::size_t tiles = samples_.tiles_in_row();
   for (std::size_t j = tile_of(j0); j <= tile_of(j1); ++j) {
     for (std::size_t i = tile_of(i0); i <= tile_of(i1); ++i) {
-      if (depths_[j * tiles_ + i] != depth) return Depth::near;
+      if (samples_.near[j * tiles + i] != 0) return Depth::near;
     }
   }
-  return depth;
+  const double first = samples_.value[static_cast<std::size_t>(static_cast<std::int64_t>(j0) * nx_ +
+                                                               static_cast<std::int64_t>(i0))];
+  if (first == far_) return Depth::far_outside;
+  return samples_all(box) ? Depth::far_inside : Depth::near;
 }
 
 }  // namespace tetloft::internal::between

@@ -12,8 +12,8 @@ namespace tetloft::internal::between {
 
 /// Joins the parts of each group in a layer between by cheapest paths: a step costs 0.1 and the
 /// square of how far outside the sample is, none leads over foreign samples or beside another
-/// part. Paths become inside, in `shape` and in `labels`. False if nothing changed.
+/// part. `labels`: of the layer's solids. Paths become inside in `shape`. False if nothing changed.
 bool join_parts(const std::vector<DoublyConnected>& groups, ForeignSamples& foreign,
-                std::size_t layer, ClassShape& shape, LayerLabels& labels);
+                std::size_t layer, ClassShape& shape, const LayerLabels& labels);
 
 }  // namespace tetloft::internal::between

@@ -1,8 +1,10 @@
 #include "between/layer_graph.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
+#include "between/shared_samples.hpp"
 #include "core/sort_distinct.hpp"
 #include "core/union_find.hpp"
 
@@ -10,117 +12,11 @@ namespace tetloft::internal::between {
 
 namespace {
 
-struct Shared {
-  LayerEdge nodes;
-  std::size_t samples = 0;
-};
-
-// Two neighbouring layers of one class.
-struct LayerPair {
-  NodeKind kind;
-  const LayerLabels& below;
-  const LayerLabels& above;
-  const ClassShape& shape;
-
-  /// The node beyond the window.
-  [[nodiscard]] std::uint32_t outside() const {
-    return kind == NodeKind::solid ? kNoNode : kExterior;
-  }
-  [[nodiscard]] bool is_lone() const { return below.size.size() == 1 && above.size.size() == 1; }
-  /// Is it enough to be connected?
-  [[nodiscard]] bool is_edge(const Shared& shared) const {
-    const std::size_t smaller =
-        std::min(below.size[shared.nodes.first], above.size[shared.nodes.second]);
-    if (smaller == kUnbounded) return true;
-    return kind == NodeKind::solid ? 50 * shared.samples >= smaller : 10 * shared.samples > smaller;
-  }
-};
-
-// Samples that nodes share, as they are found.
-class SharedSamples {
- public:
-  void add(const LayerEdge& nodes, std::size_t samples) {
-    if (runs_.empty() || runs_.back().nodes != nodes) runs_.push_back({nodes});
-    runs_.back().samples += samples;
-  }
-  /// Of two nodes only, with enough of them: how many more there are does not matter.
-  [[nodiscard]] bool suffice(const LayerPair& pair) const {
-    return pair.is_lone() && !runs_.empty() && pair.is_edge(runs_.back());
-  }
-  /// Of each two nodes; sorted.
-  [[nodiscard]] std::vector<Shared> summed() && {
-    std::sort(runs_.begin(), runs_.end(),
-              [](const Shared& a, const Shared& b) { return a.nodes < b.nodes; });
-    std::vector<Shared> result;
-    for (const Shared& run : runs_) {
-      if (result.empty() || result.back().nodes != run.nodes) result.push_back({run.nodes});
-      result.back().samples += run.samples;
-    }
-    return result;
-  }
-
- private:
-  std::vector<Shared> runs_;
-};
-
-void share_row_at_rest(const LayerPair& pair, std::size_t j, SharedSamples& shared) {
-  const std::size_t nx = pair.shape.window.nx();
-  const std::uint32_t* const below = pair.below.node.data() + j * nx;
-  const std::uint32_t* const above = pair.above.node.data() + j * nx;
-  for (std::size_t i = 0; i < nx;) {
-    const std::size_t first = i;
-    const LayerEdge nodes{below[i], above[i]};
-    do ++i;
-    while (i < nx && below[i] == nodes.first && above[i] == nodes.second);
-    if (nodes.first != kNoNode && nodes.second != kNoNode) shared.add(nodes, i - first);
-  }
-}
-
-void share_row(const LayerPair& pair, std::size_t j, double share, SharedSamples& shared) {
-  const std::size_t nx = pair.shape.window.nx();
-  const auto width = static_cast<double>(nx);
-  const auto height = static_cast<double>(pair.shape.window.ny());
-  const std::uint32_t outside = pair.outside();
-  // The node at (x, y) of the window, to the nearest sample: halves go up.
-  const auto node_at = [=](const LayerLabels& labels, double x, double y) {
-    const double i = x + 0.5;
-    const double k = y + 0.5;
-    if (!(i >= 0 && k >= 0 && i < width && k < height)) return outside;
-    return labels.node[static_cast<std::size_t>(k) * nx + static_cast<std::size_t>(i)];
-  };
-  const Point2* const motion = pair.shape.motion.data() + j * nx;
-  const auto y = static_cast<double>(j);
-  for (std::size_t i = 0; i < nx; ++i) {
-    const double by_x = share * motion[i].x;
-    const double by_y = share * motion[i].y;
-    const auto x = static_cast<double>(i);
-    const LayerEdge nodes{node_at(pair.below, x - by_x, y - by_y),
-                          node_at(pair.above, x + by_x, y + by_y)};
-    if (nodes.first != kNoNode && nodes.second != kNoNode) shared.add(nodes, 1);
-  }
-}
-
-// How many samples each two nodes share with both layers moved by this share of the motion towards
-// each other, those without any left out; sorted. No more than it takes to be connected of two
-// nodes that are the only ones.
-std::vector<Shared> shared_samples(const LayerPair& pair, double share) {
-  const bool at_rest = share == 0 || pair.shape.motion.empty();
-  SharedSamples shared;
-  for (std::size_t j = 0; j < pair.shape.window.ny() && !shared.suffice(pair); ++j) {
-    if (at_rest) {
-      share_row_at_rest(pair, j, shared);
-    } else {
-      share_row(pair, j, share, shared);
-    }
-  }
-  return std::move(shared).summed();
-}
-
 std::vector<LayerEdge> edges_between(const LayerPair& pair, double share) {
   std::vector<LayerEdge> edges;
   std::vector<std::uint8_t> has_below(pair.below.size.size(), 0);
   std::vector<std::uint8_t> has_above(pair.above.size.size(), 0);
-  for (const Shared& shared : shared_samples(pair, share)) {
+  for (const SharedSamples& shared : shared_samples(pair, share)) {
     if (!pair.is_edge(shared)) continue;
     edges.push_back(shared.nodes);
     has_below[shared.nodes.first] = has_above[shared.nodes.second] = 1;
@@ -129,7 +25,7 @@ std::vector<LayerEdge> edges_between(const LayerPair& pair, double share) {
     return std::find(has.begin(), has.end(), 0) == has.end();
   };
   if (all(has_below) && all(has_above)) return edges;
-  for (const Shared& shared : shared_samples(pair, 0)) {
+  for (const SharedSamples& shared : shared_samples(pair, 0)) {
     const auto& [low, high] = shared.nodes;
     if ((has_below[low] == 0 || has_above[high] == 0) && pair.is_edge(shared)) {
       edges.push_back(shared.nodes);
@@ -180,11 +76,13 @@ std::vector<std::size_t> numbers_of(const LayerGraph& graph, const Numbering& nu
 LayerGraph connect_layers(NodeKind kind, const ClassShape& shape, const std::vector<double>& at,
                           std::vector<LayerLabels> layers) {
   LayerGraph graph{kind, std::move(layers), {}};
+  double longest = 0;
+  for (const Point2& u : shape.motion) longest = std::max({longest, std::abs(u.x), std::abs(u.y)});
   for (std::size_t k = 0; k + 1 < graph.layers.size(); ++k) {
     const double low = k == 0 ? 0 : at[k - 1];
     const double high = k == at.size() ? 1 : at[k];
-    graph.edges.push_back(
-        edges_between({kind, graph.layers[k], graph.layers[k + 1], shape}, (high - low) / 2));
+    graph.edges.push_back(edges_between(
+        {kind, graph.layers[k], graph.layers[k + 1], shape, longest}, (high - low) / 2));
   }
   return graph;
 }

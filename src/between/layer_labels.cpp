@@ -4,96 +4,111 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "between/inside_runs.hpp"
 #include "core/union_find.hpp"
 
 namespace tetloft::internal::between {
 
 namespace {
 
-// Samples of one part side by side in a row.
-struct Run {
-  std::uint32_t first, end;  // places
-};
+using Runs = std::vector<LabelledRun>;
 
-// The runs of the samples for which in(value) holds, row by row; by row the number of its first.
-struct Runs {
-  std::vector<Run> all;
-  std::vector<std::size_t> row;
-
-  template <class In>
-  Runs(const motion::LatticeWindow& window, const std::vector<double>& value, const In& in) {
-    const auto nx = static_cast<std::uint32_t>(window.nx());
-    const auto size = static_cast<std::uint32_t>(window.size());
-    for (std::uint32_t begin = 0; begin < size; begin += nx) {
-      row.push_back(all.size());
-      const std::uint32_t end = begin + nx;
-      for (std::uint32_t at = begin; at < end;) {
-        while (at < end && !in(value[at])) ++at;
-        if (at == end) break;
-        const std::uint32_t first = at;
-        while (at < end && in(value[at])) ++at;
-        all.push_back({first, at});
-      }
-    }
-    row.push_back(all.size());
-  }
-};
-
-// Calls visit(run, run) for the runs of neighbouring rows that touch, or do so if each ends `aside`
-// samples later on either side.
+// Calls visit(run, run) for the runs of neighbouring rows of nx samples that touch, or would if one
+// ended `aside` samples later on either side.
 template <class Visit>
-void visit_touching(const Runs& runs, std::size_t nx, std::uint32_t aside, const Visit& visit) {
-  for (std::size_t j = 0; j + 2 < runs.row.size(); ++j) {
-    std::size_t low = runs.row[j];
-    std::size_t high = runs.row[j + 1];
-    while (low < runs.row[j + 1] && high < runs.row[j + 2]) {
-      const Run& below = runs.all[low];
-      const Run& above = runs.all[high];
-      const auto up = static_cast<std::uint32_t>(nx);
-      if (below.first + up < above.end + aside && above.first < below.end + up + aside) {
-        visit(low, high);
-      }
-      (below.end + up < above.end ? low : high) += 1;
+void visit_touching(const Runs& runs, std::uint32_t nx, std::uint32_t aside, const Visit& visit) {
+  std::size_t low = 0;
+  for (std::size_t high = 0; high < runs.size(); ++high) {
+    const std::uint32_t first = runs[high].first;
+    const std::uint32_t end = runs[high].end;
+    const std::uint32_t row = first - first % nx;
+    if (row == 0) continue;
+    // Of the row below; those that end before this run do so before all that follow.
+    while (low < high && (runs[low].end + nx + aside <= first || runs[low].end + nx <= row)) ++low;
+    for (std::size_t k = low; k < high && runs[k].first + nx < end + aside; ++k) {
+      if (runs[k].first + nx >= row + nx) break;
+      visit(k, high);
     }
   }
 }
 
-// Labels the parts of the samples for which in(value) holds; those across are neighbours if
+// Labels the parts of the negative samples, or of the others; those across are neighbours if
 // `aside` is 1.
-template <class In>
 LayerLabels label_parts(const motion::LatticeWindow& window, const std::vector<double>& value,
-                        std::uint32_t aside, const In& in) {
-  const Runs runs(window, value, in);
-  UnionFind parts(runs.all.size());
+                        bool negative, std::uint32_t aside) {
+  const auto nx = static_cast<std::uint32_t>(window.nx());
   LayerLabels labels;
+  visit_sign_runs(window, value, negative, [&](std::uint32_t first, std::uint32_t end) {
+    labels.runs.push_back({first, end, kNoNode});
+  });
+  UnionFind parts(labels.runs.size());
   // In each part runs that touch are one more than a tree has for each void that they enclose.
-  visit_touching(runs, window.nx(), aside, [&](std::size_t low, std::size_t high) {
+  visit_touching(labels.runs, nx, aside, [&](std::size_t low, std::size_t high) {
     if (!parts.unite(low, high)) ++labels.enclosed;
   });
-  labels.node.assign(window.size(), kNoNode);
-  std::vector<std::uint32_t> node_of(runs.all.size());
-  for (std::size_t r = 0; r < runs.all.size(); ++r) {
+  for (std::size_t r = 0; r < labels.runs.size(); ++r) {
     const std::size_t leader = parts.find(r);
+    LabelledRun& run = labels.runs[r];
     if (leader == r) {
-      node_of[r] = static_cast<std::uint32_t>(labels.size.size());
+      run.node = static_cast<std::uint32_t>(labels.size.size());
       labels.size.push_back(0);
+    } else {
+      run.node = labels.runs[leader].node;
     }
-    const std::uint32_t node = node_of[r] = node_of[leader];
-    const auto [first, end] = runs.all[r];
-    std::fill(labels.node.begin() + first, labels.node.begin() + end, node);
-    labels.size[node] += end - first;
+    labels.size[run.node] += run.end - run.first;
   }
   return labels;
 }
 
 }  // namespace
 
+std::uint32_t LayerLabels::node_at(std::uint32_t place) const {
+  const auto after =
+      std::upper_bound(runs.begin(), runs.end(), place,
+                       [](std::uint32_t at, const LabelledRun& run) { return at < run.first; });
+  if (after == runs.begin() || (after - 1)->end <= place) return kNoNode;
+  return (after - 1)->node;
+}
+
+std::vector<std::uint32_t> LayerLabels::nodes(std::size_t places) const {
+  std::vector<std::uint32_t> node(places, kNoNode);
+  for (const LabelledRun& run : runs) {
+    std::fill(node.begin() + run.first, node.begin() + run.end, run.node);
+  }
+  return node;
+}
+
+RunsByRow::RunsByRow(const std::vector<LabelledRun>& runs, const motion::LatticeWindow& window)
+    : runs_(runs) {
+  first_.reserve(window.ny() + 1);
+  std::size_t run = 0;
+  for (std::size_t row = 0; row <= window.ny(); ++row) {
+    while (run < runs.size() && runs[run].first < row * window.nx()) ++run;
+    first_.push_back(run);
+  }
+}
+
+std::vector<LabelledRun> runs_of(const motion::LatticeWindow& window,
+                                 const std::vector<std::uint32_t>& node) {
+  std::vector<LabelledRun> runs;
+  const auto nx = static_cast<std::uint32_t>(window.nx());
+  for (std::uint32_t row = 0; row < node.size(); row += nx) {
+    for (std::uint32_t at = row; at < row + nx;) {
+      const std::uint32_t first = at;
+      do ++at;
+      while (at < row + nx && node[at] == node[first]);
+      if (node[first] != kNoNode) runs.push_back({first, at, node[first]});
+    }
+  }
+  return runs;
+}
+
 LayerLabels label_solids(const motion::LatticeWindow& window, const std::vector<double>& value) {
-  return label_parts(window, value, 0, [](double v) { return v < 0; });
+  return label_parts(window, value, true, 0);
 }
 
 LayerLabels label_voids(const motion::LatticeWindow& window, const std::vector<double>& value) {
-  LayerLabels labels = label_parts(window, value, 1, [](double v) { return !(v < 0); });
+  LayerLabels labels = label_parts(window, value, false, 1);
   labels.enclosed = 0;
   if (!labels.size.empty()) labels.size[kExterior] = kUnbounded;
   return labels;
@@ -104,9 +119,9 @@ std::vector<std::vector<std::uint32_t>> samples_by_node(const LayerLabels& label
   for (std::size_t n = 0; n < samples.size(); ++n) {
     if (labels.size[n] != kUnbounded) samples[n].reserve(labels.size[n]);
   }
-  for (std::uint32_t at = 0; at < labels.node.size(); ++at) {
-    const std::uint32_t n = labels.node[at];
-    if (n != kNoNode && labels.size[n] != kUnbounded) samples[n].push_back(at);
+  for (const auto& [first, end, node] : labels.runs) {
+    if (labels.size[node] == kUnbounded) continue;
+    for (std::uint32_t at = first; at < end; ++at) samples[node].push_back(at);
   }
   return samples;
 }

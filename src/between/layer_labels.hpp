@@ -14,12 +14,22 @@ inline constexpr std::uint32_t kNoNode = 0xFFFFFFFFU;
 /// The void around everything is the first one of each layer.
 inline constexpr std::uint32_t kExterior = 0;
 
+/// Samples of one node side by side in a row: places first ≤ place < end.
+struct LabelledRun {
+  std::uint32_t first, end, node;
+};
+
 /// The nodes that a layer adds to a graph of layers.
 struct LayerLabels {
-  std::vector<std::uint32_t> node;  ///< by place in the window, or kNoNode
-  std::vector<std::size_t> size;    ///< samples, by node; of the exterior the most there can be
+  std::vector<LabelledRun> runs;  ///< ascending; the samples of no node are in none
+  std::vector<std::size_t> size;  ///< samples, by node; of the exterior the most there can be
   /// Of solids: how many voids they enclose.
   std::size_t enclosed = 0;
+
+  /// Of the sample at this place, or kNoNode; by bisection.
+  [[nodiscard]] std::uint32_t node_at(std::uint32_t place) const;
+  /// By place, of so many, or kNoNode.
+  [[nodiscard]] std::vector<std::uint32_t> nodes(std::size_t places) const;
 };
 
 inline constexpr std::size_t kUnbounded = std::numeric_limits<std::size_t>::max();
@@ -31,6 +41,31 @@ inline constexpr std::size_t kUnbounded = std::numeric_limits<std::size_t>::max(
 /// The 8-connected parts of the outside samples; requires the same.
 [[nodiscard]] LayerLabels label_voids(const motion::LatticeWindow& window,
                                       const std::vector<double>& value);
+
+/// Looks up runs by row.
+class RunsByRow {
+ public:
+  /// `labels` must outlive this.
+  RunsByRow(const LayerLabels& labels, const motion::LatticeWindow& window)
+      : RunsByRow(labels.runs, window) {}
+  RunsByRow(const std::vector<LabelledRun>& runs, const motion::LatticeWindow& window);
+
+  /// The node of a place in row `row` of the window, or kNoNode.
+  [[nodiscard]] std::uint32_t node_at(std::size_t row, std::size_t place) const {
+    std::size_t run = first_[row];
+    const std::size_t end = first_[row + 1];
+    while (run < end && runs_[run].end <= place) ++run;
+    return run < end && runs_[run].first <= place ? runs_[run].node : kNoNode;
+  }
+
+ private:
+  const std::vector<LabelledRun>& runs_;
+  std::vector<std::size_t> first_;  // run, by row, and behind the last row
+};
+
+/// Of nodes by place; sizes are left to the caller.
+[[nodiscard]] std::vector<LabelledRun> runs_of(const motion::LatticeWindow& window,
+                                               const std::vector<std::uint32_t>& node);
 
 /// The samples of each node but the exterior, row by row.
 [[nodiscard]] std::vector<std::vector<std::uint32_t>> samples_by_node(const LayerLabels& labels);

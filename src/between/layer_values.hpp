@@ -25,8 +25,9 @@ struct FieldsAround {
   double reach = 0;  ///< what is far in all fields
 };
 
-/// No value is 0: what would be counts as a little outside.
-[[nodiscard]] double never_zero(double value);
+/// Samples on an outline count as this far from it, in steps: no value is 0.
+inline constexpr double kOnOutline = 0x1p-30;
+[[nodiscard]] inline double never_zero(double value) { return value == 0 ? kOnOutline : value; }
 
 /// How the samples of a window move from the lower to the upper plane.
 class WindowMotion {

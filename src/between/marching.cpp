@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "between/inside_runs.hpp"
+
 namespace tetloft::internal::between {
 
 namespace {
@@ -27,10 +29,9 @@ class Tracer {
   [[nodiscard]] std::vector<TracedContour> trace() {
     std::vector<TracedContour> contours;
     // Every contour has a crossing with its inside to the west: it turns about its insides.
-    for (std::int64_t at = 0; at < static_cast<std::int64_t>(value_.size()); ++at) {
-      if (!inside(at) || inside(at + 1) || seen_[static_cast<std::size_t>(at)] != 0) continue;
-      contours.push_back(follow({at, at + 1}));
-    }
+    visit_sign_runs(window_, value_, true, [&](std::uint32_t, std::uint32_t end) {
+      if (seen_[end - 1] == 0) contours.push_back(follow({std::int64_t{end} - 1, end}));
+    });
     std::sort(contours.begin(), contours.end(), [](const auto& a, const auto& b) {
       return canonical_less(a.contour.vertices.front(), b.contour.vertices.front());
     });

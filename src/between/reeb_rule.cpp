@@ -23,12 +23,12 @@ class ClassRepair {
   ClassRepair(const SlabFields& fields, ClassId c)
       : fields_(fields),
         shape_(fields.shapes[c]),
-        lower_(label_given({fields.slab.lower, fields.slab.lower_nesting,
-                            fields.slab.classes[c].lower, fields.slab.step},
-                           shape_.window)),
-        upper_(label_given({fields.slab.upper, fields.slab.upper_nesting,
-                            fields.slab.classes[c].upper, fields.slab.step},
-                           shape_.window)),
+        lower_({fields.slab.lower, fields.slab.lower_nesting, fields.slab.classes[c].lower,
+                fields.slab.step},
+               shape_.window),
+        upper_({fields.slab.upper, fields.slab.upper_nesting, fields.slab.classes[c].upper,
+                fields.slab.step},
+               shape_.window),
         foreign_(fields.shapes, fields.meetings, c) {}
 
   [[nodiscard]] LayerGraph bridged() {
@@ -50,14 +50,15 @@ class ClassRepair {
   [[nodiscard]] std::size_t last_layer() const { return shape_.value.size() - 1; }
 
   [[nodiscard]] LayerGraph solids() const {
-    std::vector<LayerLabels> layers{lower_.solids};
+    std::vector<LayerLabels> layers{lower_.solids()};
     for (std::size_t k = 1; k < last_layer(); ++k) {
       layers.push_back(label_solids(shape_.window, shape_.value[k]));
     }
-    layers.push_back(upper_.solids);
+    layers.push_back(upper_.solids());
     LayerGraph graph = connect_layers(NodeKind::solid, shape_, fields_.slab.at, std::move(layers));
     for (const auto& [below, place] : ties_) {
-      const LayerEdge edge{graph.layers[below].node[place], graph.layers[below + 1].node[place]};
+      const LayerEdge edge{graph.layers[below].node_at(place),
+                           graph.layers[below + 1].node_at(place)};
       if (edge.first != kNoNode && edge.second != kNoNode) graph.edges[below].push_back(edge);
     }
     for (std::vector<LayerEdge>& edges : graph.edges) sort_distinct(edges);
@@ -79,16 +80,17 @@ class ClassRepair {
       }
       if (std::find(floats.begin(), floats.end(), 1) == floats.end()) continue;
       dropped = true;
-      for (std::uint32_t place = 0; place < shape_.window.size(); ++place) {
-        const std::uint32_t node = graph.layers[k].node[place];
-        if (node == kNoNode || floats[node] == 0) continue;
-        shape_.value[k][place] = -shape_.value[k][place];
+      for (const auto& [first, end, node] : graph.layers[k].runs) {
+        if (floats[node] == 0) continue;
+        for (std::uint32_t place = first; place < end; ++place) {
+          shape_.value[k][place] = -shape_.value[k][place];
+        }
       }
     }
     return dropped ? solids() : graph;
   }
 
-  bool join(LayerGraph& graph) {
+  bool join(const LayerGraph& graph) {
     const NodeNumbers below = connected_below(graph);
     const NodeNumbers above = connected_above(graph);
     bool changed = false;
@@ -106,11 +108,11 @@ class ClassRepair {
   }
 
   bool repair_all_voids() {
-    std::vector<LayerLabels> layers{lower_.voids};
+    std::vector<LayerLabels> layers{lower_.voids()};
     for (std::size_t k = 1; k < last_layer(); ++k) {
       layers.push_back(label_voids(shape_.window, shape_.value[k]));
     }
-    layers.push_back(upper_.voids);
+    layers.push_back(upper_.voids());
     const VoidGraph voids = graph_of_voids(shape_, fields_.slab.at, std::move(layers));
     bool changed = false;
     for (std::size_t k = 1; k < last_layer(); ++k) {

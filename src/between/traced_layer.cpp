@@ -32,7 +32,7 @@ std::optional<TracedLayer> trace_layer(const ClassShapes& shapes,
   std::vector<std::pair<Contour, Owner>> traced;
   for (const ClassId c : shapes.ids()) {
     for (TracedContour& t : trace_contours(shapes[c].window, shapes[c].value[layer], step)) {
-      const std::uint32_t node = solids[c].layers[layer].node[t.sample];
+      const std::uint32_t node = solids[c].layers[layer].node_at(t.sample);
       traced.emplace_back(std::move(t.contour), Owner{c, node});
     }
   }

@@ -30,7 +30,7 @@ class VoidRepair {
   bool repair() {
     const std::vector<std::uint32_t> open = find_wrong_voids();
     if (open.empty()) return false;
-    node_ = voids_.graph.layers[layer_].node;
+    node_ = voids_.graph.layers[layer_].nodes(shape_.window.size());
     samples_ = samples_by_node(voids_.graph.layers[layer_]);
     PathSearch search(shape_.window.size(), steps_with_diagonals(shape_.window));
     bool changed = false;

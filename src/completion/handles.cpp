@@ -14,8 +14,11 @@ namespace {
 
 class HandleFiller {
  public:
-  HandleFiller(const ChiGroups& groups, const SlabVoids& voids, Completion& completion)
-      : groups_(groups),
+  HandleFiller(const ChiGroups& groups, const SlabVoids& voids, Completion& completion,
+               ComplexShape& shape)
+      : sums_(shape.sums),
+        joined_(shape.joined),
+        groups_(groups),
         voids_(voids),
         completion_(completion),
         slab_(completion.slab()),
@@ -23,23 +26,19 @@ class HandleFiller {
 
   std::uint64_t run() {
     std::uint64_t filled = 0;
-    ChiGroups::Sums sums = groups_.sums(completion_.complex());
-    if (!groups_.any_low(sums)) return 0;
-    const std::vector<SlabVoidId> joined =
-        joined_voids(slab_, classes_, voids_, completion_.complex());
     bool again = true;
-    while (again && groups_.any_low(sums)) {
+    while (again && groups_.any_low(sums_)) {
       again = false;
-      for (const Candidate& candidate : candidates(sums)) {
+      for (const Candidate& candidate : candidates()) {
         Completion trial = completion_;
         trial.build({{candidate.tet, 0xF, candidate.id}});
         const ChiGroups::Sums after = groups_.sums(trial.complex());
-        const std::int32_t gain = groups_.deviation(sums) - groups_.deviation(after);
+        const std::int32_t gain = groups_.deviation(sums_) - groups_.deviation(after);
         if (gain <= 0) continue;
-        if (joined_voids(slab_, classes_, voids_, trial.complex()) != joined) continue;
+        if (joined_voids(slab_, classes_, voids_, trial.complex()) != joined_) continue;
         completion_.adopt(std::move(trial));
         filled += static_cast<std::uint64_t>(gain);
-        sums = after;
+        sums_ = after;
         again = true;
         break;
       }
@@ -80,12 +79,12 @@ class HandleFiller {
   }
 
   // Tets of one class that are not closed, and would close a tunnel.
-  [[nodiscard]] std::vector<Candidate> candidates(const ChiGroups::Sums& sums) {
+  [[nodiscard]] std::vector<Candidate> candidates() {
     std::vector<Candidate> result;
     const VoidSpace space(slab_, classes_, voids_, completion_.complex());
     for (const TetId t : slab_.tets()) {
       const ClassId c = classes_.of(slab_.vertex(t, 0));
-      if (!groups_.is_low(c, sums) || !space.of_one_class(t, 0xF) || !space.is_void(t)) continue;
+      if (!groups_.is_low(c, sums_) || !space.of_one_class(t, 0xF) || !space.is_void(t)) continue;
       if (gain(space, t) > 0) result.push_back({size(t), t, c});
     }
     std::sort(result.begin(), result.end(), [](const Candidate& a, const Candidate& b) {
@@ -105,6 +104,8 @@ class HandleFiller {
     return largest;
   }
 
+  ChiGroups::Sums& sums_;
+  const std::vector<SlabVoidId>& joined_;
   const ChiGroups& groups_;
   const SlabVoids& voids_;
   Completion& completion_;
@@ -115,9 +116,9 @@ class HandleFiller {
 
 }  // namespace
 
-std::uint64_t fill_handles(const ChiGroups& groups, const SlabVoids& voids,
-                           Completion& completion) {
-  return HandleFiller(groups, voids, completion).run();
+std::uint64_t fill_handles(const ChiGroups& groups, const SlabVoids& voids, Completion& completion,
+                           ComplexShape& shape) {
+  return HandleFiller(groups, voids, completion, shape).run();
 }
 
 std::vector<SlabVoidId> joined_voids(const Slab& slab, const SlabClasses& classes,

@@ -11,10 +11,18 @@
 
 namespace tetloft::internal {
 
+/// What decides whether a complex has the topology that links imply.
+struct ComplexShape {
+  ChiGroups::Sums sums;
+  /// Which voids hang together: of each the lowest it does with.
+  std::vector<SlabVoidId> joined;
+};
+
 /// Keeps tets, the smallest first, each of which brings the characteristics of a group that is
-/// below its range nearer to it, and parts no voids that hung together. Returns how many handles
-/// went.
-std::uint64_t fill_handles(const ChiGroups& groups, const SlabVoids& voids, Completion& completion);
+/// below its range nearer to it, and parts no voids that hung together. `shape`: of what is
+/// complete, before and after. Returns how many handles went.
+std::uint64_t fill_handles(const ChiGroups& groups, const SlabVoids& voids, Completion& completion,
+                           ComplexShape& shape);
 
 /// Which voids hang together through what a complex leaves empty: of each the lowest it does with.
 [[nodiscard]] std::vector<SlabVoidId> joined_voids(const Slab& slab, const SlabClasses& classes,

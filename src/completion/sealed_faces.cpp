@@ -33,30 +33,30 @@ std::array<Point2, 3> face(const Slab& slab, TetId t, int i) {
   return points;
 }
 
-bool is_near(const Slab& slab, TetId t, const Point2& p) {
-  bool left = false, right = false, below = false, above = false;
-  for (const SlabVertexId v : slab.vertices(t)) {
-    const Point2 q = flat(slab, v);
-    left = left || q.x <= p.x;
-    right = right || q.x >= p.x;
-    below = below || q.y <= p.y;
-    above = above || q.y >= p.y;
+std::vector<Box2> boxes_of(const Slab& slab) {
+  std::vector<Box2> boxes;
+  boxes.reserve(slab.tet_count());
+  for (const TetId t : slab.tets()) {
+    Box2& box = boxes.emplace_back();
+    for (const SlabVertexId v : slab.vertices(t)) box.add(flat(slab, v));
   }
-  return left && right && below && above;
+  return boxes;
 }
 
 }  // namespace
 
-std::vector<TetId> tets_over(const Slab& slab, const Point2& p) {
+std::vector<TetId> TetsOver::operator()(const Point2& p) {
+  if (!tree_) tree_.emplace(boxes_of(slab_));
   std::vector<TetId> over;
-  for (const TetId t : slab.tets()) {
-    if (!is_near(slab, t, p)) continue;
+  tree_->query(box_of(p, p), [&](std::size_t near) {
+    const TetId t(near);
     for (int i = 0; i < 4; ++i) {
-      if (!contains(face(slab, t, i), p)) continue;
+      if (!contains(face(slab_, t, i), p)) continue;
       over.push_back(t);
       break;
     }
-  }
+  });
+  std::sort(over.begin(), over.end());
   return over;
 }
 

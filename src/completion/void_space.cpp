@@ -36,10 +36,8 @@ TetId VoidSpace::next(TetId t, int i) const {
 }
 
 SlabVoidId VoidSpace::void_at_edge(TetId t, bool upper, unsigned edge) const {
-  const SlabVertexId u = slab_.vertex(t, std::countr_zero(edge));
-  const SlabVertexId v = slab_.vertex(t, 31 - std::countl_zero(edge));
-  const ConformingSection& section = slab_.section(upper);
-  const ConformingSection::Edge& e = section.edges[slab_.edge(u, v)];
+  const EdgeId in_section = slab_.edge(t, std::countr_zero(edge), 31 - std::countl_zero(edge));
+  const ConformingSection::Edge& e = slab_.section(upper).edges[in_section];
   return e.kind == EdgeKind::external ? voids_.at(upper, e) : SlabVoidId();
 }
 

@@ -238,32 +238,28 @@ Facing facing_of(const Triangle3& t) {
   return facing;
 }
 
-bool touch(std::span<const Point3> points, const TriangleVertices& a, const Facing& f,
-           const TriangleVertices& b, const Facing& g) {
-  // Bring the shared vertices to the front, in the same order.
-  TriangleVertices va = a;
-  TriangleVertices vb = b;
-  std::size_t shared = 0;
-  bool a_reversed = false;
-  bool b_reversed = false;
+Meeting::Meeting(const TriangleVertices& first, const TriangleVertices& second)
+    : a(first), b(second) {
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = shared; j < 3; ++j) {
-      if (va[i] != vb[j]) continue;
-      std::swap(va[i], va[shared]);
-      std::swap(vb[j], vb[shared]);
+      if (a[i] != b[j]) continue;
+      std::swap(a[i], a[shared]);
+      std::swap(b[j], b[shared]);
       a_reversed = a_reversed != (i != shared);
       b_reversed = b_reversed != (j != shared);
       ++shared;
       break;
     }
   }
+}
 
-  const Triangle3 ta = corners(points, va);
-  const Triangle3 tb = corners(points, vb);
-  const Plate pa{ta, f, a_reversed};
-  const Plate pb{tb, g, b_reversed};
+bool touch(std::span<const Point3> points, const Meeting& pair, const Facing& f, const Facing& g) {
+  const Triangle3 ta = corners(points, pair.a);
+  const Triangle3 tb = corners(points, pair.b);
+  const Plate pa{ta, f, pair.a_reversed};
+  const Plate pb{tb, g, pair.b_reversed};
   if (f.axis == Axis::none || g.axis == Axis::none) return touch_degenerate(pa, pb);
-  switch (shared) {
+  switch (pair.shared) {
     case 0: return touch_sharing_nothing(pa, pb);
     case 1: return touch_sharing_vertex(pa, pb);
     case 2: return touch_sharing_edge(pa, pb);
@@ -279,8 +275,8 @@ bool triangles_touch(std::span<const Point3> points, const TriangleVertices& a,
                      const TriangleVertices& b) {
   using contact_detail::corners;
   using contact_detail::facing_of;
-  return contact_detail::touch(points, a, facing_of(corners(points, a)), b,
-                               facing_of(corners(points, b)));
+  return contact_detail::touch(points, contact_detail::Meeting(a, b),
+                               facing_of(corners(points, a)), facing_of(corners(points, b)));
 }
 
 }  // namespace tetloft::internal

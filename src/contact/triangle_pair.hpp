@@ -32,8 +32,18 @@ struct Facing {
 
 [[nodiscard]] Facing facing_of(const Triangle3& t);
 
-/// The contract of triangles_touch(); f and g are the facings of a and b.
-[[nodiscard]] bool touch(std::span<const Point3> points, const TriangleVertices& a, const Facing& f,
-                         const TriangleVertices& b, const Facing& g);
+/// Two triangles with the vertices that they share in front of both, in one order.
+struct Meeting {
+  Meeting(const TriangleVertices& first, const TriangleVertices& second);
+
+  TriangleVertices a, b;
+  std::size_t shared = 0;
+  bool a_reversed = false;  ///< against the order given: an odd permutation
+  bool b_reversed = false;
+};
+
+/// The contract of triangles_touch(); f and g are the facings of the pair as given.
+[[nodiscard]] bool touch(std::span<const Point3> points, const Meeting& pair, const Facing& f,
+                         const Facing& g);
 
 }  // namespace tetloft::internal::contact_detail

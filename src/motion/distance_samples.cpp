@@ -65,32 +65,85 @@ class EdgeMeasure {
   double dx_, dy_, length2_;
 };
 
-// Lowers the squared distances of the samples within `reach` of the edge.
-void measure(const Edge& e, const LatticeWindow& w, double reach, std::vector<double>& squared) {
-  const LatticeWindow near = near_edge(e, w, reach);
-  if (near.i0 >= near.i1) return;
-  const EdgeMeasure measured(e);
-  for (std::int64_t j = near.j0; j < near.j1; ++j) {
-    measured.lower(near.i0, j, near.i1 - near.i0, squared.data() + w.place(near.i0, j));
+// Distances in the making: squared where some edge was measured, in tiles.
+class Squares {
+ public:
+  Squares(DistanceSamples& samples, double farthest)
+      : samples_(samples), most_(farthest * farthest), tiles_(samples.tiles_in_row()) {
+    constexpr std::size_t kTile = DistanceSamples::kTile;
+    samples_.value.assign(samples_.window.size(), farthest);
+    samples_.near.assign(tiles_ * ((samples_.window.ny() + kTile - 1) / kTile), 0);
   }
-}
 
-// The same, but for samples to which others are nearer.
-void measure_nearest(const Edge& e, const LatticeWindow& w, double reach,
-                     std::vector<double>& squared) {
-  const LatticeWindow near = near_edge(e, w, reach);
-  if (near.i0 >= near.i1 || near.j0 >= near.j1) return;
-  const EdgeMeasure measured(e);
-  const NearestRegion region(e, near);
-  const IndexRange rows = region.rows();
-  for (std::int64_t row = rows.first; row < rows.end; ++row) {
-    const IndexRange columns = region.in_row(row);
-    if (columns.empty()) continue;
-    const std::int64_t i = near.i0 + columns.first;
-    const std::int64_t j = near.j0 + row;
-    measured.lower(i, j, columns.end - columns.first, squared.data() + w.place(i, j));
+  /// Lowers the values within `reach` of the edge.
+  void measure(const Edge& e, double reach) {
+    const LatticeWindow near = near_edge(e, samples_.window, reach);
+    if (near.i0 >= near.i1) return;
+    const EdgeMeasure measured(e);
+    for (std::int64_t j = near.j0; j < near.j1; ++j) {
+      lower(measured, near.i0, j, near.i1 - near.i0);
+    }
   }
-}
+
+  /// The same, but for samples to which others are nearer.
+  void measure_nearest(const Edge& e, double reach) {
+    const LatticeWindow near = near_edge(e, samples_.window, reach);
+    if (near.i0 >= near.i1 || near.j0 >= near.j1) return;
+    const EdgeMeasure measured(e);
+    const NearestRegion region(e, near);
+    const IndexRange rows = region.rows();
+    for (std::int64_t row = rows.first; row < rows.end; ++row) {
+      const IndexRange columns = region.in_row(row);
+      if (columns.empty()) continue;
+      lower(measured, near.i0 + columns.first, near.j0 + row, columns.end - columns.first);
+    }
+  }
+
+  /// Makes distances of them. The root of a square that was rounded is the number squared: what is
+  /// farther stays so.
+  void take_roots() {
+    for (std::size_t tile = 0; tile < samples_.near.size(); ++tile) {
+      if (samples_.near[tile] == 0) continue;
+      visit_rows(tile, [](double* row, std::size_t n) {
+        for (std::size_t k = 0; k < n; ++k) row[k] = std::sqrt(row[k]);
+      });
+    }
+  }
+
+ private:
+  void lower(const EdgeMeasure& measured, std::int64_t i, std::int64_t j, std::int64_t n) {
+    const LatticeWindow& w = samples_.window;
+    const auto first = static_cast<std::size_t>(i - w.i0);
+    const auto last = static_cast<std::size_t>(i - w.i0 + n - 1);
+    const std::size_t row = static_cast<std::size_t>(j - w.j0) / DistanceSamples::kTile * tiles_;
+    for (std::size_t k = first / DistanceSamples::kTile; k <= last / DistanceSamples::kTile; ++k) {
+      if (samples_.near[row + k] == 0) begin(row + k);
+    }
+    measured.lower(i, j, n, samples_.value.data() + w.place(i, j));
+  }
+
+  void begin(std::size_t tile) {
+    samples_.near[tile] = 1;
+    visit_rows(tile, [&](double* row, std::size_t n) { std::fill_n(row, n, most_); });
+  }
+
+  // Calls visit(first, how many) for the rows of a tile.
+  template <class Visit>
+  void visit_rows(std::size_t tile, const Visit& visit) {
+    constexpr std::size_t kTile = DistanceSamples::kTile;
+    const std::size_t nx = samples_.window.nx();
+    const std::size_t i = tile % tiles_ * kTile;
+    const std::size_t j = tile / tiles_ * kTile;
+    const std::size_t end = std::min(j + kTile, samples_.window.ny());
+    for (std::size_t row = j; row < end; ++row) {
+      visit(samples_.value.data() + row * nx + i, std::min(kTile, nx - i));
+    }
+  }
+
+  DistanceSamples& samples_;
+  double most_;
+  std::size_t tiles_;
+};
 
 // Calls visit(i, j) for the rows that an edge passes: all samples from i on change sides.
 template <class Visit>
@@ -192,23 +245,29 @@ Box2 LatticeEdges::reached_from(const LatticeWindow& w, double reach) {
 
 DistanceSamples sample_distances(const LatticeEdges& edges, const LatticeWindow& window,
                                  double farthest) {
-  DistanceSamples result{window, std::vector<double>(window.size(), farthest * farthest)};
-  std::vector<std::uint8_t> passed(window.size(), 0);
+  DistanceSamples result{window, {}, {}};
+  Squares squares(result, farthest);
+  std::vector<Sample> passed;
   const double reach = farthest + kSlack;
-  const auto lower = edges.longest() + reach <= NearestRegion::kLongest ? measure_nearest : measure;
+  const bool nearest = edges.longest() + reach <= NearestRegion::kLongest;
   edges.visit_near(window, reach, [&](const Edge& e) {
-    lower(e, window, reach, result.value);
-    visit_passed(e, window, [&](std::int64_t i, std::int64_t j) {
-      if (i < window.i1) passed[window.place(i, j)] ^= 1U;
-    });
+    if (nearest) {
+      squares.measure_nearest(e, reach);
+    } else {
+      squares.measure(e, reach);
+    }
+    visit_passed(e, window, [&](std::int64_t i, std::int64_t j) { passed.push_back({i, j}); });
   });
-  std::size_t k = 0;
-  for (std::size_t j = 0; j < window.ny(); ++j) {
-    std::uint8_t inside = 0;
-    for (std::size_t i = 0; i < window.nx(); ++i, ++k) {
-      inside ^= passed[k];
-      const double d = std::sqrt(result.value[k]);
-      result.value[k] = inside != 0 ? -d : d;
+  squares.take_roots();
+  const ByRow by_row(passed, window);
+  for (std::int64_t j = window.j0; j < window.j1; ++j) {
+    const std::vector<std::int64_t> turns = by_row.row(j);
+    for (std::size_t k = 0; k + 1 < turns.size(); k += 2) {
+      double* const row = result.value.data() + window.place(window.i0, j);
+      double* const end = row + (turns[k + 1] - window.i0);
+      for (double* inside = row + (turns[k] - window.i0); inside < end; ++inside) {
+        *inside = -*inside;
+      }
     }
   }
   return result;

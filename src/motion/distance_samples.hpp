@@ -62,8 +62,14 @@ class LatticeEdges {
 };
 
 struct DistanceSamples {
+  /// Samples of a tile along each axis, from the first of the window on.
+  static constexpr std::size_t kTile = 8;
+
   LatticeWindow window;
   std::vector<double> value;  // by window.place()
+  /// By tile, row by row: 0 where all samples are as far as they can be, on one side.
+  std::vector<std::uint8_t> near;
+  [[nodiscard]] std::size_t tiles_in_row() const { return (window.nx() + kTile - 1) / kTile; }
   [[nodiscard]] const double* at(std::int64_t i, std::int64_t j) const {
     return value.data() + window.place(i, j);
   }

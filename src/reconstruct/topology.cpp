@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "completion/sealed_faces.hpp"
 #include "sections/conforming_section.hpp"
 #include "sections/inner_point.hpp"
 
@@ -33,6 +32,14 @@ void add_contours(const Slab& slab, const SlabVoids& voids, SlabVoidId v, Refine
   }
 }
 
+// Does no part of the void touch voids of two classes?
+bool are_parted(const SlabVoids& voids, const std::vector<SlabVoidId>& joined) {
+  for (std::size_t v = 0; v < joined.size(); ++v) {
+    if (voids.class_of(joined[v]) != voids.class_of(SlabVoidId(v))) return false;
+  }
+  return true;
+}
+
 // Do its voids hang together?
 bool is_open_link(const SlabVoidNumbering& numbering, const std::vector<SlabVoidId>& joined,
                   const Link& link) {
@@ -58,14 +65,18 @@ Topology::Next Topology::make(const SlabView& view, Completion& completion, bool
   groups_ = expected_topology(*faces_, view.slab.lower(), view.slab.upper(),
                               {links_.regions, *links_.voids, united_});
   const ChiGroups groups(view.slab, view.classes, view.active, chi_ranges(view));
+  ComplexShape shape{groups.sums(completion.complex()), {}};
   // Nearly always there is nothing to do.
-  if (voids.void_count() == 2 && groups.deviation(groups.sums(completion.complex())) == 0) {
-    return Next::go_on;
+  if (voids.void_count() == 2 && groups.deviation(shape.sums) == 0) return Next::go_on;
+  if (joined_.empty()) {
+    joined_ = joined_voids(view.slab, view.classes, voids, completion.complex());
   }
-  count(rules, Rule::filled_handle, fill_handles(groups, voids, completion));
-  bridge_faces(view, groups, completion, rules);
-  const Next next = open_faces(view, voids, groups, completion, may_ask);
-  if (next == Next::go_on) drop_unrealised(view, voids, completion);
+  shape.joined = std::move(joined_);
+  count(rules, Rule::filled_handle, fill_handles(groups, voids, completion, shape));
+  TetsOver tets_over(view.slab);
+  bridge_faces(view, groups, tets_over, completion, shape, rules);
+  const Next next = open_faces(view, voids, groups, tets_over, completion, shape, may_ask);
+  if (next == Next::go_on) drop_unrealised(view, voids, shape);
   return next;
 }
 
@@ -73,10 +84,16 @@ Topology::Next Topology::make(const SlabView& view, Completion& completion, bool
 bool Topology::part_voids(const SlabView& view, SlabVoids& voids, Completion& completion,
                           bool may_ask, RuleCounts& rules) {
   united_.clear();
+  joined_.clear();
   while (voids.class_count() > 1) {
+    if (joined_.empty()) {
+      joined_ = joined_voids(view.slab, view.classes, voids, completion.complex());
+    }
+    if (are_parted(voids, joined_)) break;
     Passages passages(view.slab, view.classes, view.active, voids, completion);
     const std::optional<Inseparable> stuck = passages.close();
     count(rules, Rule::closed_passage, passages.closed());
+    if (passages.closed() > 0) joined_.clear();
     if (!stuck) break;
     RefineHere here;
     for (const SlabVoidId v : *stuck) add_contours(view.slab, voids, v, here);
@@ -94,11 +111,10 @@ bool Topology::part_voids(const SlabView& view, SlabVoids& voids, Completion& co
 
 // What is not open is no link; the rest implies another topology then.
 void Topology::drop_unrealised(const SlabView& view, const SlabVoids& voids,
-                               const Completion& completion) {
+                               const ComplexShape& shape) {
   unrealised_.clear();
   if (voids.void_count() == 2) return;
-  const std::vector<SlabVoidId> joined =
-      joined_voids(view.slab, view.classes, voids, completion.complex());
+  const std::vector<SlabVoidId>& joined = shape.joined;
   std::vector<Link> realised;
   for (const Link& link : *links_.voids) {
     (is_open_link(voids.numbering(), joined, link) ? realised : unrealised_).push_back(link);
@@ -141,13 +157,12 @@ std::vector<ChiRange> Topology::chi_ranges(const SlabView& view) const {
 
 // SS faces of a group above its range: what D holds over their middle becomes solid where that
 // brings it nearer.
-void Topology::bridge_faces(const SlabView& view, const ChiGroups& groups, Completion& completion,
-                            RuleCounts& rules) {
-  ChiGroups::Sums sums = groups.sums(completion.complex());
+void Topology::bridge_faces(const SlabView& view, const ChiGroups& groups, TetsOver& tets_over,
+                            Completion& completion, ComplexShape& shape, RuleCounts& rules) {
+  ChiGroups::Sums& sums = shape.sums;
   if (!groups.any_high(sums)) return;
   const SlabVoids voids(view.slab.lower(), view.slab.upper(), *links_.voids);
   const VoidSpace space(view.slab, view.classes, voids, completion.complex());
-  const auto joined = joined_voids(view.slab, view.classes, voids, completion.complex());
   const SlabRegions& regions = view.classes.regions();
   for (const sections::FaceId f : faces_->faces().ids()) {
     const sections::OverlayFace& face = faces_->faces()[f];
@@ -158,7 +173,7 @@ void Topology::bridge_faces(const SlabView& view, const ChiGroups& groups, Compl
     const std::optional<Point2> p = sections::inner_point(*faces_, f);
     if (!p) continue;
     std::vector<Wall> walls;
-    for (const TetId t : tets_over(view.slab, *p)) {
+    for (const TetId t : tets_over(*p)) {
       if (space.of_one_class(t, 0xF) && view.classes.of(view.slab.vertex(t, 0)) == c &&
           space.is_void(t)) {
         walls.push_back({t, 0xF, c});
@@ -169,7 +184,7 @@ void Topology::bridge_faces(const SlabView& view, const ChiGroups& groups, Compl
     trial.build(walls);
     const ChiGroups::Sums after = groups.sums(trial.complex());
     if (groups.deviation(after) >= groups.deviation(sums)) continue;
-    if (joined_voids(view.slab, view.classes, voids, trial.complex()) != joined) continue;
+    if (joined_voids(view.slab, view.classes, voids, trial.complex()) != shape.joined) continue;
     completion.adopt(std::move(trial));
     count(rules, Rule::bridged_face);
     sums = after;
@@ -178,12 +193,12 @@ void Topology::bridge_faces(const SlabView& view, const ChiGroups& groups, Compl
 
 // VV faces of a group above its range that are sealed get a vertex in their middle, in both planes.
 Topology::Next Topology::open_faces(const SlabView& view, const SlabVoids& voids,
-                                    const ChiGroups& groups, const Completion& completion,
+                                    const ChiGroups& groups, TetsOver& tets_over,
+                                    const Completion& completion, const ComplexShape& shape,
                                     bool may_ask) {
   if (openings_ == Openings::given_up) return Next::go_on;
-  const ChiGroups::Sums sums = groups.sums(completion.complex());
-  const std::vector<SlabVoidId> joined =
-      joined_voids(view.slab, view.classes, voids, completion.complex());
+  const ChiGroups::Sums& sums = shape.sums;
+  const std::vector<SlabVoidId>& joined = shape.joined;
   const auto sealed = std::count_if(
       links_.voids->begin(), links_.voids->end(),
       [&](const Link& link) { return !is_open_link(voids.numbering(), joined, link); });
@@ -212,7 +227,7 @@ Topology::Next Topology::open_faces(const SlabView& view, const SlabVoids& voids
     });
     if (!high && joined[below.index()] == joined[above.index()]) continue;
     const std::optional<Point2> p = sections::inner_point(*faces_, f);
-    if (!p || is_open(view.slab, space, tets_over(view.slab, *p), *p)) continue;
+    if (!p || is_open(view.slab, space, tets_over(*p), *p)) continue;
     if (pits_.has_room(*p)) {
       opened = pits_.open_at(*p) || opened;
     } else {

@@ -11,6 +11,7 @@
 #include "completion/handles.hpp"
 #include "completion/passages.hpp"
 #include "completion/pits.hpp"
+#include "completion/sealed_faces.hpp"
 #include "reconstruct/slab_solid.hpp"
 #include "reconstruct/slab_topology.hpp"
 #include "sections/face_overlay.hpp"
@@ -51,12 +52,13 @@ class Topology {
 
   [[nodiscard]] bool part_voids(const SlabView& view, SlabVoids& voids, Completion& completion,
                                 bool may_ask, RuleCounts& rules);
-  void drop_unrealised(const SlabView& view, const SlabVoids& voids, const Completion& completion);
+  void drop_unrealised(const SlabView& view, const SlabVoids& voids, const ComplexShape& shape);
   [[nodiscard]] std::vector<ChiRange> chi_ranges(const SlabView& view) const;
-  void bridge_faces(const SlabView& view, const ChiGroups& groups, Completion& completion,
-                    RuleCounts& rules);
+  void bridge_faces(const SlabView& view, const ChiGroups& groups, TetsOver& tets_over,
+                    Completion& completion, ComplexShape& shape, RuleCounts& rules);
   [[nodiscard]] Next open_faces(const SlabView& view, const SlabVoids& voids,
-                                const ChiGroups& groups, const Completion& completion,
+                                const ChiGroups& groups, TetsOver& tets_over,
+                                const Completion& completion, const ComplexShape& shape,
                                 bool may_ask);
 
   const SlabLinks& links_;
@@ -65,6 +67,8 @@ class Topology {
   std::vector<Inseparable> united_;
   std::vector<Link> unrealised_;
   std::vector<TopologyGroup> groups_;
+  /// By void: joined_voids() of the complex as it is; nothing where that is not known.
+  std::vector<SlabVoidId> joined_;
   RefineHere wanted_;
   Openings openings_ = Openings::may_help;
   std::int32_t least_deviation_ = std::numeric_limits<std::int32_t>::max();

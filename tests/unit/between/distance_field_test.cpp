@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -19,9 +20,9 @@ namespace {
 
 constexpr double kFar = 3;
 
-// A disc and a hole in it, far from both nothing but ±kFar.
-DistanceSamples rings(const LatticeWindow& window) {
-  DistanceSamples samples{window, {}};
+// A disc, far from its border nothing but ±kFar.
+DistanceSamples disc(const LatticeWindow& window) {
+  DistanceSamples samples{window, {}, {}};
   for (std::int64_t j = window.j0; j < window.j1; ++j) {
     for (std::int64_t i = window.i0; i < window.i1; ++i) {
       const auto x = static_cast<double>(i);
@@ -29,11 +30,17 @@ DistanceSamples rings(const LatticeWindow& window) {
       samples.value.push_back(std::clamp((x * x + y * y - 400) / 40, -kFar, kFar));
     }
   }
+  constexpr std::size_t kTile = DistanceSamples::kTile;
+  samples.near.assign(samples.tiles_in_row() * ((window.ny() + kTile - 1) / kTile), 0);
+  for (std::size_t k = 0; k < samples.value.size(); ++k) {
+    if (std::abs(samples.value[k]) == kFar) continue;
+    samples.near[k / window.nx() / kTile * samples.tiles_in_row() + k % window.nx() / kTile] = 1;
+  }
   return samples;
 }
 
 TEST(DistanceField, IsBilinearAndFarOutsideBeyondItsSamples) {
-  const DistanceSamples samples{{2, 3, 4, 5}, {0, 1, 2, 4}};
+  const DistanceSamples samples{{2, 3, 4, 5}, {0, 1, 2, 4}, {1}};
   const DistanceField field(samples, 9);
   EXPECT_EQ(field.at(2, 3), 0);
   EXPECT_EQ(field.at(2.5, 3), 0.5);
@@ -51,7 +58,7 @@ TEST(DistanceField, IsBilinearAndFarOutsideBeyondItsSamples) {
 }
 
 TEST(DistanceField, ItsDepthIsThatOfAllPlacesInABox) {
-  const DistanceField field(rings({-40, -33, 37, 42}), kFar);
+  const DistanceField field(disc({-40, -33, 37, 42}), kFar);
   Prng prng(1);
   std::array<int, 3> seen{};
   for (int trial = 0; trial < 4000; ++trial) {
@@ -69,7 +76,7 @@ TEST(DistanceField, ItsDepthIsThatOfAllPlacesInABox) {
         EXPECT_EQ(value, -kFar);
       }
       if (field.samples_all(box)) {
-        EXPECT_EQ(value, field.at_sampled(p.x, p.y));
+        EXPECT_EQ(value, field.sampled().at(p.x, p.y));
       }
     }
   }

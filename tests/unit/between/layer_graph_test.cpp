@@ -107,11 +107,13 @@ TEST(LayerLabels, AreThoseOfAFlood) {
     }
     const LayerLabels solids = label_solids(window, value);
     const LayerLabels voids = label_voids(window, value);
-    EXPECT_EQ(solids.node, flooded(window, value, true)) << seed;
-    EXPECT_EQ(voids.node, flooded(window, value, false)) << seed;
+    const std::vector<std::uint32_t> node = solids.nodes(window.size());
+    EXPECT_EQ(node, flooded(window, value, true)) << seed;
+    EXPECT_EQ(voids.nodes(window.size()), flooded(window, value, false)) << seed;
+    for (std::uint32_t at = 0; at < node.size(); ++at) EXPECT_EQ(solids.node_at(at), node[at]);
     EXPECT_EQ(solids.enclosed, voids.size.size() - 1) << seed;
     for (std::uint32_t n = 0; n < solids.size.size(); ++n) {
-      const auto samples = std::count(solids.node.begin(), solids.node.end(), n);
+      const auto samples = std::count(node.begin(), node.end(), n);
       EXPECT_EQ(solids.size[n], static_cast<std::size_t>(samples)) << seed;
     }
   }
@@ -189,7 +191,7 @@ struct Given {
     for (const RegionId r : nesting.outer.ids()) regions.push_back(r);
   }
   [[nodiscard]] GivenLabels labels(const motion::LatticeWindow& window) const {
-    return label_given({section, nesting, regions, 1}, window);
+    return {{section, nesting, regions, 1}, window};
   }
 };
 
@@ -199,9 +201,13 @@ TEST(GivenLabels, SamplesAreThoseOfTheInnermostContour) {
                      rectangle(6.5, 6.5, 14.5, 14.5), rectangle(8.5, 8.5, 12.5, 12.5)});
   const motion::LatticeWindow window{-2, -2, 24, 24};
   const GivenLabels labels = given.labels(window);
-  EXPECT_EQ(labels.voids.size, (std::vector<std::size_t>{kUnbounded, 144 - 64, 16}));
-  const auto void_at = [&](std::int64_t i) { return labels.voids.node[window.place(i, 10)]; };
-  const auto solid_at = [&](std::int64_t i) { return labels.solids.node[window.place(i, 10)]; };
+  EXPECT_EQ(labels.voids().size, (std::vector<std::size_t>{kUnbounded, 144 - 64, 16}));
+  const auto void_at = [&](std::int64_t i) {
+    return labels.voids().nodes(window.size())[window.place(i, 10)];
+  };
+  const auto solid_at = [&](std::int64_t i) {
+    return labels.solids().nodes(window.size())[window.place(i, 10)];
+  };
   EXPECT_EQ(void_at(0), kExterior);
   EXPECT_EQ(void_at(2), kNoNode);
   EXPECT_EQ(void_at(5), 1U);
@@ -221,22 +227,23 @@ TEST(GivenLabels, ASubsetOfTheRegionsHasTheVoidsOfItsOwnContours) {
                rectangle(6.5, 6.5, 14.5, 14.5), rectangle(8.5, 8.5, 12.5, 12.5)});
   given.regions = {RegionId(0)};
   const motion::LatticeWindow window{-2, -2, 24, 24};
-  EXPECT_EQ(given.labels(window).voids.size, (std::vector<std::size_t>{kUnbounded, 144}));
+  EXPECT_EQ(given.labels(window).voids().size, (std::vector<std::size_t>{kUnbounded, 144}));
   given.regions = {RegionId(1)};
-  EXPECT_EQ(given.labels(window).voids.size, (std::vector<std::size_t>{kUnbounded, 16}));
+  EXPECT_EQ(given.labels(window).voids().size, (std::vector<std::size_t>{kUnbounded, 16}));
 }
 
 TEST(GivenLabels, EveryRegionHasASampleHoweverSmall) {
   // The second lies in a hole of the first, and all samples around it in the first itself.
   const Given given({rectangle(0.9, 0.9, 8.4, 8.4), rectangle(5.3, 5.3, 5.6, 5.6),
                      rectangle(5.44, 5.44, 5.46, 5.46), rectangle(12.4, 7.4, 12.41, 7.41)});
-  const GivenLabels labels = given.labels({-2, -2, 16, 12});
-  ASSERT_EQ(labels.solids.size.size(), 3U);
-  for (const std::size_t size : labels.solids.size) EXPECT_GE(size, 1U);
+  const motion::LatticeWindow window{-2, -2, 16, 12};
+  const GivenLabels labels = given.labels(window);
+  const std::vector<std::uint32_t> node = labels.solids().nodes(window.size());
+  ASSERT_EQ(labels.solids().size.size(), 3U);
+  for (const std::size_t size : labels.solids().size) EXPECT_GE(size, 1U);
   for (std::uint32_t n = 0; n < 3; ++n) {
-    EXPECT_EQ(static_cast<std::size_t>(
-                  std::count(labels.solids.node.begin(), labels.solids.node.end(), n)),
-              labels.solids.size[n]);
+    EXPECT_EQ(static_cast<std::size_t>(std::count(node.begin(), node.end(), n)),
+              labels.solids().size[n]);
   }
 }
 
@@ -244,9 +251,9 @@ TEST(GivenLabels, AShellThinnerThanTheLatticeIsClosed) {
   const Given given({octagon(10.3, 10.3, 7.05), octagon(10.3, 10.3, 7)});
   const motion::LatticeWindow window{0, 0, 22, 22};
   const GivenLabels labels = given.labels(window);
-  EXPECT_EQ(labels.voids.node[window.place(10, 10)], 1U);
-  EXPECT_EQ(labels.voids.node[window.place(1, 1)], kExterior);
-  EXPECT_GT(labels.solids.size[0], 40U);
+  EXPECT_EQ(labels.voids().nodes(window.size())[window.place(10, 10)], 1U);
+  EXPECT_EQ(labels.voids().nodes(window.size())[window.place(1, 1)], kExterior);
+  EXPECT_GT(labels.solids().size[0], 40U);
 }
 
 }  // namespace

@@ -11,6 +11,15 @@
 namespace tetloft::testing {
 namespace {
 
+std::uint64_t fill(const ChiGroups& groups, VoidSlab& s) {
+  ComplexShape shape{groups.sums(s.completion.complex()),
+                     joined_voids(s.slab(), s.classes(), s.voids, s.completion.complex())};
+  const std::uint64_t count = fill_handles(groups, s.voids, s.completion, shape);
+  EXPECT_EQ(shape.sums, groups.sums(s.completion.complex()));
+  EXPECT_EQ(shape.joined, joined_voids(s.slab(), s.classes(), s.voids, s.completion.complex()));
+  return count;
+}
+
 TEST(Handles, AreFilledUntilTheRangeIsMet) {
   std::size_t filled = 0, asked = 0;
   const auto ask = [&](VoidSlab& s) {
@@ -22,7 +31,7 @@ TEST(Handles, AreFilledUntilTheRangeIsMet) {
     const ChiGroups groups(s.slab(), s.classes(), s.active, ranges);
     const std::int32_t before = groups.deviation(groups.sums(s.completion.complex()));
     const auto joined = joined_voids(s.slab(), s.classes(), s.voids, s.completion.complex());
-    const std::uint64_t count = fill_handles(groups, s.voids, s.completion);
+    const std::uint64_t count = fill(groups, s);
     const std::int32_t after = groups.deviation(groups.sums(s.completion.complex()));
     EXPECT_EQ(before - after, static_cast<std::int32_t>(count));
     EXPECT_EQ(joined, joined_voids(s.slab(), s.classes(), s.voids, s.completion.complex()));
@@ -55,7 +64,7 @@ TEST(Handles, AreLeftWhereNothingIsTooLow) {
     for (const ClassId c : chi.ids()) ranges.push_back({{c}, chi[c] - 2, chi[c]});
     const Complex before = s.completion.complex();
     const ChiGroups groups(s.slab(), s.classes(), s.active, ranges);
-    EXPECT_EQ(fill_handles(groups, s.voids, s.completion), 0U);
+    EXPECT_EQ(fill(groups, s), 0U);
     EXPECT_EQ(before.kept, s.completion.complex().kept);
   });
 }
@@ -66,7 +75,7 @@ TEST(Handles, ThatVoidsNeedStay) {
   const auto s = void_slab(stack_of_boxes({holed, holed}), true);
   ASSERT_TRUE(s);
   const ChiGroups groups(s->slab(), s->classes(), s->active, {{{ClassId(0U)}, 1, 1}});
-  EXPECT_EQ(fill_handles(groups, s->voids, s->completion), 0U);
+  EXPECT_EQ(fill(groups, *s), 0U);
 }
 
 TEST(JoinedVoids, AreThoseThatHangTogether) {

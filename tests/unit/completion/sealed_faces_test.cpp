@@ -43,7 +43,7 @@ TEST(TetsOver, AreThoseThatAVerticalLineMeets) {
       for (const TetId t : s.slab().tets()) {
         if (meets(s.slab(), t, p)) expected.push_back(t);
       }
-      EXPECT_EQ(tets_over(s.slab(), p), expected);
+      EXPECT_EQ(TetsOver(s.slab())(p), expected);
       found += expected.size();
     }
   });
@@ -58,7 +58,7 @@ TEST(IsOpen, OverAHoleThroughBothSectionsOnly) {
   ASSERT_TRUE(s);
   const VoidSpace space(s->slab(), s->classes(), s->voids, s->completion.complex());
   const auto open = [&](const Point2& p) {
-    return is_open(s->slab(), space, tets_over(s->slab(), p), p);
+    return is_open(s->slab(), space, TetsOver(s->slab())(p), p);
   };
   EXPECT_TRUE(open({-4.125, 0.25}));
   EXPECT_FALSE(open({4.125, 0.25}));  // ends half way

@@ -125,6 +125,13 @@ void expect_by_all_edges(const Section& section, double step, double farthest) {
       ASSERT_EQ(in_runs, *samples.at(i, j) < 0 ? 1 : 0) << i << ' ' << j;
       count += in_runs;
     }
+    for (std::int64_t i = window.i0; i < window.i1; ++i) {
+      constexpr auto kTile = static_cast<std::int64_t>(DistanceSamples::kTile);
+      const auto tile = static_cast<std::size_t>((j - window.j0) / kTile) * samples.tiles_in_row() +
+                        static_cast<std::size_t>((i - window.i0) / kTile);
+      const bool is_near = std::abs(*samples.at(i, j)) < farthest;
+      ASSERT_TRUE(!is_near || samples.near[tile] != 0) << i << ' ' << j;
+    }
     std::int64_t length = 0;
     for (const auto& run : inside.row(j)) length += run.end - run.first;
     EXPECT_EQ(length, count);
