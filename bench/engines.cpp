@@ -45,11 +45,12 @@ Run incremental3(std::span<const Point3> points) {
   for (const std::uint32_t place : order) inserted.push_back(ranked[place]);
   const auto basis = delaunay3_detail::affine_basis(inserted);
   for (std::size_t k = 0; k < basis.place.size(); ++k) {
-    const auto begin = inserted.begin();
+    const auto begin = order.begin();
     const auto at = begin + static_cast<std::ptrdiff_t>(basis.place[k]);
     std::rotate(begin + static_cast<std::ptrdiff_t>(k), at, at + 1);
   }
-  delaunay3_detail::Delaunay3Builder builder{IdVector<VertexId, Point3>(std::move(inserted))};
+  inserted = {};
+  delaunay3_detail::Delaunay3Builder builder(ranked, order);
   WatchedWork work(kUnwatched, 0);
   if (!builder.insert_all(work)) throw std::runtime_error("too many tets");
   Run run{clock.seconds(), 0};

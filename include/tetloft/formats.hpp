@@ -127,6 +127,12 @@ struct Formatted {
 [[nodiscard]] TETLOFT_API Result<ReadStack> parse_stack(std::string_view bytes,
                                                         const std::string& name,
                                                         const ReadOptions& options = {});
+/// The same of what reconstruct() need not validate again; options.validity plays no part.
+[[nodiscard]] TETLOFT_API Result<ReadValidStack> read_valid_stack(const std::string& path,
+                                                                  const ReadOptions& options = {});
+[[nodiscard]] TETLOFT_API Result<ReadValidStack> parse_valid_stack(std::string_view bytes,
+                                                                   const std::string& name,
+                                                                   const ReadOptions& options = {});
 [[nodiscard]] TETLOFT_API Result<std::vector<Warning>> write_stack(
     const std::string& path, const SectionStack& stack, const WriteOptions& options = {});
 [[nodiscard]] TETLOFT_API Result<Formatted> format_stack(const SectionStack& stack,

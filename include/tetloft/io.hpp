@@ -16,6 +16,7 @@
 #include <tetloft/model.hpp>
 #include <tetloft/result.hpp>
 #include <tetloft/section_stack.hpp>
+#include <tetloft/valid_stack.hpp>
 
 namespace tetloft {
 
@@ -39,6 +40,14 @@ struct ReadStack {
   /// no lines.
   IdVector<SectionId, IdVector<ContourId, std::size_t>> lines;
   Labels labels = {};  ///< that the file gives its contours
+};
+
+/// The same where the stack was validated, and may not be changed since.
+struct ReadValidStack {
+  ValidStack stack;
+  std::vector<Warning> warnings;
+  IdVector<SectionId, IdVector<ContourId, std::size_t>> lines;
+  Labels labels = {};
 };
 
 /// Whether a reader validates what it read, or leaves that to the caller, who may repair() first.

@@ -15,6 +15,7 @@
 #include <tetloft/report.hpp>
 #include <tetloft/result.hpp>
 #include <tetloft/section_stack.hpp>
+#include <tetloft/valid_stack.hpp>
 
 namespace tetloft {
 
@@ -73,5 +74,8 @@ struct Reconstruction {
 /// doubles without loss.
 [[nodiscard]] TETLOFT_API Result<Reconstruction> reconstruct(
     const SectionStack& stack, const ReconstructOptions& options = {});
+/// The same of what need not be validated.
+[[nodiscard]] TETLOFT_API Result<Reconstruction> reconstruct(
+    const ValidStack& stack, const ReconstructOptions& options = {});
 
 }  // namespace tetloft

@@ -8,3 +8,4 @@
 #include <tetloft/section_stack.hpp>
 #include <tetloft/skeleton.hpp>
 #include <tetloft/slice.hpp>
+#include <tetloft/valid_stack.hpp>

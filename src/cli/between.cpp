@@ -204,7 +204,7 @@ Result<int> run_between(const Arguments& arguments, Console& console) {
   const Result<LongStack> made = [&] {
     Progress progress(!console.quiet());
     request->options.execution.progress = progress.callback();
-    return between(input->stack, request->options);
+    return between(input->stack(), request->options);
   }();
   if (!made) return in_file(made.error(), request->input);
   console.warn_of(request->input, made->warnings);

@@ -143,14 +143,14 @@ Result<int> run_check(const Arguments& arguments, Console& console) {
   if (!model) return model.error();
   const auto input = read_stack_input(arguments.operand(1), *prepared, console);
   if (!input) return input.error();
-  put_into_frame(*model, input->stack, console);
+  put_into_frame(*model, input->stack(), console);
   const Result<void> labelled = read_label_option(arguments, *input, options.correspondence);
   if (!labelled) return labelled.error();
 
   const Result<CheckReport> report = [&] {
     Progress progress(!console.quiet());
     options.execution.progress = progress.callback();
-    return check(*model, input->stack, options);
+    return check(*model, input->stack(), options);
   }();
   if (!report) return report.error();
   Result<void> told;

@@ -91,7 +91,7 @@ Result<StagedFiles> stage_converted(const ConvertRequest& request, const StackIn
                                     Console& console) {
   StagedFiles files;
   Result<void> taken = take_staged(
-      io::stage_stack(request.output, input.stack, {request.encoding, {}}, temporary_watcher()),
+      io::stage_stack(request.output, input.stack(), {request.encoding, {}}, temporary_watcher()),
       files, console);
   if (!taken) return taken.error();
   if (has_any(input.labels) && !request.labels_out) {
@@ -110,9 +110,9 @@ std::string to_json(const StackInput& input, const ConvertRequest& request,
                     const Console& console) {
   JsonWriter json;
   json.begin_object();
-  json.member("slices", input.stack.sections.size());
-  json.member("contours", input.stack.contour_count());
-  json.member("vertices", input.stack.vertex_count());
+  json.member("slices", input.stack().sections.size());
+  json.member("contours", input.stack().contour_count());
+  json.member("vertices", input.stack().vertex_count());
   json.member("name", input.name);
   json.member("unit", input.unit);
   json.member("written", request.output);
@@ -123,9 +123,10 @@ std::string to_json(const StackInput& input, const ConvertRequest& request,
 }
 
 std::string to_text(const StackInput& input, const ConvertRequest& request) {
-  std::string text = describe_preparation(input) + counted(input.stack.sections.size(), "section") +
-                     ", " + counted(input.stack.contour_count(), "contour") + ", " +
-                     std::to_string(input.stack.vertex_count()) +
+  std::string text = describe_preparation(input) +
+                     counted(input.stack().sections.size(), "section") + ", " +
+                     counted(input.stack().contour_count(), "contour") + ", " +
+                     std::to_string(input.stack().vertex_count()) +
                      " vertices\nwritten: " + printable(request.output);
   if (request.labels_out) text += ", " + printable(*request.labels_out);
   return text + '\n';

@@ -51,8 +51,8 @@ std::string to_json(const GeigerModel& made, const StackInput& input, double sec
   JsonWriter json;
   json.begin_object();
   json.member("method", "geiger");
-  json.member("slices", input.stack.sections.size());
-  json.member("contours", input.stack.contour_count());
+  json.member("slices", input.stack().sections.size());
+  json.member("contours", input.stack().contour_count());
   json.member("input_vertices", report.input_vertices);
   json.member("split_vertices", report.split_vertices);
   json.member("foot_vertices", report.foot_vertices);
@@ -75,8 +75,8 @@ std::string to_text(const GeigerModel& made, const StackInput& input, double sec
                     const ModelOutputs& outputs) {
   const GeigerReport& report = made.report;
   std::string text = describe_preparation(input);
-  text += counted(input.stack.sections.size(), "section") + ", " +
-          counted(input.stack.contour_count(), "contour") + ", " +
+  text += counted(input.stack().sections.size(), "section") + ", " +
+          counted(input.stack().contour_count(), "contour") + ", " +
           std::to_string(report.input_vertices) + " input vertices, " +
           std::to_string(report.split_vertices) + " and " + std::to_string(report.foot_vertices) +
           " feet inserted on contours, " + std::to_string(report.projected_vertices) +
@@ -111,17 +111,17 @@ Result<int> reconstruct_by_geiger(const Arguments& arguments, Console& console) 
     options.execution.threads = *threads;
     options.execution.progress = progress.callback();
     options.work_limit = *limit;
-    return reconstruct_geiger(input->stack, options);
+    return reconstruct_geiger(input->stack(), options);
   }();
   const double seconds = watch.seconds();
   if (!made) return in_file(made.error(), arguments.operand(0));
   if (arguments.has("--verify")) {
-    Result<void> told = tell_broken_guarantees(made->model, input->stack, *threads, console);
+    Result<void> told = tell_broken_guarantees(made->model, input->stack(), *threads, console);
     if (!told) return told.error();
   }
   auto files = stage_model(made->model, *outputs, console);
   if (!files) return files.error();
-  const Result<void> staged = stage_repaired(outputs->repaired, input->stack, *files, console);
+  const Result<void> staged = stage_repaired(outputs->repaired, input->stack(), *files, console);
   if (!staged) return staged.error();
   std::string told;
   if (console.json()) {

@@ -104,7 +104,7 @@ void take_labels(Labels labels, CorrespondenceOptions& options) {
 
 Result<void> read_label_option(const Arguments& arguments, const StackInput& input,
                                CorrespondenceOptions& options) {
-  const SectionStack& stack = input.stack;
+  const SectionStack& stack = input.stack();
   const auto path = arguments.text("--labels");
   if (!path) {
     Labels labels = input.labels;

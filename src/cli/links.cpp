@@ -109,7 +109,7 @@ std::string to_json(const LinkListing& listing, const StackInput& input, const C
   JsonWriter json;
   json.begin_object();
   json.member("slices", listing.sections);
-  json.member("contours", input.stack.contour_count());
+  json.member("contours", input.stack().contour_count());
   json.member("components", found.components);
   write_links(json, listing);
   write_motions(json, found.motions);
@@ -141,16 +141,16 @@ Result<int> run_links(const Arguments& arguments, Console& console) {
   Result<StackLinks> found = [&] {
     Progress progress(!console.quiet());
     request->options.execution.progress = progress.callback();
-    return find_links(input->stack, request->options);
+    return find_links(input->stack(), request->options);
   }();
   if (!found) return in_file(found.error(), request->input);
   console.warn_of(request->input, found->warnings);
   const CorrespondenceOptions& asked = request->options.correspondence;
-  const LinkListing listing{input->stack.sections.size(), asked.labels, asked.voids.labels,
+  const LinkListing listing{input->stack().sections.size(), asked.labels, asked.voids.labels,
                             *std::move(found), request->first};
   auto files = stage_lines_of(*request, listing, console);
   if (!files) return files.error();
-  const Result<void> mended = stage_repaired(request->repaired, input->stack, *files, console);
+  const Result<void> mended = stage_repaired(request->repaired, input->stack(), *files, console);
   if (!mended) return mended.error();
   std::string told;
   if (console.json()) {

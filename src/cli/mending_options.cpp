@@ -179,9 +179,10 @@ RepairReport report_of(const Repaired& repaired, FillRule fill) {
 
 }  // namespace
 
-void warn_of_reader(const ReadStack& read, const Mending& mending, Console& console) {
-  const std::vector<Warning> gaps = suspicious_gaps(read.stack);
-  for (Warning warning : read.warnings) {
+void warn_of_reader(const SectionStack& stack, const std::vector<Warning>& warnings,
+                    const Mending& mending, Console& console) {
+  const std::vector<Warning> gaps = suspicious_gaps(stack);
+  for (Warning warning : warnings) {
     const bool of_gap = std::any_of(gaps.begin(), gaps.end(), [&](const Warning& gap) {
       return gap.message == warning.message;
     });
@@ -196,7 +197,7 @@ Result<MendedStack> mend_read(const ReadStack& read, const std::string& path,
   MendedStack mended;
   mended.stack = read.stack;
   Lines lines = read.lines;
-  warn_of_reader(read, mending, console);
+  warn_of_reader(read.stack, read.warnings, mending, console);
   const auto warn_each = [&](const std::vector<Warning>& warnings, const char* what) {
     for (Warning warning : warnings) {
       locate_in(warning.where, path, lines);

@@ -127,8 +127,9 @@ namespace {
 
 // Other programs have such tets; and placing points rounds them, where their planes are oblique:
 // what is thinner than that turns over.
-void warn_of_turned(const Model& model, Console& console) {
+void warn_of_turned(const Model& model, Tets tets, Console& console) {
   const bool rounded = !is_exact(model.frame);
+  if (tets == Tets::proven && !rounded) return;
   const auto at = [&](VertexId v) {
     return rounded ? place(model.frame, model.points[v]) : model.points[v];
   };
@@ -155,8 +156,9 @@ Result<void> take_staged(Result<io::Staged> staged, StagedFiles& files, Console&
   return {};
 }
 
-Result<StagedFiles> stage_model(const Model& model, const ModelOutputs& outputs, Console& console) {
-  warn_of_turned(model, console);
+Result<StagedFiles> stage_model(const Model& model, const ModelOutputs& outputs, Console& console,
+                                Tets tets) {
+  warn_of_turned(model, tets, console);
   StagedFiles files;
   const auto stage = [&](const std::optional<std::string>& path, auto writer) -> Result<void> {
     if (!path) return {};

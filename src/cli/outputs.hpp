@@ -1,6 +1,7 @@
 // Output files, looked at before any work is done.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -50,9 +51,12 @@ using StagedFiles = std::vector<internal::io::PendingFile>;
 [[nodiscard]] Result<void> take_staged(Result<internal::io::Staged> staged, StagedFiles& files,
                                        Console& console);
 
+/// Where a model's tets come from: those of a reconstruction are positive, by proof.
+enum class Tets : std::uint8_t { proven, any };
+
 /// The surface and the solid, up to the last step.
 [[nodiscard]] Result<StagedFiles> stage_model(const Model& model, const ModelOutputs& outputs,
-                                              Console& console);
+                                              Console& console, Tets tets = Tets::any);
 /// Where they will appear; of outputs with what a format has beside the one that was asked for.
 [[nodiscard]] std::vector<std::string> paths_of(const ModelOutputs& outputs);
 [[nodiscard]] std::vector<std::string> paths_of(const StagedFiles& files);

@@ -177,28 +177,29 @@ Result<int> run_reconstruct(const Arguments& arguments, Console& console) {
       read_label_option(arguments, *input, request->options.correspondence);
   if (!labelled) return labelled.error();
   seconds.read = reading.seconds();
-  if (request->options.thickness && input->stack.sections.size() > 1) {
+  if (request->options.thickness && input->stack().sections.size() > 1) {
     console.warn({"--thickness has no effect on more than one section", {}});
   }
 
   Result<Reconstruction> result = [&] {
     Progress progress(!console.quiet());
     request->options.execution.progress = progress.callback();
-    return reconstruct(input->stack, request->options);
+    return std::visit([&](const auto& stack) { return reconstruct(stack, request->options); },
+                      input->given);
   }();
   if (!result) return in_file(result.error(), request->input);
   console.warn_of(request->input, result->warnings);
   if (request->verify) {
     const Stopwatch verifying;
-    Result<void> verified = verify(result->model, input->stack, request->options);
+    Result<void> verified = verify(result->model, input->stack(), request->options);
     if (!verified) return verified.error();
     seconds.verify = verifying.seconds();
   }
   const Stopwatch writing;
-  auto files = stage_model(result->model, request->outputs, console);
+  auto files = stage_model(result->model, request->outputs, console, Tets::proven);
   if (!files) return files.error();
   const Result<void> staged =
-      stage_repaired(request->outputs.repaired, input->stack, *files, console);
+      stage_repaired(request->outputs.repaired, input->stack(), *files, console);
   if (!staged) return staged.error();
   seconds.write = writing.seconds();
   seconds.total = all.seconds();

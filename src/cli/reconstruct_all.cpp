@@ -96,11 +96,12 @@ class AllStructures {
     options.execution.threads = threads_each_;
     const Result<void> labelled = read_label_option(arguments_, *input, options.correspondence);
     if (!labelled) return labelled.error();
-    Result<Reconstruction> result = reconstruct(input->stack, options);
+    Result<Reconstruction> result =
+        std::visit([&](const auto& stack) { return reconstruct(stack, options); }, input->given);
     if (!result) return result.error();
     console.warn_of(request_.input, result->warnings);
     if (request_.verify) {
-      if (Result<void> fine = verify(result->model, input->stack, options); !fine) return fine;
+      if (Result<void> fine = verify(result->model, input->stack(), options); !fine) return fine;
     }
     outcome.report = result->report;
     outcome.tets = result->model.tets.size();
@@ -108,10 +109,10 @@ class AllStructures {
     outcome.components = result->model.component_count;
     // Whoever ends the program learns of temporaries one at a time.
     const std::scoped_lock lock(mutex_);
-    auto files = stage_model(result->model, outcome.outputs, console);
+    auto files = stage_model(result->model, outcome.outputs, console, Tets::proven);
     if (!files) return files.error();
     const Result<void> staged =
-        stage_repaired(outcome.outputs.repaired, input->stack, *files, console);
+        stage_repaired(outcome.outputs.repaired, input->stack(), *files, console);
     if (!staged) return staged.error();
     return io::commit_all(*files);
   }

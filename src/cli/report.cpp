@@ -175,12 +175,12 @@ Result<int> run_report(const Arguments& arguments, Console& console) {
     auto read = read_stack_input(*request->stack, request->preparation, console);
     if (!read) return read.error();
     input = *std::move(read);
-    put_into_frame(*model, input->stack, console);
+    put_into_frame(*model, input->stack(), console);
     const Result<void> labelled =
         read_label_option(arguments, *input, options.check.correspondence);
     if (!labelled) return labelled.error();
   }
-  const bool named = !model->about.name.empty() || (input && !input->stack.about.name.empty());
+  const bool named = !model->about.name.empty() || (input && !input->stack().about.name.empty());
   if (options.title.empty() && !named) {
     options.title = std::filesystem::path(arguments.operand(0)).stem().string();
   }
@@ -192,7 +192,7 @@ Result<int> run_report(const Arguments& arguments, Console& console) {
   const Result<Report> report = [&] {
     Progress progress(!console.quiet());
     options.execution.progress = progress.callback();
-    return render_report(*model, input ? &input->stack : nullptr, options);
+    return render_report(*model, input ? &input->stack() : nullptr, options);
   }();
   if (!report) return in_file(report.error(), arguments.operand(0));
 

@@ -191,10 +191,10 @@ Result<int> run_skeleton(const Arguments& arguments, Console& console) {
   const auto input = read_stack_input(arguments.operand(0), *prepared, console);
   if (!input) return input.error();
 
-  const Box box = box_of(input->stack);
+  const Box box = box_of(input->stack());
   LineSet lines{{}, {{"section", {}}, {"kind", {}}, {"contour_a", {}}, {"contour_b", {}}}};
   Counts counts;
-  const auto sections = conform_all(input->stack, arguments.operand(0));
+  const auto sections = conform_all(input->stack(), arguments.operand(0));
   if (!sections) return sections.error();
   for (std::size_t s = 0; s < sections->size(); ++s) {
     for (const EdgeKind each : {EdgeKind::internal, EdgeKind::external}) {
@@ -212,7 +212,7 @@ Result<int> run_skeleton(const Arguments& arguments, Console& console) {
   if (console.json()) {
     JsonWriter json;
     json.begin_object();
-    json.member("slices", input->stack.sections.size());
+    json.member("slices", input->stack().sections.size());
     json.member("internal", counts.internal);
     json.member("external", counts.external);
     json.member("outside", counts.outside);
@@ -222,8 +222,8 @@ Result<int> run_skeleton(const Arguments& arguments, Console& console) {
     json.end_object();
     told = json.text();
   } else if (!console.quiet()) {
-    told = describe_preparation(*input) + counted(input->stack.sections.size(), "section") + ", " +
-           counted(counts.internal, "internal skeleton edge") + ", " +
+    told = describe_preparation(*input) + counted(input->stack().sections.size(), "section") +
+           ", " + counted(counts.internal, "internal skeleton edge") + ", " +
            counted(counts.external, "external one") + " (" + std::to_string(counts.outside) +
            " outside the box)\n" + describe_well_positioned(positions) +
            "written: " + printable(*output) + '\n';

@@ -185,37 +185,50 @@ SnapReport report_of(const Snapped& snapped, std::size_t vertices_before) {
   return report;
 }
 
-Result<StackInput> read_and_mend(const std::string& path, const Preparation& preparation,
-                                 Console& console) {
-  const Mending& mending = preparation.mending;
-  ReadOptions reading = preparation.read;
-  if (mending.any()) reading.validity = Validity::unchecked;
-  Progress progress(!console.quiet());
-  reading.execution.progress = progress.callback();
+Result<StackInput> read_valid(const std::string& path, const ReadOptions& reading,
+                              Console& console) {
+  Result<ReadValidStack> read = read_valid_stack(path, reading);
+  if (!read) return with_remedy(read.error());
+  warn_of_reader(read->stack.stack(), read->warnings, {}, console);
+  StackInput input;
+  input.name = read->stack.stack().about.name;
+  input.unit = read->stack.stack().about.unit;
+  input.given = std::move(read->stack);
+  input.labels = std::move(read->labels);
+  return input;
+}
+
+Result<StackInput> read_to_mend(const std::string& path, ReadOptions reading,
+                                const Mending& mending, Console& console) {
+  reading.validity = Validity::unchecked;
   Result<ReadStack> read = read_stack(path, reading);
   if (!read) return with_remedy(read.error());
+  Result<MendedStack> mended = mend_read(*read, path, mending, console);
+  if (!mended) return mended.error();
   StackInput input;
   input.name = read->stack.about.name;
   input.unit = read->stack.about.unit;
-  if (!mending.any()) {
-    warn_of_reader(*read, mending, console);
-    input.stack = std::move(read->stack);
-    input.labels = std::move(read->labels);
-    return input;
-  }
-  Result<MendedStack> mended = mend_read(*read, path, mending, console);
-  if (!mended) return mended.error();
-  input.stack = std::move(mended->stack);
+  input.given = std::move(mended->stack);
   input.planes = mended->planes;
   input.repaired = std::move(mended->repair);
   return input;
 }
 
+Result<StackInput> read_and_mend(const std::string& path, const Preparation& preparation,
+                                 Console& console) {
+  const Mending& mending = preparation.mending;
+  ReadOptions reading = preparation.read;
+  Progress progress(!console.quiet());
+  reading.execution.progress = progress.callback();
+  return mending.any() ? read_to_mend(path, reading, mending, console)
+                       : read_valid(path, reading, console);
+}
+
 Result<void> snap_input(StackInput& input, int bits, Console& console) {
-  Result<Snapped> snapped = snap(input.stack, bits);
+  Result<Snapped> snapped = snap(input.stack(), bits);
   if (!snapped) return snapped.error();
-  input.snapped = report_of(*snapped, input.stack.vertex_count());
-  input.stack = std::move(snapped->stack);
+  input.snapped = report_of(*snapped, input.stack().vertex_count());
+  input.given = std::move(snapped->stack);
   if (input.snapped->bits != bits) {
     console.warn({std::string("a lattice of ") + std::to_string(bits) +
                       " bits makes contours touch or degenerate; " +
@@ -226,10 +239,10 @@ Result<void> snap_input(StackInput& input, int bits, Console& console) {
 }
 
 Result<void> refine_input(StackInput& input, double length) {
-  Result<Refined> refined = refine(input.stack, length);
+  Result<Refined> refined = refine(input.stack(), length);
   if (!refined) return refined.error();
   input.inserted = refined->inserted;
-  input.stack = std::move(refined->stack);
+  input.given = std::move(refined->stack);
   return {};
 }
 

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <tetloft/tetloft.hpp>
@@ -38,14 +39,19 @@ struct Preparation {
 };
 
 struct StackInput {
-  SectionStack stack;  ///< as it is worked on
-  Labels labels;       ///< that the file gives its contours
-  std::string name;    ///< of the structure that was read
-  std::string unit;    ///< of length, where the file names one
+  std::variant<SectionStack, ValidStack> given;  ///< as it is worked on; valid if a reader says so
+  Labels labels;                                 ///< that the file gives its contours
+  std::string name;                              ///< of the structure that was read
+  std::string unit;                              ///< of length, where the file names one
   std::optional<PlanesReport> planes;
   std::optional<RepairReport> repaired;
   std::optional<SnapReport> snapped;
   std::optional<std::size_t> inserted;  ///< vertices, by refining
+
+  [[nodiscard]] const SectionStack& stack() const {
+    const auto* valid = std::get_if<ValidStack>(&given);
+    return valid != nullptr ? valid->stack() : std::get<SectionStack>(given);
+  }
 };
 
 /// Checks the options' values without touching a file. Labels and decisions stay empty.

@@ -23,6 +23,9 @@ Completion::Completion(const Slab& slab, const SlabClasses& classes,
       seen_(slab.tet_count(), 0),
       spoke_of_(slab.tet_count(), kHull),
       link_vertex_(slab.vertex_count()) {
+  for (const ClassId c : IdRange<ClassId>(classes.class_count())) {
+    part_count_.push_back(classes.regions(c).size());
+  }
   find_sectors();
 }
 

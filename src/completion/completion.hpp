@@ -198,6 +198,7 @@ class Completion {
   // Regions united through attached corners: all tets attached at a vertex hang together, and
   // so do the attached corners of one tet for one class.
   UnionFind parts_;
+  IdVector<ClassId, std::size_t> part_count_;  // by class: how many its regions are in
   // While classes are connected, the vertices of whose stars something changed; changed_[v]
   // while v is among them.
   bool note_changes_ = false;

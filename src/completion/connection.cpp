@@ -28,14 +28,14 @@ void Completion::attach(TetId t, int corner) {
 // The region of an attached corner with those of other corners attached.
 void Completion::unite_attached(TetId t, int corner) {
   const SlabVertexId p = slab_.vertex(t, corner);
-  if (classes_.is_lone(classes_.of(p))) return;
+  const ClassId c = classes_.of(p);
+  if (part_count_[c] == 1 && !note_changes_) return;
   for (int i = 0; i < 4; ++i) {
     const SlabVertexId u = slab_.vertex(t, i);
-    if (classes_.of(u) != classes_.of(p)) continue;
+    if (classes_.of(u) != c) continue;
     note_change(u);
-    if (complex_.is_attached(t, i)) {
-      parts_.unite(classes_.region(u).index(), classes_.region(p).index());
-    }
+    if (!complex_.is_attached(t, i)) continue;
+    if (parts_.unite(classes_.region(u).index(), classes_.region(p).index())) --part_count_[c];
   }
 }
 

@@ -14,7 +14,7 @@ constexpr std::uint32_t kLeastDegree = 64;
 // Far above the rounding of a direction, some 2^-51, and far below the angles that tell.
 constexpr double kSlack = 0x1p-40;
 
-constexpr Box kAllDirections{{-2, -2, -2}, {2, 2, 2}};
+constexpr Box kAllDirections({-2, -2, -2}, {2, 2, 2});
 
 }  // namespace
 

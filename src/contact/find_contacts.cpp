@@ -5,6 +5,7 @@
 
 #include "contact/contact.hpp"
 #include "contact/fans.hpp"
+#include "contact/separation.hpp"
 #include "contact/triangle_pair.hpp"
 #include "contact/triangle_tree.hpp"
 
@@ -55,9 +56,10 @@ class LowestContacts {
 class Tester {
  public:
   Tester(std::span<const Point3> points, std::span<const TriangleVertices> triangles,
-         std::size_t limit)
+         std::span<const std::uint32_t> members, std::size_t limit)
       : points_(points),
         triangles_(triangles),
+        separation_(points, triangles, members),
         facing_(triangles.size()),
         faced_(triangles.size(), 0),
         lowest_(limit) {}
@@ -66,9 +68,17 @@ class Tester {
     const Contact pair{std::min(i, j), std::max(i, j)};
     if (!lowest_.wants(pair)) return;
     ++tested_;
-    if (contact_detail::touch(points_, triangles_[i], facing(i), triangles_[j], facing(j))) {
-      lowest_.add(pair);
+    const contact_detail::Meeting meeting(triangles_[i], triangles_[j]);
+    if (meeting.shared == 0 && separation_.apart(meeting.a, meeting.b)) return;
+    const Facing& of_a = facing(i);
+    const Facing& of_b = facing(j);
+    const bool degenerate =
+        of_a.axis == contact_detail::Axis::none || of_b.axis == contact_detail::Axis::none;
+    if (meeting.shared == 1 && !degenerate &&
+        separation_.meet_in_first_alone(meeting.a, meeting.b)) {
+      return;
     }
+    if (contact_detail::touch(points_, meeting, of_a, of_b)) lowest_.add(pair);
   }
 
   [[nodiscard]] std::vector<Contact> sorted() { return lowest_.sorted(); }
@@ -85,6 +95,7 @@ class Tester {
 
   std::span<const Point3> points_;
   std::span<const TriangleVertices> triangles_;
+  contact_detail::Separation separation_;
   std::vector<Facing> facing_;
   std::vector<std::uint8_t> faced_;
   LowestContacts lowest_;
@@ -152,7 +163,7 @@ std::vector<Contact> find_contacts(std::span<const Point3> points,
   if (members.empty()) return {};
   const bool all_active = members.size() == triangles.size();
 
-  Tester tester(points, triangles, limit);
+  Tester tester(points, triangles, members, limit);
   const Fans fans = contact_detail::gather_fans(points.size(), triangles, members);
   test_fans(points, triangles, fans, tester);
   test_rest(points, triangles, fans.rest, all_active ? std::span<const std::uint8_t>() : active,

@@ -42,14 +42,28 @@ Triangle2 project(const Triangle3& t, Axis axis) {
   return {project(t[0], axis), project(t[1], axis), project(t[2], axis)};
 }
 
-// The axes, that of the largest normal coordinate first. Rounding may misjudge which is
-// the largest; that costs time only.
-std::array<Axis, 3> axes_by_normal(const Triangle3& t) {
+// Far above the products of coordinates that underflow, 2^-1074, and of no account beside others.
+constexpr double kTinyProduct = 0x1p-960;
+
+// Of a triangle's plane: the normal, and how large the products are that it is made of.
+void set_normal(const Triangle3& t, Facing& facing) {
   const Point3 u{t[1].x - t[0].x, t[1].y - t[0].y, t[1].z - t[0].z};
   const Point3 v{t[2].x - t[0].x, t[2].y - t[0].y, t[2].z - t[0].z};
-  const double x = std::abs(u.y * v.z - u.z * v.y);
-  const double y = std::abs(u.z * v.x - u.x * v.z);
-  const double z = std::abs(u.x * v.y - u.y * v.x);
+  const auto coordinate_of = [](double plus, double minus, double& normal, double& magnitude) {
+    normal = plus - minus;
+    magnitude = std::abs(plus) + std::abs(minus) + kTinyProduct;
+  };
+  coordinate_of(u.y * v.z, u.z * v.y, facing.normal.x, facing.magnitude.x);
+  coordinate_of(u.z * v.x, u.x * v.z, facing.normal.y, facing.magnitude.y);
+  coordinate_of(u.x * v.y, u.y * v.x, facing.normal.z, facing.magnitude.z);
+}
+
+// The axes, that of the largest normal coordinate first. Rounding may misjudge which is
+// the largest; that costs time only.
+std::array<Axis, 3> axes_by_normal(const Point3& normal) {
+  const double x = std::abs(normal.x);
+  const double y = std::abs(normal.y);
+  const double z = std::abs(normal.z);
   std::array<Axis, 3> axes{Axis::z, Axis::y, Axis::x};
   if (y > z && y >= x) {
     axes = {Axis::y, Axis::z, Axis::x};
@@ -63,12 +77,39 @@ std::array<Axis, 3> axes_by_normal(const Triangle3& t) {
 struct Plate {
   const Triangle3& t;
   const Facing& facing;
+  bool reversed;  // t has the vertices in the other order than when it was faced
 };
+
+// The sign of the inner product of the normal with p - o, where o is a vertex: zero if it is not
+// certain.
+//
+// Each of the six monomials of the exact product, one from each coordinate of both sides, is
+// rounded at most eight times on its way (two differences, a product and a difference in the
+// normal, a difference in p - o, a product, two sums), so that the error is at most (1 + u)^8 - 1
+// times the sum of their magnitudes. Nine u are more by an eighth, which is far above terms of
+// second order and the dozen roundings of that sum and of the bound. Underflow: of products in the
+// normal kTinyProduct is ahead, whatever they are multiplied by; of all others kTiny. Where
+// anything overflows the sum does as well, and nothing is certain.
+Sign certain_side(const Facing& facing, const Point3& o, const Point3& p) {
+  constexpr double kNineRoundings = 9 * 0x1p-53;
+  constexpr double kTiny = 0x1p-1000;
+  const Point3 w{p.x - o.x, p.y - o.y, p.z - o.z};
+  const double value = facing.normal.x * w.x + facing.normal.y * w.y + facing.normal.z * w.z;
+  const double sum = facing.magnitude.x * std::abs(w.x) + facing.magnitude.y * std::abs(w.y) +
+                     facing.magnitude.z * std::abs(w.z);
+  const double error = kNineRoundings * sum + kTiny;
+  if (value > error) return Sign::positive;
+  return value < -error ? Sign::negative : Sign::zero;
+}
 
 // The side of the plate's plane on which p lies; which side is positive depends on the
 // plate alone.
 Sign side(const Plate& plate, const Point3& p) {
-  if (!plate.facing.parallel) return orient3d(plate.t[0], plate.t[1], plate.t[2], p);
+  if (!plate.facing.parallel) {
+    const Sign sign = certain_side(plate.facing, plate.t[0], p);
+    if (sign == Sign::zero) return orient3d(plate.t[0], plate.t[1], plate.t[2], p);
+    return plate.reversed ? -sign : sign;
+  }
   const double level = coordinate(plate.t[0], plate.facing.axis);
   const double at = coordinate(p, plate.facing.axis);
   if (at == level) return Sign::zero;
@@ -184,38 +225,41 @@ Triangle3 corners(std::span<const Point3> points, const TriangleVertices& t) {
 }
 
 Facing facing_of(const Triangle3& t) {
-  for (const Axis axis : axes_by_normal(t)) {
+  Facing facing;
+  set_normal(t, facing);
+  for (const Axis axis : axes_by_normal(facing.normal)) {
     const Triangle2 p = project(t, axis);
     if (orient2d(p[0], p[1], p[2]) == Sign::zero) continue;
     const double level = coordinate(t[0], axis);
-    const bool parallel = coordinate(t[1], axis) == level && coordinate(t[2], axis) == level;
-    return {axis, parallel};
+    facing.axis = axis;
+    facing.parallel = coordinate(t[1], axis) == level && coordinate(t[2], axis) == level;
+    return facing;
   }
-  return {};
+  return facing;
 }
 
-bool touch(std::span<const Point3> points, const TriangleVertices& a, const Facing& f,
-           const TriangleVertices& b, const Facing& g) {
-  // Bring the shared vertices to the front, in the same order.
-  TriangleVertices va = a;
-  TriangleVertices vb = b;
-  std::size_t shared = 0;
+Meeting::Meeting(const TriangleVertices& first, const TriangleVertices& second)
+    : a(first), b(second) {
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = shared; j < 3; ++j) {
-      if (va[i] != vb[j]) continue;
-      std::swap(va[i], va[shared]);
-      std::swap(vb[j], vb[shared]);
+      if (a[i] != b[j]) continue;
+      std::swap(a[i], a[shared]);
+      std::swap(b[j], b[shared]);
+      a_reversed = a_reversed != (i != shared);
+      b_reversed = b_reversed != (j != shared);
       ++shared;
       break;
     }
   }
+}
 
-  const Triangle3 ta = corners(points, va);
-  const Triangle3 tb = corners(points, vb);
-  const Plate pa{ta, f};
-  const Plate pb{tb, g};
+bool touch(std::span<const Point3> points, const Meeting& pair, const Facing& f, const Facing& g) {
+  const Triangle3 ta = corners(points, pair.a);
+  const Triangle3 tb = corners(points, pair.b);
+  const Plate pa{ta, f, pair.a_reversed};
+  const Plate pb{tb, g, pair.b_reversed};
   if (f.axis == Axis::none || g.axis == Axis::none) return touch_degenerate(pa, pb);
-  switch (shared) {
+  switch (pair.shared) {
     case 0: return touch_sharing_nothing(pa, pb);
     case 1: return touch_sharing_vertex(pa, pb);
     case 2: return touch_sharing_edge(pa, pb);
@@ -231,8 +275,8 @@ bool triangles_touch(std::span<const Point3> points, const TriangleVertices& a,
                      const TriangleVertices& b) {
   using contact_detail::corners;
   using contact_detail::facing_of;
-  return contact_detail::touch(points, a, facing_of(corners(points, a)), b,
-                               facing_of(corners(points, b)));
+  return contact_detail::touch(points, contact_detail::Meeting(a, b),
+                               facing_of(corners(points, a)), facing_of(corners(points, b)));
 }
 
 }  // namespace tetloft::internal

@@ -11,19 +11,35 @@ namespace {
 /// Measured: 4 to 12 are equally fast; fewer nodes take less memory.
 constexpr std::uint32_t kLeafSize = 8;
 
+// Numbers beyond the range of float are as good as its ends.
+float narrowed(double oblique) {
+  constexpr double kMost = std::numeric_limits<float>::max();
+  return static_cast<float>(std::clamp(oblique, -kMost, kMost));
+}
+
 }  // namespace
 
+Box::Box(const Point3& p)
+    : low(p),
+      high(p),
+      oblique_low{narrowed(p.x + p.y),     narrowed(p.x - p.y),     narrowed(p.x + 2 * p.y),
+                  narrowed(p.x - 2 * p.y), narrowed(2 * p.x + p.y), narrowed(2 * p.x - p.y)},
+      oblique_high(oblique_low) {}
+
 Box box_of(std::span<const Point3> points, const TriangleVertices& t) {
-  const Point3& a = points[t[0].index()];
-  const Point3& b = points[t[1].index()];
-  const Point3& c = points[t[2].index()];
-  return {{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::min({a.z, b.z, c.z})},
-          {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z})}};
+  Box box(points[t[0].index()]);
+  box.extend(Box(points[t[1].index()]));
+  box.extend(Box(points[t[2].index()]));
+  return box;
 }
 
 void Box::extend(const Box& b) {
   low = {std::min(low.x, b.low.x), std::min(low.y, b.low.y), std::min(low.z, b.low.z)};
   high = {std::max(high.x, b.high.x), std::max(high.y, b.high.y), std::max(high.z, b.high.z)};
+  for (std::size_t k = 0; k < kOblique; ++k) {
+    oblique_low[k] = std::min(oblique_low[k], b.oblique_low[k]);
+    oblique_high[k] = std::max(oblique_high[k], b.oblique_high[k]);
+  }
 }
 
 TriangleTree::TriangleTree(std::span<const Point3> points,
@@ -39,7 +55,7 @@ TriangleTree::TriangleTree(std::span<const Point3> points,
                            std::span<const TriangleVertices> triangles,
                            const std::vector<Item>& items) {
   order(items);
-  around_.resize(nodes_.size());
+  around_.resize(nodes_.size(), Box({}, {}));
   for (std::size_t k = nodes_.size(); k-- > 0;) {
     const Node& node = nodes_[k];
     if (node.left != 0) {

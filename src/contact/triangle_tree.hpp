@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -18,14 +19,46 @@
 
 namespace tetloft::internal::contact_detail {
 
+/// Bounds of points along the axes, and along six lines between x and y: triangles between section
+/// planes are long and thin in all directions, but low.
+///
+/// The oblique coordinates x ± y, x ± 2 y and 2 x ± y are rounded, once to double and once to
+/// float. Rounding is monotone: that of a point of a triangle lies between the least and the
+/// largest of its vertices, as rounded. So boxes that do not meet hold triangles that do not
+/// either, exactly.
 struct Box {
+  static constexpr std::size_t kOblique = 6;
+  static constexpr float kUnbounded = std::numeric_limits<float>::infinity();
+
   Point3 low;
   Point3 high;
+  std::array<float, kOblique> oblique_low;
+  std::array<float, kOblique> oblique_high;
+
+  /// Of one point.
+  explicit Box(const Point3& p);
+  /// Unbounded along oblique lines.
+  constexpr Box(const Point3& lowest, const Point3& highest) : low(lowest), high(highest) {
+    for (float& least : oblique_low) least = -kUnbounded;
+    for (float& most : oblique_high) most = kUnbounded;
+  }
+
   [[nodiscard]] bool meets(const Box& b) const {
     return low.x <= b.high.x && b.low.x <= high.x && low.y <= b.high.y && b.low.y <= high.y &&
-           low.z <= b.high.z && b.low.z <= high.z;
+           low.z <= b.high.z && b.low.z <= high.z && meets_obliquely(b);
   }
   void extend(const Box& b);
+
+ private:
+  // Without branches: boxes that meet along the axes mostly meet.
+  [[nodiscard]] bool meets_obliquely(const Box& b) const {
+    unsigned apart = 0;
+    for (std::size_t k = 0; k < kOblique; ++k) {
+      apart |= static_cast<unsigned>(oblique_low[k] > b.oblique_high[k]) |
+               static_cast<unsigned>(b.oblique_low[k] > oblique_high[k]);
+    }
+    return apart == 0;
+  }
 };
 
 [[nodiscard]] Box box_of(std::span<const Point3> points, const TriangleVertices& t);
@@ -40,8 +73,8 @@ class TriangleTree {
     Box box;
     std::uint32_t triangle;
   };
-  /// A tree over triangles of a soup by finite boxes of any kind. Nodes know their boxes in
-  /// space as well.
+  /// A tree over triangles of a soup by boxes of any kind, finite along the axes. Nodes know their
+  /// boxes in space as well.
   TriangleTree(std::span<const Point3> points, std::span<const TriangleVertices> triangles,
                const std::vector<Item>& items);
 
@@ -63,7 +96,7 @@ class TriangleTree {
   /// Triangles items_[begin … end − 1], one at least. A leaf iff left is 0, else the
   /// children are left and left + 1.
   struct Node {
-    Box box;
+    Box box{{}, {}};
     std::uint32_t begin = 0;
     std::uint32_t end = 0;
     std::uint32_t left = 0;

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <span>
+#include <vector>
 
 namespace tetloft::internal::core {
 
@@ -13,6 +14,13 @@ void give_back_pages(std::span<std::byte> bytes);
 template <class T>
 void give_back_pages(std::span<T> items) {
   give_back_pages(std::as_writable_bytes(items));
+}
+
+/// Frees a large vector at once, where an allocator would keep its memory for later.
+template <class T>
+void release(std::vector<T>& items) {
+  give_back_pages(std::span<T>(items));
+  items = std::vector<T>();
 }
 
 }  // namespace tetloft::internal::core

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "core/guard.hpp"
-#include "delaunay2/canonical.hpp"
 #include "delaunay2/corners.hpp"
 #include "delaunay2/diametral.hpp"
 #include "delaunay2/feet.hpp"
@@ -78,7 +77,7 @@ class Conformer {
     if (scheme_ == Scheme::feet) list_neighbours();
   }
 
-  Result<Conforming2> run() {
+  Result<ConformedPlane> run() {
     add_segments();
     while (!queue_.empty()) {
       work_.go_on();
@@ -324,27 +323,23 @@ class Conformer {
     enqueue(id);
   }
 
-  Conforming2 result() {
-    Conforming2 result;
-    result.split.resize(inserted_.size());
-    result.chains.resize(segments_.size());
+  ConformedPlane result() {
+    ConformedPlane result;
+    result.chains.reserve(segments_.size(), 2 * segments_.size() + inserted_.size());
     for (std::size_t s = 0; s < segments_.size(); ++s) {
-      std::vector<PlaneVertexId>& chain = result.chains[s];
-      chain.push_back(segments_[s][0]);
+      result.chains.add(segments_[s][0]);
       for (SubsegmentId sub(s); sub.valid(); sub = subsegments_[sub].next) {
-        chain.push_back(start_.input_of[subsegments_[sub].to]);
+        result.chains.add(start_.input_of[subsegments_[sub].to]);
       }
-      for (std::size_t i = 1; i + 1 < chain.size(); ++i) {
-        result.split[chain[i].index() - input_.size()] = {s, i - 1};
-      }
+      result.chains.end_chain();
     }
-    std::vector<Point2> points(input_.begin(), input_.end());
-    points.resize(input_.size() + inserted_.size());
+    result.points.assign(input_.begin(), input_.end());
+    result.points.resize(input_.size() + inserted_.size());
     for (const SiteId v : start_.input_of.ids()) {
       if (v == Incremental2::kGhost) continue;
-      points[start_.input_of[v].index()] = plane_.point(v);
+      result.points[start_.input_of[v].index()] = plane_.point(v);
     }
-    result.triangulation = canonical_triangulation(plane_, start_.input_of, std::move(points));
+    result.start = std::move(start_);
     return result;
   }
 
@@ -369,10 +364,10 @@ class Conformer {
 
 }  // namespace
 
-Result<Conforming2> conform(Start start, std::span<const Point2> points,
-                            std::span<const Segment> segments, const std::vector<bool>& gabriel,
-                            std::size_t most_inserted, WatchedWork& work) {
-  Result<Conforming2> result =
+Result<ConformedPlane> conform(Start start, std::span<const Point2> points,
+                               std::span<const Segment> segments, const std::vector<bool>& gabriel,
+                               std::size_t most_inserted, WatchedWork& work) {
+  Result<ConformedPlane> result =
       Conformer(std::move(start), points, segments, gabriel, most_inserted, Scheme::shells, work)
           .run();
   if (result) return result;

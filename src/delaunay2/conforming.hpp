@@ -14,6 +14,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -26,13 +27,50 @@
 
 namespace tetloft::internal::delaunay2_detail {
 
+/// The vertices of every segment from its first to its second end, segment after segment.
+class Chains {
+ public:
+  /// Ends the chain of a segment, of all vertices added since the last one.
+  void end_chain() { end_.push_back(static_cast<std::uint32_t>(vertices_.size())); }
+  void add(PlaneVertexId v) { vertices_.push_back(v); }
+  void reserve(std::size_t chains, std::size_t vertices) {
+    end_.reserve(chains);
+    vertices_.reserve(vertices);
+  }
+
+  [[nodiscard]] std::size_t size() const { return end_.size(); }
+  [[nodiscard]] std::span<const PlaneVertexId> operator[](std::size_t segment) const {
+    const std::uint32_t begin = segment == 0 ? 0 : end_[segment - 1];
+    return std::span(vertices_).subspan(begin, end_[segment] - begin);
+  }
+  /// All vertices, to be renamed.
+  [[nodiscard]] std::vector<PlaneVertexId>& vertices() { return vertices_; }
+
+ private:
+  std::vector<std::uint32_t> end_;  // by segment, in vertices_
+  std::vector<PlaneVertexId> vertices_;
+};
+
+/// A conforming triangulation before anything is numbered canonically.
+struct ConformedPlane {
+  Start start;                 ///< numbers sites by `points`; without a plane if all are collinear
+  std::vector<Point2> points;  ///< the input, then what was inserted
+  Chains chains;
+};
+
 /// conforming_delaunay2() for arguments that have been checked: `start` has a plane, points
 /// are finite and distinct, segments distinct, with valid and different ends, flags none or
 /// one for each. `most_inserted` bounds the number of inserted points. Tells no
 /// step.
-[[nodiscard]] Result<Conforming2> conform(Start start, std::span<const Point2> points,
-                                          std::span<const Segment> segments,
-                                          const std::vector<bool>& gabriel,
-                                          std::size_t most_inserted, WatchedWork& work);
+[[nodiscard]] Result<ConformedPlane> conform(Start start, std::span<const Point2> points,
+                                             std::span<const Segment> segments,
+                                             const std::vector<bool>& gabriel,
+                                             std::size_t most_inserted, WatchedWork& work);
+
+/// conforming_delaunay2() up to there, of segments known to be distinct, with valid and different
+/// ends. Throws what its steps throw.
+[[nodiscard]] Result<ConformedPlane> conformed_plane(std::span<const Point2> points,
+                                                     std::span<const Segment> segments,
+                                                     const ConformingOptions& options);
 
 }  // namespace tetloft::internal::delaunay2_detail

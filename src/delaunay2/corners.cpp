@@ -46,6 +46,9 @@ std::vector<std::array<bool, 2>> acute_ends(std::span<const Point2> points,
   for (std::size_t v = 0; v < points.size(); ++v) {
     const std::span here(ends.data() + first[v], first[v + 1] - first[v]);
     if (here.size() < 2) continue;
+    if (here.size() == 2 && angle_sign(far(here[0]), points[v], far(here[1])) != Sign::positive) {
+      continue;
+    }
     const AroundLess less{points[v]};
     std::sort(here.begin(), here.end(),
               [&](SegmentEnd a, SegmentEnd b) { return less(far(a), far(b)); });

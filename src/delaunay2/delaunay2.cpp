@@ -21,6 +21,7 @@ using namespace internal;
 
 namespace {
 
+using delaunay2_detail::ConformedPlane;
 using delaunay2_detail::Incremental2;
 
 Error refuse(std::string message, std::span<const Point2> points, std::size_t vertex) {
@@ -90,8 +91,8 @@ Result<void> verify_range(std::span<const Point2> points) {
 }
 
 /// Points on a line have no triangles; segments that do not overlap join neighbours.
-Result<Conforming2> conform_collinear(std::span<const Point2> points,
-                                      std::span<const Segment> segments) {
+Result<ConformedPlane> conform_collinear(std::span<const Point2> points,
+                                         std::span<const Segment> segments) {
   std::vector<std::size_t> order(points.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -106,9 +107,8 @@ Result<Conforming2> conform_collinear(std::span<const Point2> points,
     rank[order[i]] = i;
   }
   if (Result<void> valid = verify_distinct(points, representative); !valid) return valid.error();
-  Conforming2 result;
-  result.triangulation.points =
-      IdVector<PlaneVertexId, Point2>(std::vector<Point2>(points.begin(), points.end()));
+  ConformedPlane result;
+  result.points.assign(points.begin(), points.end());
   for (std::size_t s = 0; s < segments.size(); ++s) {
     const auto [low, high] =
         std::minmax({rank[segments[s][0].index()], rank[segments[s][1].index()]});
@@ -116,7 +116,62 @@ Result<Conforming2> conform_collinear(std::span<const Point2> points,
       return refuse("segment " + std::to_string(s) + " passes through a vertex", points,
                     order[low + 1]);
     }
-    result.chains.push_back({segments[s][0], segments[s][1]});
+    result.chains.add(segments[s][0]);
+    result.chains.add(segments[s][1]);
+    result.chains.end_chain();
+  }
+  return result;
+}
+
+/// What the arguments are asked before anything is made of them.
+Result<void> verify_arguments(std::span<const Point2> points, std::span<const Segment> segments,
+                              const ConformingOptions& options) {
+  if (Result<void> valid = verify_points(points); !valid) return valid;
+  if (!options.gabriel.empty() && options.gabriel.size() != segments.size()) {
+    return Error{ErrorCode::usage, "as many gabriel flags as segments, or none", {}};
+  }
+  return {};
+}
+
+Result<ConformedPlane> conform_verified(std::span<const Point2> points,
+                                        std::span<const Segment> segments,
+                                        const ConformingOptions& options) {
+  WatchedWork work(options.execution, delaunay2_detail::steps_of(points) + 1);
+  work.go_on();
+  delaunay2_detail::Start start = delaunay2_detail::triangulate(points, work);
+  if (!start.plane) return conform_collinear(points, segments);
+  std::vector<PlaneVertexId> representative(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    representative[i] = start.input_of[start.site_of[PlaneVertexId(i)]];
+  }
+  if (Result<void> valid = verify_distinct(points, representative); !valid) return valid.error();
+  if (Result<void> valid = verify_range(points); !valid) return valid.error();
+  const std::size_t bound = options.most_inserted != 0
+                                ? options.most_inserted
+                                : (std::size_t{1} << 16) + 64 * (points.size() + segments.size());
+  Result<ConformedPlane> result = delaunay2_detail::conform(
+      std::move(start), points, segments, options.gabriel,
+      std::min(bound, Incremental2::kMostVertices - 1 - points.size()), work);
+  if (result) work.step_done();
+  return result;
+}
+
+Conforming2 canonical_form(ConformedPlane conformed, std::size_t input_count) {
+  Conforming2 result;
+  result.split.resize(conformed.points.size() - input_count);
+  result.chains.resize(conformed.chains.size());
+  for (std::size_t s = 0; s < result.chains.size(); ++s) {
+    const std::span<const PlaneVertexId> chain = conformed.chains[s];
+    result.chains[s].assign(chain.begin(), chain.end());
+    for (std::size_t i = 1; i + 1 < chain.size(); ++i) {
+      result.split[chain[i].index() - input_count] = {s, i - 1};
+    }
+  }
+  if (conformed.start.plane) {
+    result.triangulation = delaunay2_detail::canonical_triangulation(
+        *conformed.start.plane, conformed.start.input_of, std::move(conformed.points));
+  } else {
+    result.triangulation.points = IdVector<PlaneVertexId, Point2>(std::move(conformed.points));
   }
   return result;
 }
@@ -140,33 +195,25 @@ Result<Triangulation2> delaunay2(std::span<const Point2> points, const Execution
   });
 }
 
+Result<ConformedPlane> delaunay2_detail::conformed_plane(std::span<const Point2> points,
+                                                         std::span<const Segment> segments,
+                                                         const ConformingOptions& options) {
+  if (Result<void> valid = verify_arguments(points, segments, options); !valid) {
+    return valid.error();
+  }
+  return conform_verified(points, segments, options);
+}
+
 Result<Conforming2> conforming_delaunay2(std::span<const Point2> points,
                                          std::span<const Segment> segments,
                                          const ConformingOptions& options) {
   return guard_internal([&]() -> Result<Conforming2> {
-    if (Result<void> valid = verify_points(points); !valid) return valid.error();
-    if (!options.gabriel.empty() && options.gabriel.size() != segments.size()) {
-      return Error{ErrorCode::usage, "as many gabriel flags as segments, or none", {}};
-    }
-    if (Result<void> valid = verify_segments(points, segments); !valid) return valid.error();
-    WatchedWork work(options.execution, delaunay2_detail::steps_of(points) + 1);
-    work.go_on();
-    delaunay2_detail::Start start = delaunay2_detail::triangulate(points, work);
-    if (!start.plane) return conform_collinear(points, segments);
-    std::vector<PlaneVertexId> representative(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      representative[i] = start.input_of[start.site_of[PlaneVertexId(i)]];
-    }
-    if (Result<void> valid = verify_distinct(points, representative); !valid) return valid.error();
-    if (Result<void> valid = verify_range(points); !valid) return valid.error();
-    const std::size_t bound = options.most_inserted != 0
-                                  ? options.most_inserted
-                                  : (std::size_t{1} << 16) + 64 * (points.size() + segments.size());
-    Result<Conforming2> result = delaunay2_detail::conform(
-        std::move(start), points, segments, options.gabriel,
-        std::min(bound, Incremental2::kMostVertices - 1 - points.size()), work);
-    if (result) work.step_done();
-    return result;
+    Result<void> valid = verify_arguments(points, segments, options);
+    if (valid) valid = verify_segments(points, segments);
+    if (!valid) return valid.error();
+    Result<ConformedPlane> conformed = conform_verified(points, segments, options);
+    if (!conformed) return conformed.error();
+    return canonical_form(*std::move(conformed), points.size());
   });
 }
 

@@ -28,9 +28,6 @@ constexpr std::size_t kPartsOfRound = 32;
 // Fewer slots than this are renumbered before a second thread has started.
 constexpr std::size_t kSlotsForThreads = std::size_t{1} << 16;
 
-// So many slots before one is needed its neighbours' memory is asked for.
-constexpr std::size_t kAhead = 16;
-
 class Renumbering {
  public:
   Renumbering(std::span<TetSlot> built, const VertexNames& names, unsigned threads)
@@ -63,8 +60,8 @@ class Renumbering {
     for (std::size_t t = stretches_.begin(k); t < stretches_.end(k); ++t) {
       TetSlot& slot = built_[t];
       ++begin[part_of(slot)];
-      if (t + kAhead < built_.size()) {
-        for (const HalfFaceId across : built_[t + kAhead].opposite) {
+      if (t + kSlotsAhead < stretches_.end(k)) {
+        for (const HalfFaceId across : built_[t + kSlotsAhead].opposite) {
           core::prefetch(&built_[0] + (across.index() >> 2));
         }
       }

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/pages.hpp"
 #include "core/parallel.hpp"
 #include "core/prefetch.hpp"
 
@@ -23,8 +24,6 @@ constexpr std::size_t kTetsOfGroup = 4096;
 constexpr std::size_t kMostGroups = 2048;
 // Fewer are sorted by insertion: in a uniform set a vertex is the lowest of seven tets.
 constexpr std::ptrdiff_t kFewTets = 24;
-// So many slots before one is needed its memory is asked for.
-constexpr std::size_t kAhead = 16;
 
 // By the engine's places of the vertices of lowest, second, third and highest rank, two bits each
 // from the lowest on: the canonical place of the engine's vertex k, at bits 2 k and 2 k + 1; and at
@@ -135,6 +134,7 @@ class Naming {
       for (std::size_t g = bundles.begin(k); g < bundles.end(k); ++g) name_group(g, scratch);
     });
     begin_.back() = static_cast<std::uint32_t>(slots_.size());
+    core::release(slots_);
     return std::move(begin_);
   }
 
@@ -151,8 +151,8 @@ class Naming {
     std::uint32_t* count = &places_[k * groups_];
     for (std::size_t t = stretches_.begin(k); t < stretches_.end(k); ++t) {
       TetVertices& tet = built_[t].vertices;
-      if (t + kAhead < built_.size()) {
-        for (const VertexId v : built_[t + kAhead].vertices)
+      if (t + kSlotsAhead < stretches_.end(k)) {
+        for (const VertexId v : built_[t + kSlotsAhead].vertices)
           core::prefetch(rank_of_.data() + v.index());
       }
       if (tet[0].index() >= rank_of_.size()) continue;
@@ -194,7 +194,7 @@ class Naming {
     scratch.collected.resize(count);
     scratch.sorted.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
-      if (i + kAhead < count) core::prefetch(&built_[slots[i + kAhead]]);
+      if (i + kSlotsAhead < count) core::prefetch(&built_[slots[i + kSlotsAhead]]);
       const TetSlot& slot = built_[slots[i]];
       scratch.lowest[i] = renamed::rank(slot, 0);
       scratch.collected[i] = upper_ranks(slot, slots[i]);
@@ -234,10 +234,6 @@ class Naming {
 };
 
 }  // namespace
-
-Stretches Stretches::of(std::size_t items, std::size_t length, std::size_t most) {
-  return {items, std::clamp<std::size_t>(items / length, 1, std::max<std::size_t>(most, 1))};
-}
 
 Stretches stretches_of(std::span<const TetSlot> built) {
   return Stretches::of(built.size(), kSlotsOfStretch, kMostStretches);

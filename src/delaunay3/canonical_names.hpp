@@ -6,21 +6,13 @@
 #include <span>
 #include <vector>
 
+#include "delaunay3/stretches.hpp"
 #include "delaunay3/tet_slot.hpp"
 
 namespace tetloft::internal::delaunay3_detail {
 
-/// Stretches of an array that threads work on: their number depends on its length alone.
-struct Stretches {
-  std::size_t items = 0;
-  std::size_t count = 1;
-
-  /// Of about `length` items each, `most` at most.
-  static Stretches of(std::size_t items, std::size_t length, std::size_t most);
-
-  [[nodiscard]] std::size_t begin(std::size_t k) const { return items * k / count; }
-  [[nodiscard]] std::size_t end(std::size_t k) const { return begin(k + 1); }
-};
+/// So many slots before one is worked on what it leads to is fetched.
+inline constexpr std::size_t kSlotsAhead = 16;
 
 /// The slots' stretches.
 [[nodiscard]] Stretches stretches_of(std::span<const TetSlot> built);

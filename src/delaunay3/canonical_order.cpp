@@ -1,9 +1,15 @@
+// See canonical_order.hpp.
 #include "delaunay3/canonical_order.hpp"
 
-#include <bit>
+#include <algorithm>
 #include <cstddef>
+#include <numeric>
 
-#include "spatial/sort_by_key.hpp"
+#include <tetloft/predicates.hpp>
+
+#include "core/parallel.hpp"
+#include "delaunay3/shared_sort.hpp"
+#include "delaunay3/stretches.hpp"
 
 namespace tetloft::internal::delaunay3_detail {
 
@@ -14,32 +20,54 @@ using Coordinate = double Point3::*;
 /// Most significant first.
 constexpr Coordinate kSignificance[] = {&Point3::z, &Point3::x, &Point3::y};
 
-/// Ordered as the doubles are; the two zeros are one.
-std::uint64_t key_of(double value) {
-  const auto bits = std::bit_cast<std::uint64_t>(value + 0.0);
-  constexpr std::uint64_t sign = std::uint64_t{1} << 63;
-  return (bits & sign) != 0 ? ~bits : bits | sign;
+constexpr std::size_t kPointsOfKeying = std::size_t{1} << 15;
+
+void key_by(std::size_t coordinate, std::span<const Point3> points, std::span<Keyed> run) {
+  for (Keyed& entry : run) entry.key = key_of(points[entry.place].*kSignificance[coordinate]);
+}
+
+/// The runs of equal keys in what is sorted by them, of two entries at least.
+std::vector<std::span<Keyed>> equal_runs(std::span<Keyed> sorted) {
+  std::vector<std::span<Keyed>> runs;
+  for (std::size_t begin = 0, end = 0; begin < sorted.size(); begin = end) {
+    while (end < sorted.size() && sorted[end].key == sorted[begin].key) ++end;
+    if (end - begin > 1) runs.push_back(sorted.subspan(begin, end - begin));
+  }
+  return runs;
 }
 
 /// Sorts points that agree in all coordinates before `coordinate`.
 void sort_from(std::size_t coordinate, std::span<const Point3> points, std::span<Keyed> run) {
-  for (Keyed& entry : run) entry.key = key_of(points[entry.place].*kSignificance[coordinate]);
+  key_by(coordinate, points, run);
   sort_by_key(run);
   if (coordinate + 1 == std::size(kSignificance)) return;
-  for (std::size_t begin = 0, end = 0; begin < run.size(); begin = end) {
-    while (end < run.size() && run[end].key == run[begin].key) ++end;
-    if (end - begin > 1) sort_from(coordinate + 1, points, run.subspan(begin, end - begin));
-  }
+  for (const std::span<Keyed> equal : equal_runs(run)) sort_from(coordinate + 1, points, equal);
+}
+
+bool is_sorted(std::span<const Point3> points) {
+  return std::is_sorted(points.begin(), points.end(),
+                        [](const Point3& a, const Point3& b) { return canonical_less(a, b); });
 }
 
 }  // namespace
 
-std::vector<std::uint32_t> canonical_order(std::span<const Point3> points) {
-  std::vector<Keyed> entries(points.size());
-  for (std::uint32_t i = 0; i < points.size(); ++i) entries[i] = {0, i};
-  sort_from(0, points, entries);
+std::vector<std::uint32_t> canonical_order(std::span<const Point3> points, unsigned threads) {
   std::vector<std::uint32_t> order(points.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = entries[i].place;
+  std::iota(order.begin(), order.end(), 0U);
+  if (is_sorted(points)) return order;
+  std::vector<Keyed> entries(points.size());
+  const Stretches all = Stretches::of(points.size(), kPointsOfKeying, points.size());
+  parallel_for(all.count, threads, [&](std::size_t k) {
+    for (std::size_t i = all.begin(k); i < all.end(k); ++i) {
+      entries[i] = {key_of(points[i].z), static_cast<std::uint32_t>(i)};
+    }
+  });
+  sort_by_key_shared(entries, threads);
+  const std::vector<std::span<Keyed>> planes = equal_runs(entries);
+  parallel_for(planes.size(), threads, [&](std::size_t k) { sort_from(1, points, planes[k]); });
+  parallel_for(all.count, threads, [&](std::size_t k) {
+    for (std::size_t i = all.begin(k); i < all.end(k); ++i) order[i] = entries[i].place;
+  });
   return order;
 }
 

@@ -14,6 +14,7 @@
 
 #include "core/enums.hpp"
 #include "core/guard.hpp"
+#include "core/pages.hpp"
 #include "core/parallel.hpp"
 #include "core/watched_work.hpp"
 #include "delaunay3/affine_basis.hpp"
@@ -23,6 +24,7 @@
 #include "delaunay3/incremental.hpp"
 #include "delaunay3/slab_overlay.hpp"
 #include "delaunay3/spatial_order.hpp"
+#include "delaunay3/stretches.hpp"
 
 namespace tetloft {
 
@@ -33,42 +35,82 @@ namespace {
 // 32-bit ids hold many more; the limit of 2^30 tets comes first for all but degenerate input.
 constexpr std::size_t kMaxPoints = std::size_t{1} << 30;
 
+bool is_finite(const Point3& p) {
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
 Result<void> check_points(std::span<const Point3> points) {
   if (points.size() >= kMaxPoints) {
     return Error{ErrorCode::invalid_input, "more than 2^30 points", {}};
   }
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Point3& p = points[i];
-    if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) continue;
-    Error error{ErrorCode::invalid_input, "a coordinate is not finite", {}};
-    error.where.vertex = i;
-    error.where.point = p;
-    return error;
-  }
-  return {};
+  const auto bad = std::find_if_not(points.begin(), points.end(), is_finite);
+  if (bad == points.end()) return {};
+  Error error{ErrorCode::invalid_input, "a coordinate is not finite", {}};
+  error.where.vertex = static_cast<std::size_t>(bad - points.begin());
+  error.where.point = *bad;
+  return error;
+}
+
+// items[places[0]], items[places[1]], …
+template <class T, class Items>
+std::vector<T> picked(const Items& items, std::span<const std::uint32_t> places, unsigned threads) {
+  constexpr std::size_t kPicked = std::size_t{1} << 15;
+  std::vector<T> result(places.size());
+  const delaunay3_detail::Stretches all =
+      delaunay3_detail::Stretches::of(places.size(), kPicked, places.size());
+  parallel_for(all.count, threads, [&](std::size_t k) {
+    for (std::size_t i = all.begin(k); i < all.end(k); ++i) result[i] = items[places[i]];
+  });
+  return result;
+}
+
+IdVector<VertexId, VertexId> own_representatives(std::size_t n) {
+  IdVector<VertexId, VertexId> all;
+  all.reserve(n);
+  for (std::size_t i = 0; i < n; ++i) all.push_back(VertexId(i));
+  return all;
 }
 
 // The distinct points in canonical order.
 struct RankedPoints {
   std::vector<Point3> point;       // by rank
   std::vector<VertexId> input_of;  // input_of[rank]: lowest input index of the point
+  std::size_t input_count = 0;     // with duplicates
 };
 
-// Also fills the representatives and the number of duplicates of `out`.
-RankedPoints rank_points(std::span<const Point3> points, Delaunay3& out) {
+// Also tells the number of duplicates, and where there are any, who represents whom.
+RankedPoints rank_points(std::span<const Point3> points, unsigned threads, Delaunay3& out) {
+  const std::vector<std::uint32_t> order = delaunay3_detail::canonical_order(points, threads);
   RankedPoints ranked;
-  ranked.point.reserve(points.size());
+  ranked.input_count = points.size();
+  ranked.point = picked<Point3>(points, order, threads);
   ranked.input_of.reserve(points.size());
-  out.representative.resize(points.size());
-  for (const std::uint32_t place : delaunay3_detail::canonical_order(points)) {
-    if (ranked.point.empty() || ranked.point.back() != points[place]) {
-      ranked.point.push_back(points[place]);
-      ranked.input_of.emplace_back(place);
+  // In place, from the first duplicate on.
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const std::size_t rank = ranked.input_of.size();
+    if (rank != 0 && ranked.point[rank - 1] == ranked.point[i]) {
+      if (out.duplicates++ == 0) out.representative = own_representatives(points.size());
+      out.representative[VertexId(order[i])] = ranked.input_of.back();
+      continue;
     }
-    out.representative[VertexId(place)] = ranked.input_of.back();
+    if (rank != i) ranked.point[rank] = ranked.point[i];
+    ranked.input_of.emplace_back(order[i]);
   }
-  out.duplicates = points.size() - ranked.point.size();
+  ranked.point.resize(ranked.input_of.size());
   return ranked;
+}
+
+// The first four places of `order` whose points are affinely independent.
+delaunay3_detail::AffineBasis basis_of(std::span<const Point3> points,
+                                       std::span<const std::uint32_t> order, unsigned threads) {
+  // Almost always among the first few.
+  constexpr std::size_t kFew = 64;
+  delaunay3_detail::AffineBasis basis;
+  for (const std::size_t count : {std::min(kFew, order.size()), order.size()}) {
+    basis = delaunay3_detail::affine_basis(picked<Point3>(points, order.first(count), threads));
+    if (basis.dimension == 3) break;
+  }
+  return basis;
 }
 
 // Brings the places of `basis`, which increase, to the front of `order`; the others keep
@@ -79,14 +121,6 @@ void move_to_front(std::vector<std::uint32_t>& order, const std::array<std::size
     const auto at = begin + static_cast<std::ptrdiff_t>(basis[k]);
     std::rotate(begin + static_cast<std::ptrdiff_t>(k), at, at + 1);
   }
-}
-
-template <class T>
-std::vector<T> picked(const std::vector<T>& items, std::span<const std::uint32_t> places) {
-  std::vector<T> result;
-  result.reserve(places.size());
-  for (const std::uint32_t place : places) result.push_back(items[place]);
-  return result;
 }
 
 // Of points on two planes of constant z in canonical order: how many lie on the lower one; 0
@@ -155,8 +189,7 @@ Result<bool> overlay_planes(const RankedPoints& ranked, const Delaunay3Options& 
   work.step_done_go_on();
   const std::vector<std::uint32_t> rank_of = identity(points.size());
   out.mesh = delaunay3_detail::canonical_mesh(
-      slab,
-      {.rank_of = rank_of, .input_of = ranked.input_of, .input_count = out.representative.size()},
+      slab, {.rank_of = rank_of, .input_of = ranked.input_of, .input_count = ranked.input_count},
       options.execution.threads);
   out.dimension = 3;
   out.engine = DelaunayEngine::slab;
@@ -166,30 +199,29 @@ Result<bool> overlay_planes(const RankedPoints& ranked, const Delaunay3Options& 
 
 Result<bool> insert_points(RankedPoints& ranked, const Delaunay3Options& options, Delaunay3& out) {
   out.engine = DelaunayEngine::incremental;
+  const unsigned threads = options.execution.threads;
   // order[v]: rank of the vertex inserted as v-th.
-  std::vector<std::uint32_t> order = delaunay3_detail::insertion_order(ranked.point);
-  std::vector<Point3> inserted = picked(ranked.point, order);
-  const delaunay3_detail::AffineBasis basis = delaunay3_detail::affine_basis(inserted);
+  std::vector<std::uint32_t> order = delaunay3_detail::insertion_order(ranked.point, threads);
+  const delaunay3_detail::AffineBasis basis = basis_of(ranked.point, order, threads);
   out.dimension = basis.dimension;
   if (basis.dimension < 3) {
-    out.mesh = TetMesh::from_adjacency(out.representative.size(), {}, {});
+    out.mesh = TetMesh::from_adjacency(ranked.input_count, {}, {});
     return true;
   }
   move_to_front(order, basis.place);
-  inserted = picked(ranked.point, order);
-  ranked.point = {};
 
   using delaunay3_detail::Delaunay3Builder;
-  WatchedWork work(options.execution, inserted.size() / Delaunay3Builder::kPointsOfStep + 1);
+  WatchedWork work(options.execution, order.size() / Delaunay3Builder::kPointsOfStep + 1);
   work.go_on();
-  Delaunay3Builder builder{IdVector<VertexId, Point3>(std::move(inserted))};
+  // How many tets there are at a time depends on the order: a limit is that of one thread's.
+  Delaunay3Builder builder(ranked.point, order, {.threads = options.most_tets == 0 ? threads : 1});
+  core::release(ranked.point);
   if (!builder.insert_all(work, bound_on_tets(options.most_tets))) {
     return too_many_tets(options.most_tets);
   }
   out.mesh = delaunay3_detail::canonical_mesh(
       builder.slots(),
-      {.rank_of = order, .input_of = ranked.input_of, .input_count = out.representative.size()},
-      options.execution.threads);
+      {.rank_of = order, .input_of = ranked.input_of, .input_count = ranked.input_count}, threads);
   work.step_done();
   return true;
 }
@@ -202,7 +234,7 @@ Result<Delaunay3> triangulate(std::span<const Point3> points, const Delaunay3Opt
   if (Result<void> checked = fp_self_check(); !checked) return checked.error();
   if (Result<void> checked = check_points(points); !checked) return checked.error();
   Delaunay3 out;
-  RankedPoints ranked = rank_points(points, out);
+  RankedPoints ranked = rank_points(points, options.execution.threads, out);
   Result<bool> done = false;
   if (engine != DelaunayEngine::incremental) done = overlay_planes(ranked, options, out);
   if (done && !*done) {
@@ -215,6 +247,8 @@ Result<Delaunay3> triangulate(std::span<const Point3> points, const Delaunay3Opt
     done = insert_points(ranked, options, out);
   }
   if (!done) return done.error();
+  // Last, when there is memory for them again.
+  if (out.duplicates == 0) out.representative = own_representatives(points.size());
   return out;
 }
 

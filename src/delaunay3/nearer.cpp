@@ -36,6 +36,24 @@ bool Bisector::decide_ghost(TriangleId t) const {
   return turn != 0 ? turn < 0 : nearer_to_first(centres.right(hull));
 }
 
+bool Bisector::look_closer(TriangleId t) const {
+  // |c − q|² − |c − p|² = (p − q) · ((c − p) + (c − q)). Rounding: at most 2 u in each sum
+  // of two differences, relative to their magnitudes, and u for the other difference, the
+  // product and the last sum: 5 u, raised by one for higher orders. The circumcentre's own
+  // error counts twice. Underflow: see orient2d_filter. Overflow: no product exceeds 2^805.
+  constexpr double kError = 6 * 0x1p-53;
+  constexpr double kCentre = 2 + 0x1p-40;
+  constexpr double kUnderflow = 0x1p-900;
+  const Circumcentre& c = planes_->centres->centre(t);
+  const double ax = c.x - a_.x, bx = c.x - b_.x;
+  const double ay = c.y - a_.y, by = c.y - b_.y;
+  const double value = ex_ * (ax + bx) + ey_ * (ay + by);
+  const double bound = kError * (std::abs(ex_) * (std::abs(ax) + std::abs(bx)) +
+                                 std::abs(ey_) * (std::abs(ay) + std::abs(by))) +
+                       (kCentre * size_ * c.radius + kUnderflow);
+  return std::abs(value) > bound ? value > 0 : decide(t);
+}
+
 bool Bisector::decide(TriangleId t) const {
   if (planes_->centres->is_ghost(t)) return decide_ghost(t);
   const auto corner = [&](std::uint32_t i) {

@@ -3,8 +3,9 @@
 //
 // It is the perturbed in-sphere predicate of a triangle in one plane and two points in
 // another: there the gap cancels and a determinant of degree four in x and y is left
-// (two_plane_insphere_determinant). Stages: the circumcentre as computed once, with its
-// bound; the determinant in doubles; the exact one; the perturbation.
+// (two_plane_insphere_determinant). Stages: the circumcentre as computed once, with its bound and
+// that of all points; the same by differences from the two points, whose bound is theirs; the
+// determinant in doubles; the exact one; the perturbation.
 #pragma once
 
 #include <cmath>
@@ -14,9 +15,6 @@
 #include "delaunay3/plane_diagram.hpp"
 
 namespace tetloft::internal::delaunay3_detail {
-
-/// Filters answer for coordinates up to here; PlaneDiagram::distrust_centres() beyond.
-inline constexpr double kFarthestFiltered = 0x1p+400;
 
 /// The diagrams of two planes: `centres` are those of one, `sites` the vertices of the other.
 struct CentresAndSites {
@@ -35,34 +33,32 @@ class Bisector {
         a_(planes.sites->point(p)),
         b_(planes.sites->point(q)),
         ex_(a_.x - b_.x),
-        ey_(a_.y - b_.y) {}
+        ey_(a_.y - b_.y),
+        size_(std::abs(ex_) + std::abs(ey_)),
+        offset_(ex_ * (0.5 * (a_.x + b_.x)) + ey_ * (0.5 * (a_.y + b_.y))) {}
 
   /// Is the circumcentre of triangle t nearer to p than to q, perturbed? Of a ghost: does its
   /// ray end there? Swapping p and q negates the answer.
   [[nodiscard]] bool nearer_to_first(TriangleId t) const {
-    // |c − q|² − |c − p|² = (p − q) · ((c − p) + (c − q)). Rounding: at most 2 u in each sum
-    // of two differences, relative to their magnitudes, and u for the other difference, the
-    // product and the last sum: 5 u, raised by one for higher orders. The circumcentre's own
-    // error counts twice. Underflow: see orient2d_filter. Overflow: with coordinates up to
-    // kFarthestFiltered no product exceeds 2^805, as centres with a bound are within 2^400 of
-    // their triangle.
+    // (|c − q|² − |c − p|²) / 2 = e · (c − m) with e = p − q, m their midpoint. Along an axis, with
+    // R the reach of the points: the midpoint is off by u R, its product with e and their sum by
+    // 2 u |e| R, those of c by 2 u |e c|, the difference by u |e| (|c| + R), e itself by
+    // u |e| (|c| + R), and c by its radius: in all |e| (4 u |c| + 5 u R + radius). The constants of
+    // slack are higher, for terms of higher order and the rounding of the bound itself.
+    // Underflow: a midpoint loses 2^-1075 at most, times e below 2^402; the products lose less.
+    // Overflow: centres with a bound are within 2^400 of their triangle, so no product exceeds
+    // 2^803.
     const Circumcentre& c = planes_->centres->centre(t);
-    const double ax = c.x - a_.x, bx = c.x - b_.x;
-    const double ay = c.y - a_.y, by = c.y - b_.y;
-    const double value = ex_ * (ax + bx) + ey_ * (ay + by);
-    const double bound = kError * (std::abs(ex_) * (std::abs(ax) + std::abs(bx)) +
-                                   std::abs(ey_) * (std::abs(ay) + std::abs(by))) +
-                         (kCentre * (std::abs(ex_) + std::abs(ey_)) * c.radius + kTiny);
-    if (std::abs(value) > bound) [[likely]]
+    const double value = ex_ * c.x + ey_ * c.y - offset_;
+    if (std::abs(value) > size_ * c.slack + kTiny) [[likely]]
       return value > 0;
-    return decide(t);
+    return look_closer(t);
   }
 
  private:
-  static constexpr double kError = 6 * 0x1p-53;
-  static constexpr double kCentre = 2 + 0x1p-40;
-  static constexpr double kTiny = 0x1p-900;
+  static constexpr double kTiny = 0x1p-660;
 
+  [[nodiscard]] bool look_closer(TriangleId t) const;
   [[nodiscard]] bool decide(TriangleId t) const;
   [[nodiscard]] bool decide_ghost(TriangleId t) const;
 
@@ -73,6 +69,8 @@ class Bisector {
   Point2 b_;
   double ex_;
   double ey_;
+  double size_;    // |ex_| + |ey_|
+  double offset_;  // of the line: e · m
 };
 
 /// The sign of (b − a) × (d − c): positive iff turning from a → b to c → d is a left turn.

@@ -26,6 +26,7 @@ constexpr double kDenominatorError = 5 * kRounding;
 constexpr double kNumeratorError = 8 * kRounding;
 constexpr double kQuotientError = 2 * kRounding;
 constexpr double kHigherOrder = 1.02;
+constexpr double kSlack = 8 * kRounding;  // see Bisector::nearer_to_first
 constexpr double kLargest = 0x1p+160;
 constexpr double kLeastDenominator = 0x1p-500;
 constexpr double kTiny = 0x1p-399;
@@ -35,7 +36,9 @@ constexpr double kFarthestCentre = 0x1p+400;
 // A radius that no filter answers with.
 constexpr double kUnknown = HUGE_VAL;
 
-Circumcentre circumcentre_with_bound(const Point2& a, const Point2& b, const Point2& c) {
+Circumcentre circumcentre_with_bound(const Point2& a, const Point2& b, const Point2& c,
+                                     double reach_of_points) {
+  if (!(reach_of_points <= kFarthestTrusted)) return {a.x, a.y, kUnknown, kUnknown};
   const double px = b.x - a.x, py = b.y - a.y;
   const double qx = c.x - a.x, qy = c.y - a.y;
   const double left = px * qy, right = py * qx;
@@ -45,7 +48,7 @@ Circumcentre circumcentre_with_bound(const Point2& a, const Point2& b, const Poi
   const double extent =
       std::max(std::max(std::abs(px), std::abs(py)), std::max(std::abs(qx), std::abs(qy)));
   if (!(extent <= kLargest && size >= kLeastDenominator && 64 * d_error <= size)) {
-    return {a.x, a.y, kUnknown};
+    return {a.x, a.y, kUnknown, kUnknown};
   }
   const double p2 = px * px + py * py;
   const double q2 = qx * qx + qy * qy;
@@ -54,13 +57,16 @@ Circumcentre circumcentre_with_bound(const Point2& a, const Point2& b, const Poi
   const double n_error = kNumeratorError * (p2 * std::max(std::abs(qx), std::abs(qy)) +
                                             q2 * std::max(std::abs(px), std::abs(py)));
   const double reach = std::max(std::abs(x), std::abs(y));
-  if (!(reach <= kFarthestCentre)) return {a.x, a.y, kUnknown};
+  if (!(reach <= kFarthestCentre)) return {a.x, a.y, kUnknown, kUnknown};
   const double centre_x = a.x + x;
   const double centre_y = a.y + y;
   const double radius =
       (n_error + reach * d_error) / (size - d_error) +
       kQuotientError * (reach + std::max(std::abs(centre_x), std::abs(centre_y))) + kTiny;
-  return {centre_x, centre_y, kHigherOrder * radius};
+  const double whole = kHigherOrder * radius;
+  return {centre_x, centre_y, whole,
+          kSlack * (std::max(std::abs(centre_x), std::abs(centre_y)) + reach_of_points) +
+              (1 + 0x1p-20) * whole};
 }
 
 // An order of the triangles in which neighbours in the plane are mostly near in memory: by
@@ -104,7 +110,15 @@ IdVector<TriangleId, TriangleId> near_in_memory(const Triangulation2& plane) {
 
 }  // namespace
 
-PlaneDiagram::PlaneDiagram(const Triangulation2& triangulation)
+double reach_of(const IdVector<PlaneVertexId, Point2>& points) {
+  double largest = 0;
+  for (const Point2& p : points) {
+    largest = std::max(largest, std::max(std::abs(p.x), std::abs(p.y)));
+  }
+  return largest;
+}
+
+PlaneDiagram::PlaneDiagram(const Triangulation2& triangulation, double reach)
     : points_(&triangulation.points),
       finite_count_(triangulation.triangles.size()),
       input_of_(near_in_memory(triangulation)) {
@@ -117,7 +131,8 @@ PlaneDiagram::PlaneDiagram(const Triangulation2& triangulation)
   triangles_.reserve(triangles.size() + triangles.size() / 16 + 16);
   for (const TriangleId t : input_of_) {
     const PlaneTriangleVertices& v = triangles[t];
-    triangles_.push_back({v, {}, circumcentre_with_bound(point(v[0]), point(v[1]), point(v[2]))});
+    triangles_.push_back(
+        {v, {}, circumcentre_with_bound(point(v[0]), point(v[1]), point(v[2]), reach)});
   }
   for (std::size_t k = 0; k < triangles.size(); ++k) {
     const TriangleId t = input_of_[TriangleId(k)];
@@ -136,8 +151,8 @@ PlaneDiagram::PlaneDiagram(const Triangulation2& triangulation)
     for (std::uint32_t i = 0; i < 3; ++i) {
       const HalfEdgeId h = half_edge(TriangleId(k), i);
       if (opposite(h).valid()) continue;
-      const TriangleId ghost =
-          triangles_.push_back({{kGhostVertex, destination(h), origin(h)}, {}, {0, 0, kUnknown}});
+      const TriangleId ghost = triangles_.push_back(
+          {{kGhostVertex, destination(h), origin(h)}, {}, {0, 0, kUnknown, kUnknown}});
       glue(h, half_edge(ghost, 0));
       to_ghost[origin(h)] = half_edge(ghost, 1);  // origin → ghost
     }
@@ -146,18 +161,6 @@ PlaneDiagram::PlaneDiagram(const Triangulation2& triangulation)
     const HalfEdgeId back = half_edge(TriangleId(k), 2);  // ghost → destination
     glue(back, to_ghost[destination(back)]);
   }
-}
-
-double PlaneDiagram::reach() const {
-  double largest = 0;
-  for (const Point2& p : *points_) {
-    largest = std::max(largest, std::max(std::abs(p.x), std::abs(p.y)));
-  }
-  return largest;
-}
-
-void PlaneDiagram::distrust_centres() {
-  for (Triangle& t : triangles_) t.centre.radius = kUnknown;
 }
 
 }  // namespace tetloft::internal::delaunay3_detail

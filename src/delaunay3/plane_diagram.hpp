@@ -23,27 +23,32 @@ namespace tetloft::internal::delaunay3_detail {
 /// A half-edge of a planar triangulation.
 using HalfEdgeId = Id<struct PlaneHalfEdgeTag>;
 
+/// Points further out have no trusted circumcentres: computing with these could overflow.
+inline constexpr double kFarthestTrusted = 0x1p+400;
+
 /// A circumcentre as computed. The true one lies within `radius` along each axis; infinite or
 /// NaN where no bound is proven.
 struct Circumcentre {
   double x;
   double y;
   double radius;
+  /// With what is lost by computing along an axis with it and with points of the planes: see
+  /// Bisector.
+  double slack;
 };
+
+/// The largest magnitude of a coordinate.
+[[nodiscard]] double reach_of(const IdVector<PlaneVertexId, Point2>& points);
 
 class PlaneDiagram {
  public:
   static constexpr PlaneVertexId kGhostVertex{0xFFFFFFFEU};
 
-  /// Triangles get numbers of their own. Requires a triangle at least, vertices in canonical order,
-  /// and fewer than 2^29 of them. Keeps a reference to the points.
-  explicit PlaneDiagram(const Triangulation2& triangulation);
-
-  /// The largest magnitude of a coordinate.
-  [[nodiscard]] double reach() const;
-  /// Gives all circumcentres an infinite radius: for points so far out that computing with
-  /// centres could overflow.
-  void distrust_centres();
+  /// Triangles get numbers of their own. `reach` is that of all points that circumcentres are
+  /// compared with; no radius is finite where it is beyond kFarthestTrusted. Requires a triangle at
+  /// least, vertices in canonical order, and fewer than 2^29 of them. Keeps a reference to the
+  /// points.
+  PlaneDiagram(const Triangulation2& triangulation, double reach);
 
   [[nodiscard]] std::size_t vertex_count() const { return points_->size(); }
   [[nodiscard]] std::size_t finite_count() const { return finite_count_; }

@@ -35,16 +35,11 @@ class SlabOverlay {
               std::size_t most_tets)
       : work_(work),
         most_tets_(most_tets),
-        lower_(lower),
-        upper_(upper),
+        lower_(lower, std::max(reach_of(lower.points), reach_of(upper.points))),
+        upper_(upper, std::max(reach_of(lower.points), reach_of(upper.points))),
         first_upper_(VertexId(lower_.vertex_count()).value()),
         lower_centres_{&lower_, &upper_, true},
-        upper_centres_{&upper_, &lower_, false} {
-    if (std::max(lower_.reach(), upper_.reach()) > kFarthestFiltered) {
-      lower_.distrust_centres();
-      upper_.distrust_centres();
-    }
-  }
+        upper_centres_{&upper_, &lower_, false} {}
 
   // False at too many tets.
   [[nodiscard]] bool run() {

@@ -4,9 +4,11 @@
 #include <array>
 #include <cstddef>
 
+#include "core/parallel.hpp"
 #include "core/prng.hpp"
+#include "delaunay3/shared_sort.hpp"
+#include "delaunay3/stretches.hpp"
 #include "spatial/hilbert.hpp"
-#include "spatial/sort_by_key.hpp"
 
 namespace tetloft::internal::delaunay3_detail {
 
@@ -15,13 +17,12 @@ namespace {
 // A sort key is the round (4 bits) above the Hilbert index (20 bits for each axis).
 constexpr int kAxisBits = 20;
 constexpr int kHilbertBits = 3 * kAxisBits;
+// 8^15 exceeds any number of points, so round 0 needs no special case.
 constexpr std::uint64_t kLastRound = 15;
-// A point leaves the last round for the one before with probability 1 / kRoundRatio, and
-// so on; 8^15 exceeds any number of points, so round 0 needs no special case.
-constexpr std::uint64_t kRoundRatio = 8;
 // Points of one cell, up to so many, stay in canonical order: the walks between them are
 // short anyway.
 constexpr std::size_t kSmallRun = 8;
+constexpr std::size_t kPointsOfCurve = std::size_t{1} << 14;
 constexpr std::uint64_t kSeed = 0x7E71'0F73'D000'0003ULL;
 
 std::uint64_t draw_round(Prng& prng) {
@@ -76,14 +77,42 @@ class Grid {
 
 // Replaces the Hilbert index in the keys of `run` by that in the run's own bounding cube,
 // and sorts it. False where the cube has no extent.
-bool sort_along_curve(std::span<const Point3> points, std::span<Keyed> run, bool flat) {
+bool sort_along_curve(std::span<const Point3> points, std::span<Keyed> run, bool flat,
+                      unsigned threads) {
   const Grid grid(points, run, flat);
   if (grid.extent() == 0) return false;
-  for (Keyed& entry : run) {
-    entry.key = (entry.key >> kHilbertBits << kHilbertBits) | grid.hilbert(points[entry.place]);
-  }
-  sort_by_key(run);
+  const Stretches all = Stretches::of(run.size(), kPointsOfCurve, run.size());
+  parallel_for(all.count, threads, [&](std::size_t k) {
+    for (Keyed& entry : run.subspan(all.begin(k), all.end(k) - all.begin(k))) {
+      entry.key = (entry.key >> kHilbertBits << kHilbertBits) | grid.hilbert(points[entry.place]);
+    }
+  });
+  sort_by_key_shared(run, threads);
   return true;
+}
+
+// Runs of points that are still to be sorted along the curve: those of equal keys. Points that
+// share a cell, as in dense clusters or in planes far from each other, get a finer grid: it spans
+// their own bounding cube, so it separates at least two of them.
+std::vector<std::span<Keyed>> runs_of_cells(std::span<Keyed> run) {
+  std::vector<std::span<Keyed>> runs;
+  for (std::size_t begin = 0, end = 0; begin < run.size(); begin = end) {
+    while (end < run.size() && run[end].key == run[begin].key) ++end;
+    if (end - begin > kSmallRun) runs.push_back(run.subspan(begin, end - begin));
+  }
+  return runs;
+}
+
+// Sorts a run and, on one thread, all runs within.
+void sort_nested(std::span<const Point3> points, std::span<Keyed> run, bool flat) {
+  std::vector<std::span<Keyed>> runs{run};
+  while (!runs.empty()) {
+    const std::span<Keyed> next = runs.back();
+    runs.pop_back();
+    if (!sort_along_curve(points, next, flat, 1)) continue;
+    const std::vector<std::span<Keyed>> within = runs_of_cells(next);
+    runs.insert(runs.end(), within.begin(), within.end());
+  }
 }
 
 // Whether at most two values of z occur. Then z is left out of the order: the Delaunay
@@ -100,28 +129,19 @@ bool on_two_planes(std::span<const Point3> points) {
 
 }  // namespace
 
-std::vector<std::uint32_t> insertion_order(std::span<const Point3> points) {
+std::vector<std::uint32_t> insertion_order(std::span<const Point3> points, unsigned threads) {
+  std::vector<std::uint32_t> order(points.size());
+  if (points.empty()) return order;
   const bool flat = on_two_planes(points);
   std::vector<Keyed> keyed(points.size());
   Prng prng(kSeed);
   for (std::size_t i = 0; i < points.size(); ++i) {
     keyed[i] = {draw_round(prng) << kHilbertBits, static_cast<std::uint32_t>(i)};
   }
-  // Runs of points that are still to be sorted along the curve. Those that share a cell, as
-  // in dense clusters or in planes far from each other, get a finer grid: it spans their
-  // own bounding cube, so it separates at least two of them.
-  std::vector<std::span<Keyed>> runs;
-  if (!points.empty()) runs.emplace_back(keyed);
-  while (!runs.empty()) {
-    const std::span<Keyed> run = runs.back();
-    runs.pop_back();
-    if (!sort_along_curve(points, run, flat)) continue;
-    for (std::size_t begin = 0, end = 0; begin < run.size(); begin = end) {
-      while (end < run.size() && run[end].key == run[begin].key) ++end;
-      if (end - begin > kSmallRun) runs.push_back(run.subspan(begin, end - begin));
-    }
+  if (sort_along_curve(points, keyed, flat, threads)) {
+    const std::vector<std::span<Keyed>> runs = runs_of_cells(keyed);
+    parallel_for(runs.size(), threads, [&](std::size_t k) { sort_nested(points, runs[k], flat); });
   }
-  std::vector<std::uint32_t> order(points.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = keyed[i].place;
   return order;
 }

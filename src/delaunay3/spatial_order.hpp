@@ -8,6 +8,7 @@
 // curve cannot tell apart are ordered along finer ones.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -16,9 +17,13 @@
 
 namespace tetloft::internal::delaunay3_detail {
 
+/// A point leaves the last round for the one before with probability 1 / kRoundRatio, and so on.
+inline constexpr std::size_t kRoundRatio = 8;
+
 /// The places in `points` in the order they should be inserted.
 /// Requires: finite points in canonical order.
 /// (1) A permutation of 0 … n−1. (2) Depends on the points only.
-[[nodiscard]] std::vector<std::uint32_t> insertion_order(std::span<const Point3> points);
+[[nodiscard]] std::vector<std::uint32_t> insertion_order(std::span<const Point3> points,
+                                                         unsigned threads = 1);
 
 }  // namespace tetloft::internal::delaunay3_detail

@@ -17,6 +17,7 @@
 #include "io/cnt_contents.hpp"
 #include "io/cursor.hpp"
 #include "io/numbers.hpp"
+#include "sections/validation.hpp"
 
 namespace tetloft::internal::io {
 
@@ -26,7 +27,7 @@ class CntReader {
  public:
   CntReader(std::string_view text, const std::string& name) : cursor_(text), name_(name) {}
 
-  Result<ReadStack> read(const ReadOptions& options) {
+  Result<StackOfFile> read(const ReadOptions& options) {
     Result<void> parsed = read_sections();
     // Nothing is wrong before the first odd contour, whatever follows.
     if (!parsed && !contents_.odd) return parsed.error();
@@ -44,11 +45,15 @@ class CntReader {
       warn(std::move(warning));
     }
     sum_up();
+    IdVector<SectionId, Nesting> nestings;
     if (options.validity == Validity::required) {
-      if (Result<void> valid = validate(contents_.stack, {.threads = 1}); !valid)
-        return refusal(valid.error());
+      auto nested = sections::nest_if_valid(contents_.stack);
+      if (!nested) return refusal(nested.error());
+      nestings = *std::move(nested);
     }
-    return ReadStack{std::move(contents_.stack), std::move(warnings_), std::move(contents_.lines)};
+    return StackOfFile{
+        {std::move(contents_.stack), std::move(warnings_), std::move(contents_.lines)},
+        std::move(nestings)};
   }
 
  private:
@@ -316,7 +321,7 @@ class CntReader {
 
 }  // namespace
 
-Result<ReadStack> read_cnt_source(const Source& source, const ReadOptions& options) {
+Result<StackOfFile> read_cnt_source(const Source& source, const ReadOptions& options) {
   return CntReader(source.bytes, source.name).read(options);
 }
 

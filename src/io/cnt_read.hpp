@@ -6,6 +6,6 @@
 namespace tetloft::internal::io {
 
 /// As read_cnt() in io.hpp.
-[[nodiscard]] Result<ReadStack> read_cnt_source(const Source& source, const ReadOptions& options);
+[[nodiscard]] Result<StackOfFile> read_cnt_source(const Source& source, const ReadOptions& options);
 
 }  // namespace tetloft::internal::io

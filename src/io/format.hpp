@@ -13,6 +13,7 @@
 #include "io/bytes/byte_source.hpp"
 #include "io/drawing/drawing.hpp"
 #include "io/sink.hpp"
+#include "io/stack_of_file.hpp"
 #include "io/surface.hpp"
 #include "io/volume/volume.hpp"
 
@@ -62,7 +63,7 @@ struct Format {
   bool takes_text = false;
 
   /// Stacks come from formats that hold just that, from drawings and from volumes: one of these.
-  Result<ReadStack> (*read_stack)(const Source&, const ReadOptions&) = nullptr;
+  Result<StackOfFile> (*read_stack)(const Source&, const ReadOptions&) = nullptr;
   Result<Drawing> (*read_drawing)(const Source&, const ReadOptions&) = nullptr;
   Result<std::unique_ptr<Volume>> (*open_volume)(const Source&, const ReadOptions&) = nullptr;
   Result<ReadModel> (*read_model)(const Source&, const ReadOptions&) = nullptr;

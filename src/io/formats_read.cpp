@@ -18,6 +18,7 @@
 #include "io/output_place.hpp"
 #include "io/summary.hpp"
 #include "io/volume/stack_of_volume.hpp"
+#include "sections/validation.hpp"
 
 namespace tetloft {
 
@@ -29,8 +30,8 @@ namespace {
 template <class Out>
 using Reader = Result<Out> (*)(const io::Format&, const io::Source&, const ReadOptions&);
 
-Result<ReadStack> stack_by(const io::Format& format, const io::Source& source,
-                           const ReadOptions& options) {
+Result<io::StackOfFile> file_stack_by(const io::Format& format, const io::Source& source,
+                                      const ReadOptions& options) {
   if (format.read_stack != nullptr) return format.read_stack(source, options);
   if (format.read_drawing != nullptr) {
     Result<io::Drawing> drawing = format.read_drawing(source, options);
@@ -40,6 +41,23 @@ Result<ReadStack> stack_by(const io::Format& format, const io::Source& source,
   Result<std::unique_ptr<io::Volume>> volume = format.open_volume(source, options);
   if (!volume) return volume.error();
   return io::stack_of_volume(**volume, source.name, options);
+}
+Result<ReadStack> stack_by(const io::Format& format, const io::Source& source,
+                           const ReadOptions& options) {
+  Result<io::StackOfFile> file = file_stack_by(format, source, options);
+  if (!file) return file.error();
+  return std::move(file->read);
+}
+Result<ReadValidStack> valid_stack_by(const io::Format& format, const io::Source& source,
+                                      const ReadOptions& options) {
+  ReadOptions required = options;
+  required.validity = Validity::required;
+  Result<io::StackOfFile> file = file_stack_by(format, source, required);
+  if (!file) return file.error();
+  ReadStack& read = file->read;
+  return ReadValidStack{
+      sections::ValidStackMaker::make(std::move(read.stack), std::move(file->nestings)),
+      std::move(read.warnings), std::move(read.lines), std::move(read.labels)};
 }
 Result<FileSummary> summary_by(const io::Format& format, const io::Source& source,
                                const ReadOptions& options) {
@@ -163,6 +181,13 @@ Result<ReadStack> read_stack(const std::string& path, const ReadOptions& options
 Result<ReadStack> parse_stack(std::string_view bytes, const std::string& name,
                               const ReadOptions& options) {
   return parse_bytes(Contents::stack, stack_by, bytes, name, options);
+}
+Result<ReadValidStack> read_valid_stack(const std::string& path, const ReadOptions& options) {
+  return read_path(Contents::stack, valid_stack_by, path, options);
+}
+Result<ReadValidStack> parse_valid_stack(std::string_view bytes, const std::string& name,
+                                         const ReadOptions& options) {
+  return parse_bytes(Contents::stack, valid_stack_by, bytes, name, options);
 }
 Result<FileSummary> inspect(const std::string& path, const ReadOptions& options) {
   return read_path(Contents::stack, summary_by, path, options);

@@ -38,9 +38,9 @@ Result<FileSummary> summary_of(const Format& format, const Source& source,
     if (!drawing) return drawing.error();
     return summary_of_drawing(*std::move(drawing));
   }
-  Result<ReadStack> read = format.read_stack(source, options);
-  if (!read) return read.error();
-  return summary_of_stack(*std::move(read));
+  Result<StackOfFile> file = format.read_stack(source, options);
+  if (!file) return file.error();
+  return summary_of_stack(std::move(file->read));
 }
 
 }  // namespace tetloft::internal::io

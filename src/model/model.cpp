@@ -75,10 +75,14 @@ Surface boundary_surface(const Model& model) {
 }
 
 double volume(const Model& model) {
-  UnitOfLength unit;
+  IdVector<VertexId, std::uint8_t> used(model.points.size(), 0);
   for (const TetVertices& tet : model.tets) {
     if (!is_sound(model, tet)) continue;
-    for (const VertexId v : tet) unit.include(model.points[v]);
+    for (const VertexId v : tet) used[v] = 1;
+  }
+  UnitOfLength unit;
+  for (const VertexId v : used.ids()) {
+    if (used[v] != 0) unit.include(model.points[v]);
   }
   const int exponent = unit.largest_to_one();
   // Neumaier's compensated sum: a stack has many tets far smaller than the whole.

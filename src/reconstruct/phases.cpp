@@ -117,7 +117,7 @@ std::size_t step_count(const SectionStack& stack) {
   return sections == 0 ? 0 : 2 * sections - 1;
 }
 
-Result<BuiltStack> build_stack(Unit unit, const SectionStack& stack,
+Result<BuiltStack> build_stack(Unit unit, const GivenStack& stack,
                                const ReconstructOptions& options, WatchedWork& work) {
   if (auto error = check_options(options)) return *error;
   BuiltStack built;

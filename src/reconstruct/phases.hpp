@@ -37,7 +37,7 @@ struct BuiltStack {
 [[nodiscard]] std::size_t step_count(const SectionStack& stack);
 
 /// Prepares, decides, puts between and builds, in this unit. Errors are in the unit given.
-[[nodiscard]] Result<BuiltStack> build_stack(Unit unit, const SectionStack& stack,
+[[nodiscard]] Result<BuiltStack> build_stack(Unit unit, const GivenStack& stack,
                                              const ReconstructOptions& options, WatchedWork& work);
 
 /// The model, in the unit given; the parts are given up. Nothing where it is none there: a

@@ -8,7 +8,9 @@
 #include "reconstruct/divide.hpp"
 #include "reconstruct/stack_errors.hpp"
 #include "sections/coarse_edges.hpp"
+#include "sections/conforming_section.hpp"
 #include "sections/scaling.hpp"
+#include "sections/validation.hpp"
 #include "slab/work_limit.hpp"
 
 namespace tetloft::internal {
@@ -20,11 +22,11 @@ std::optional<Error> PreparedStack::conform_section(SectionId s,
   std::size_t vertices = 0;
   for (const Contour& contour : stack.sections[s].contours) vertices += contour.vertices.size();
   Result<ConformingSection> section =
-      conform(stack.sections[s], s,
-              {.gabriel = gabriel,
-               .apart = apart,
-               .divided = divided,
-               .most_inserted = most_inserted(work_limit, vertices)});
+      sections::conform_nested(stack.sections[s], s, nestings[s],
+                               {.gabriel = gabriel,
+                                .apart = apart,
+                                .divided = divided,
+                                .most_inserted = most_inserted(work_limit, vertices)});
   if (!section) return section.error();
   sections[s] = std::move(*section);
   return std::nullopt;
@@ -70,26 +72,34 @@ class Conforming {
   IdVector<SectionId, std::optional<std::string>> refused_;  // by section: why it is not divided
 };
 
+Result<IdVector<SectionId, Nesting>> nestings_of(const GivenStack& given,
+                                                 const Execution& execution) {
+  if (given.nestings != nullptr) return *given.nestings;
+  const Execution alone = untold(execution);
+  WatchedWork work(alone, 0);
+  return sections::nest_if_valid(*given.stack, work);
+}
+
 }  // namespace
 
-Result<PreparedStack> prepare(const SectionStack& given, Unit unit,
-                              const ReconstructOptions& options, WatchedWork& work,
-                              Conform conform) {
-  if (Result<void> valid = validate(given, untold(options.execution)); !valid) return valid.error();
+Result<PreparedStack> prepare(const GivenStack& given, Unit unit, const ReconstructOptions& options,
+                              WatchedWork& work, Conform conform) {
+  Result<IdVector<SectionId, Nesting>> nestings = nestings_of(given, options.execution);
+  if (!nestings) return nestings.error();
+  const SectionStack& stack = *given.stack;
   PreparedStack prepared;
   prepared.work_limit = options.work_limit;
   if (unit == Unit::of_the_stack) {
-    UnitOfLength length = sections::unit_of(given);
-    if (given.sections.size() == 1 && options.thickness) length.include(*options.thickness);
+    UnitOfLength length = sections::unit_of(stack);
+    if (stack.sections.size() == 1 && options.thickness) length.include(*options.thickness);
     prepared.exponent = length.exponent();
   }
-  prepared.stack = sections::scaled(given, prepared.exponent);
-  prepared.nestings.resize(prepared.section_count());
+  prepared.stack = sections::scaled(stack, prepared.exponent);
+  prepared.nestings = *std::move(nestings);  // scaling by a power of two changes no order
   prepared.sections.resize(prepared.section_count());
   Conforming sections(prepared, divides_coarse(options) && conform == Conform::all);
   auto error = first_error(all_ids<SectionId>(prepared.section_count()), options.execution.threads,
                            work, [&](SectionId s) {
-                             prepared.nestings[s] = nest(prepared.stack.sections[s]);
                              auto failed =
                                  conform == Conform::all ? sections.conform(s) : std::nullopt;
                              work.step_done();

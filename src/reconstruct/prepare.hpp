@@ -6,6 +6,7 @@
 #include <tetloft/conforming_section.hpp>
 #include <tetloft/nesting.hpp>
 #include <tetloft/reconstruct.hpp>
+#include <tetloft/valid_stack.hpp>
 
 #include "core/watched_work.hpp"
 
@@ -13,6 +14,15 @@ namespace tetloft::internal {
 
 /// In which unit of length a model is made: README.md, "Scale".
 enum class Unit : std::uint8_t { of_the_stack, as_given };
+
+/// A stack as handed in, which must outlive this, and its nestings where it is known to be valid.
+struct GivenStack {
+  GivenStack(const SectionStack& unchecked) : stack(&unchecked) {}
+  GivenStack(const ValidStack& valid) : stack(&valid.stack()), nestings(&valid.nestings()) {}
+
+  const SectionStack* stack;
+  const IdVector<SectionId, Nesting>* nestings = nullptr;
+};
 
 struct PreparedStack {
   SectionStack stack;  ///< times 2^exponent
@@ -39,9 +49,9 @@ struct PreparedStack {
 /// Are the sections needed as conforming ones?
 enum class Conform : std::uint8_t { all, none };
 
-/// Validates, nests and conforms all sections, coarse contours divided if the options say so, each
-/// a step of the work. Errors are in the unit given.
-[[nodiscard]] Result<PreparedStack> prepare(const SectionStack& given, Unit unit,
+/// Validates, unless that was done, nests and conforms all sections, coarse contours divided if the
+/// options say so, each a step of the work. Errors are in the unit given.
+[[nodiscard]] Result<PreparedStack> prepare(const GivenStack& given, Unit unit,
                                             const ReconstructOptions& options, WatchedWork& work,
                                             Conform conform = Conform::all);
 

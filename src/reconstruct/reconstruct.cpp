@@ -49,11 +49,12 @@ void describe(const PreparedStack& prepared, const Model& model, ReconstructRepo
 }
 
 // Nothing where the model, made in this unit, is none in the one given.
-Result<std::optional<Reconstruction>> reconstruct_in(Unit unit, const SectionStack& stack,
+Result<std::optional<Reconstruction>> reconstruct_in(Unit unit, const GivenStack& given,
                                                      const ReconstructOptions& options) {
   const auto start = Clock::now();
+  const SectionStack& stack = *given.stack;
   WatchedWork work(options.execution, step_count(stack));
-  Result<BuiltStack> built = build_stack(unit, stack, options, work);
+  Result<BuiltStack> built = build_stack(unit, given, options, work);
   if (!built) return built.error();
   Reconstruction result;
   ReconstructReport& report = result.report;
@@ -79,12 +80,21 @@ Result<std::optional<Reconstruction>> reconstruct_in(Unit unit, const SectionSta
   return std::optional(std::move(result));
 }
 
-}  // namespace
-
-Result<Reconstruction> reconstruct(const SectionStack& stack, const ReconstructOptions& options) {
+Result<Reconstruction> reconstruct_given(const GivenStack& stack,
+                                         const ReconstructOptions& options) {
   return in_either_unit(options, [&](Unit unit, const ReconstructOptions& in_unit) {
     return reconstruct_in(unit, stack, in_unit);
   });
+}
+
+}  // namespace
+
+Result<Reconstruction> reconstruct(const SectionStack& stack, const ReconstructOptions& options) {
+  return reconstruct_given(stack, options);
+}
+
+Result<Reconstruction> reconstruct(const ValidStack& stack, const ReconstructOptions& options) {
+  return reconstruct_given(stack, options);
 }
 
 }  // namespace tetloft

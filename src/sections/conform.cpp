@@ -18,6 +18,8 @@
 #include <tetloft/conforming_section.hpp>
 
 #include "core/guard.hpp"
+#include "delaunay2/conforming.hpp"
+#include "delaunay2/start.hpp"
 #include "sections/conforming_section.hpp"
 #include "sections/equal_parts.hpp"
 #include "sections/nesting.hpp"
@@ -82,13 +84,16 @@ bool are_divisions_of(const Section& section, std::span<const EdgeDivision> divi
   return true;
 }
 
+using delaunay2_detail::ConformedPlane;
+
 class Conformer {
  public:
-  Conformer(const Section& section, SectionId id, std::span<const EdgeDivision> divided,
-            std::span<const Point2> interior, std::span<const Point2> apart)
+  Conformer(const Section& section, SectionId id, const Nesting& nesting,
+            std::span<const EdgeDivision> divided, std::span<const Point2> interior,
+            std::span<const Point2> apart)
       : section_(section), id_(id), apart_(apart) {
     result_.z = section.z;
-    result_.nesting = nest(section);
+    result_.nesting = nesting;
     flat_ = flatten(section, divided, interior);
   }
 
@@ -103,9 +108,9 @@ class Conformer {
     if (!asked.gabriel.empty()) {
       for (const ContourId c : flat_.contour) options.gabriel.push_back(asked.gabriel[c]);
     }
-    Result<Conforming2> conforming = conform_apart(options);
+    const Result<ConformedPlane> conforming = conform_apart(options);
     if (!conforming) return placed(conforming.error());
-    number_ = sections::adopt(conforming->triangulation, result_);
+    number_ = sections::adopt(*conforming, result_);
     if (Result<void> walked = walk_chains(conforming->chains); !walked) return walked.error();
     label_triangles();
     if (Result<void> valid = check_labels(); !valid) return valid.error();
@@ -117,25 +122,25 @@ class Conformer {
  private:
   // With the points that are to lie apart as vertices triangles inside the region have empty
   // circles; without them these are triangles still, and splits what they were.
-  [[nodiscard]] Result<Conforming2> conform_apart(const ConformingOptions& options) const {
-    if (apart_.empty()) return conforming_delaunay2(flat_.points, flat_.segments, options);
+  [[nodiscard]] Result<ConformedPlane> conform_apart(const ConformingOptions& options) const {
+    if (apart_.empty()) {
+      return delaunay2_detail::conformed_plane(flat_.points, flat_.segments, options);
+    }
     std::vector<Point2> points = flat_.points;
     points.insert(points.end(), apart_.begin(), apart_.end());
-    Result<Conforming2> result = conforming_delaunay2(points, flat_.segments, options);
+    Result<ConformedPlane> result =
+        delaunay2_detail::conformed_plane(points, flat_.segments, options);
     if (!result) return result;
-    const std::size_t first = flat_.points.size();
-    const IdVector<PlaneVertexId, Point2>& all = result->triangulation.points;
-    points = flat_.points;
-    points.insert(points.end(), all.begin() + static_cast<std::ptrdiff_t>(first + apart_.size()),
-                  all.end());
-    for (std::vector<PlaneVertexId>& chain : result->chains) {
-      for (PlaneVertexId& v : chain) {
-        if (v.index() >= first) v = PlaneVertexId(v.index() - apart_.size());
-      }
+    const auto first = static_cast<std::ptrdiff_t>(flat_.points.size());
+    const auto apart = static_cast<std::ptrdiff_t>(apart_.size());
+    std::vector<Point2>& all = result->points;
+    all.erase(all.begin() + first, all.begin() + first + apart);
+    for (PlaneVertexId& v : result->chains.vertices()) {
+      if (v.index() >= flat_.points.size()) v = PlaneVertexId(v.index() - apart_.size());
     }
-    Result<Triangulation2> triangulation = delaunay2(points);
-    if (!triangulation) return triangulation.error();
-    result->triangulation = std::move(*triangulation);
+    const Execution alone;
+    WatchedWork unwatched(alone, 0);
+    result->start = delaunay2_detail::triangulate(all, unwatched);
     return result;
   }
 
@@ -175,7 +180,7 @@ class Conformer {
 
   // Enters every chain into contour, next, input_vertex and edge_of, and marks its edges.
   // Fails where points coincide; the chains then share no vertex and leave none out.
-  Result<void> walk_chains(const std::vector<std::vector<PlaneVertexId>>& chains) {
+  Result<void> walk_chains(const delaunay2_detail::Chains& chains) {
     const std::size_t n = result_.triangulation.points.size();
     result_.contour.resize(n);
     result_.region.resize(n);
@@ -184,9 +189,10 @@ class Conformer {
     result_.input_vertex.assign(n, ConformingSection::kNotInput);
     result_.edge_of.assign(n, ConformingSection::kNotInput);
     contour_of_edge_.resize(result_.edges.size());
+    edge_along_.resize(n);
     TETLOFT_CHECK(chains.size() == flat_.segments.size());
     for (std::size_t s = 0; s < chains.size(); ++s) {
-      const std::vector<PlaneVertexId>& chain = chains[s];
+      const std::span<const PlaneVertexId> chain = chains[s];
       TETLOFT_CHECK(chain.size() >= 2);
       for (std::size_t k = 0; k + 1 < chain.size(); ++k) {
         const PlaneVertexId from = number_[chain[k]];
@@ -212,6 +218,7 @@ class Conformer {
         return unrepresentable(from, "rounding brings two points of contours together");
       }
       contour_of_edge_[edge] = result_.contour[from];
+      edge_along_[from] = edge;
     }
     return {};
   }
@@ -294,7 +301,7 @@ class Conformer {
       const PlaneVertexId b = along[a];
       if (!b.valid()) continue;
       result_.region[a] = result_.nesting.region[result_.contour[a]];
-      const ConformingSection::Edge& edge = result_.edges[result_.find_edge(a, b)];
+      const ConformingSection::Edge& edge = result_.edges[edge_along_[a]];
       const TriangleId left = a < b ? edge.left : edge.right;
       const bool region_left = left.valid() && result_.internal[left] != 0;
       result_.next[region_left ? a : b] = region_left ? b : a;
@@ -325,6 +332,7 @@ class Conformer {
   Flat flat_;
   IdVector<PlaneVertexId, PlaneVertexId> number_;  // of the triangulation's vertices
   IdVector<EdgeId, ContourId> contour_of_edge_;    // invalid: not on a contour
+  IdVector<PlaneVertexId, EdgeId> edge_along_;     // from a vertex to the next of its contour
   IdVector<TriangleId, ContourId> around_;         // the innermost contour around it
   ConformingSection result_;
 };
@@ -332,6 +340,7 @@ class Conformer {
 // The same in a unit of the section's own. Nothing where points have finer bits than fit in the
 // unit given.
 std::optional<Result<ConformingSection>> conform_in_unit(const Section& section, SectionId id,
+                                                         const Nesting& nesting,
                                                          const ConformOptions& options) {
   UnitOfLength unit;
   for (const Contour& contour : section.contours) {
@@ -346,7 +355,7 @@ std::optional<Result<ConformingSection>> conform_in_unit(const Section& section,
   for (Point2& p : apart) p = scaled(p, exponent);
   const Section in_unit = sections::scaled_in_plane(section, exponent);
   Result<ConformingSection> result =
-      Conformer(in_unit, id, options.divided, inside, apart).run(options);
+      Conformer(in_unit, id, nesting, options.divided, inside, apart).run(options);
   if (!result) {
     Error error = result.error();
     if (error.where.point) {
@@ -364,6 +373,21 @@ std::optional<Result<ConformingSection>> conform_in_unit(const Section& section,
 
 }  // namespace
 
+Result<ConformingSection> sections::conform_nested(const Section& section, SectionId id,
+                                                   const Nesting& nesting,
+                                                   const ConformOptions& options) {
+  auto in_unit = conform_in_unit(section, id, nesting, options);
+  // What has been told of the work is not told again.
+  ConformOptions again = options;
+  again.execution.progress = nullptr;
+  Result<ConformingSection> result =
+      in_unit
+          ? *std::move(in_unit)
+          : Conformer(section, id, nesting, again.divided, again.interior, again.apart).run(again);
+  if (result) result->gabriel = options.gabriel;
+  return result;
+}
+
 Result<ConformingSection> conform(const Section& section, SectionId id,
                                   const ConformOptions& options) {
   return guard_internal([&]() -> Result<ConformingSection> {
@@ -379,15 +403,7 @@ Result<ConformingSection> conform(const Section& section, SectionId id,
       error.where.section = id.index();
       return error;
     }
-    auto in_unit = conform_in_unit(section, id, options);
-    // What has been told of the work is not told again.
-    ConformOptions again = options;
-    again.execution.progress = nullptr;
-    Result<ConformingSection> result =
-        in_unit ? *std::move(in_unit)
-                : Conformer(section, id, again.divided, again.interior, again.apart).run(again);
-    if (result) result->gabriel = options.gabriel;
-    return result;
+    return sections::conform_nested(section, id, nest(section), options);
   });
 }
 

@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <numeric>
+#include <span>
 #include <utility>
 
 #include "core/entry.hpp"
 #include "core/guard.hpp"
+#include "delaunay2/canonical.hpp"
+#include "spatial/sort_by_key.hpp"
 
 namespace tetloft {
 
@@ -16,26 +18,35 @@ using namespace internal;
 
 namespace {
 
-// A side of a triangle, seen from the lower end of its edge.
+// A side of a triangle, by the lower end of its edge.
 struct EdgeSide {
-  PlaneVertexId a, b;  // a < b
-  TriangleId triangle;
-  std::uint8_t opposite;  // the triangle's vertex that is not on the edge
-  bool left;              // the triangle lies to the left of a → b
+  std::uint32_t order;  // twice the higher end, plus one where the triangle lies to the right
+  std::uint32_t side;   // 4 t + i, opposite vertex i of triangle t
+
+  [[nodiscard]] PlaneVertexId high() const { return PlaneVertexId(order / 2); }
+  [[nodiscard]] bool is_left() const { return (order & 1U) == 0; }
+  [[nodiscard]] TriangleId triangle() const { return TriangleId(side / 4); }
+  [[nodiscard]] std::size_t opposite() const { return side & 3U; }
 };
 
-IdVector<PlaneVertexId, PlaneVertexId> canonical_numbers(
-    const IdVector<PlaneVertexId, Point2>& points) {
-  std::vector<PlaneVertexId> order(points.size());
-  for (std::size_t v = 0; v < order.size(); ++v) order[v] = PlaneVertexId(v);
-  std::sort(order.begin(), order.end(), [&](PlaneVertexId u, PlaneVertexId v) {
-    const Point2& p = points[u];
-    const Point2& q = points[v];
-    return p == q ? u < v : canonical_less(p, q);
-  });
+IdVector<PlaneVertexId, PlaneVertexId> canonical_numbers(std::span<const Point2> points) {
+  std::vector<Keyed> order(points.size());
+  for (std::uint32_t v = 0; v < order.size(); ++v) order[v].place = v;
+  sort_canonically(order, [&](std::uint32_t v) -> const Point2& { return points[v]; });
   IdVector<PlaneVertexId, PlaneVertexId> number(points.size());
-  for (std::size_t k = 0; k < order.size(); ++k) number[order[k]] = PlaneVertexId(k);
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    number[PlaneVertexId(order[k].place)] = PlaneVertexId(k);
+  }
   return number;
+}
+
+std::vector<Point2> renumbered(std::span<const Point2> points,
+                               const IdVector<PlaneVertexId, PlaneVertexId>& number) {
+  std::vector<Point2> result(points.size());
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    result[number[PlaneVertexId(v)].index()] = points[v];
+  }
+  return result;
 }
 
 // Triangles in new numbers, each from its lowest vertex, sorted.
@@ -51,70 +62,110 @@ IdVector<TriangleId, PlaneTriangleVertices> canonical_triangles(
   return result;
 }
 
-// All sides sorted by edge, the left side of an edge first.
-std::vector<EdgeSide> sorted_sides(const IdVector<TriangleId, PlaneTriangleVertices>& triangles,
-                                   std::size_t vertices) {
-  std::vector<std::uint32_t> first(vertices + 1, 0);
-  for (const PlaneTriangleVertices& t : triangles) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      ++first[std::min(t[(i + 1) % 3], t[(i + 2) % 3]).index() + 1];
-    }
+void sort_sides(std::span<EdgeSide> of_vertex) {
+  constexpr std::size_t kFew = 16;
+  if (of_vertex.size() > kFew) {
+    std::sort(of_vertex.begin(), of_vertex.end(),
+              [](const EdgeSide& s, const EdgeSide& t) { return s.order < t.order; });
+    return;
   }
-  std::partial_sum(first.begin(), first.end(), first.begin());
-  std::vector<EdgeSide> sides(first.back());
-  std::vector<std::uint32_t> end(first.begin(), first.end() - 1);
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    const PlaneTriangleVertices& v = triangles[TriangleId(t)];
-    for (std::uint8_t i = 0; i < 3; ++i) {
-      const PlaneVertexId from = v[(i + 1U) % 3];
-      const PlaneVertexId to = v[(i + 2U) % 3];
+  for (std::size_t i = 1; i < of_vertex.size(); ++i) {
+    const EdgeSide moved = of_vertex[i];
+    std::size_t k = i;
+    for (; k > 0 && moved.order < of_vertex[k - 1].order; --k) of_vertex[k] = of_vertex[k - 1];
+    of_vertex[k] = moved;
+  }
+}
+
+// All sides by the lower ends of their edges, those at v up to end[v], sorted: by edge, the left
+// side first.
+std::vector<EdgeSide> sorted_sides(const IdVector<TriangleId, PlaneTriangleVertices>& triangles,
+                                   std::vector<std::uint32_t>& end) {
+  for (const PlaneTriangleVertices& t : triangles) {
+    for (std::size_t i = 0; i < 3; ++i) ++end[std::min(t[i], t[(i + 1) % 3]).index()];
+  }
+  std::uint32_t sum = 0;
+  for (std::uint32_t& e : end) {
+    const std::uint32_t begin = sum;
+    sum += e;
+    e = begin;
+  }
+  std::vector<EdgeSide> sides(sum);
+  for (const TriangleId t : triangles.ids()) {
+    const PlaneTriangleVertices& v = triangles[t];
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const PlaneVertexId from = v[(i + 1) % 3];
+      const PlaneVertexId to = v[(i + 2) % 3];
       const bool left = from < to;
       const PlaneVertexId low = left ? from : to;
-      sides[end[low.index()]++] = {low, left ? to : from, TriangleId(t), i, left};
+      const PlaneVertexId high = left ? to : from;
+      sides[end[low.index()]++] = {2 * high.value() + (left ? 0U : 1U), 4 * t.value() + i};
     }
   }
-  for (std::size_t v = 0; v < vertices; ++v) {
-    std::sort(sides.begin() + first[v], sides.begin() + first[v + 1],
-              [](const EdgeSide& s, const EdgeSide& t) {
-                return s.b != t.b ? s.b < t.b : s.left > t.left;
-              });
+  std::uint32_t begin = 0;
+  for (const std::uint32_t e : end) {
+    sort_sides(std::span(sides).subspan(begin, e - begin));
+    begin = e;
   }
   return sides;
 }
 
+// The neighbours and edges of triangles in their final numbers.
+void link_triangles(ConformingSection& section) {
+  Triangulation2& own = section.triangulation;
+  const std::size_t n = own.points.size();
+  own.neighbours.assign(own.triangles.size(), {});
+  std::vector<std::uint32_t> end(n);
+  const std::vector<EdgeSide> sides = sorted_sides(own.triangles, end);
+  section.edges.reserve(sides.size() / 2 + n);
+  section.first_edge.assign(n + 1, 0);
+  std::size_t k = 0;
+  for (std::size_t v = 0; v < n; ++v) {
+    while (k < end[v]) {
+      const EdgeSide& side = sides[k++];
+      ConformingSection::Edge edge{PlaneVertexId(v), side.high(), EdgeKind::external, {}, {}};
+      (side.is_left() ? edge.left : edge.right) = side.triangle();
+      if (k < end[v] && sides[k].high() == edge.b) {
+        const EdgeSide& other = sides[k++];
+        TETLOFT_CHECK(side.is_left() && !other.is_left());
+        edge.right = other.triangle();
+        own.neighbours[side.triangle()][side.opposite()] = other.triangle();
+        own.neighbours[other.triangle()][other.opposite()] = side.triangle();
+      }
+      section.edges.push_back(edge);
+    }
+    section.first_edge[v + 1] = static_cast<std::uint32_t>(section.edges.size());
+  }
+}
+
 }  // namespace
+
+IdVector<PlaneVertexId, PlaneVertexId> sections::adopt(
+    const delaunay2_detail::ConformedPlane& plane, ConformingSection& section) {
+  IdVector<PlaneVertexId, PlaneVertexId> number = canonical_numbers(plane.points);
+  std::vector<Point2> points = renumbered(plane.points, number);
+  if (plane.start.plane) {
+    IdVector<delaunay2_detail::SiteId, PlaneVertexId> name_of(plane.start.input_of.size());
+    for (const delaunay2_detail::SiteId v : name_of.ids()) {
+      const PlaneVertexId of_input = plane.start.input_of[v];
+      if (of_input.valid()) name_of[v] = number[of_input];
+    }
+    section.triangulation =
+        delaunay2_detail::canonical_triangulation(*plane.start.plane, name_of, std::move(points));
+  } else {
+    section.triangulation.points = IdVector<PlaneVertexId, Point2>(std::move(points));
+  }
+  link_triangles(section);
+  return number;
+}
 
 IdVector<PlaneVertexId, PlaneVertexId> sections::adopt(const Triangulation2& triangulation,
                                                        ConformingSection& section) {
-  const std::size_t n = triangulation.points.size();
-  IdVector<PlaneVertexId, PlaneVertexId> number = canonical_numbers(triangulation.points);
-  Triangulation2& own = section.triangulation;
-  own.points.resize(n);
-  for (std::size_t v = 0; v < n; ++v) {
-    own.points[number[PlaneVertexId(v)]] = triangulation.points[PlaneVertexId(v)];
-  }
-  own.triangles = canonical_triangles(triangulation.triangles, number);
-  own.neighbours.resize(own.triangles.size());
-
-  const std::vector<EdgeSide> sides = sorted_sides(own.triangles, n);
-  section.edges.reserve(sides.size() / 2 + n);
-  section.first_edge.assign(n + 1, 0);
-  for (std::size_t k = 0; k < sides.size(); ++k) {
-    const EdgeSide& side = sides[k];
-    ConformingSection::Edge edge{side.a, side.b, EdgeKind::external, {}, {}};
-    (side.left ? edge.left : edge.right) = side.triangle;
-    if (k + 1 < sides.size() && sides[k + 1].a == side.a && sides[k + 1].b == side.b) {
-      const EdgeSide& other = sides[++k];
-      TETLOFT_CHECK(side.left && !other.left);
-      edge.right = other.triangle;
-      own.neighbours[side.triangle][side.opposite] = other.triangle;
-      own.neighbours[other.triangle][other.opposite] = side.triangle;
-    }
-    section.edges.push_back(edge);
-    ++section.first_edge[side.a.index() + 1];
-  }
-  std::partial_sum(section.first_edge.begin(), section.first_edge.end(),
-                   section.first_edge.begin());
+  IdVector<PlaneVertexId, PlaneVertexId> number = canonical_numbers(triangulation.points.raw());
+  section.triangulation.points =
+      IdVector<PlaneVertexId, Point2>(renumbered(triangulation.points.raw(), number));
+  section.triangulation.triangles = canonical_triangles(triangulation.triangles, number);
+  link_triangles(section);
   return number;
 }
 

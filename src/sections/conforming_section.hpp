@@ -6,13 +6,24 @@
 
 #include <tetloft/conforming_section.hpp>
 
+#include "delaunay2/conforming.hpp"
+
 namespace tetloft::internal::sections {
 
-/// Renumbers the vertices of `triangulation` in canonical order and its triangles
-/// canonically, and fills triangulation, edges (kinds left external) and first_edge of
-/// `section`. Returns the new id of every old vertex.
+/// Numbers vertices and triangles canonically, and fills triangulation, edges (kinds left external)
+/// and first_edge of `section`. Returns the new id of every point.
+IdVector<PlaneVertexId, PlaneVertexId> adopt(const delaunay2_detail::ConformedPlane& plane,
+                                             ConformingSection& section);
+/// The same of a triangulation whose neighbours do not matter: renumbers the vertices of
+/// `triangulation` in canonical order and its triangles canonically, and fills triangulation, edges
+/// (kinds left external) and first_edge of `section`. Returns the new id of every old vertex.
 IdVector<PlaneVertexId, PlaneVertexId> adopt(const Triangulation2& triangulation,
                                              ConformingSection& section);
+
+/// conform() of a section with its nesting at hand.
+[[nodiscard]] Result<ConformingSection> conform_nested(const Section& section, SectionId id,
+                                                       const Nesting& nesting,
+                                                       const ConformOptions& options);
 
 /// By triangle: the edges opposite its vertices. Linear.
 [[nodiscard]] IdVector<TriangleId, std::array<EdgeId, 3>> edges_of_sides(

@@ -6,9 +6,12 @@
 // do, and a vertex that lies on an edge is found when the sweep reaches the vertex.
 #include "sections/contacts.hpp"
 
+#include <algorithm>
 #include <cstdint>
+#include <span>
 #include <utility>
 
+#include "sections/nesting.hpp"
 #include "sections/segments.hpp"
 #include "sections/sweep.hpp"
 #include "spatial/box_tree.hpp"
@@ -161,42 +164,48 @@ class ContactSearch {
   std::optional<BoxTree2> tree_;
 };
 
+// Do the edges, neighbours in the sweep's status, cross? Most lie at different heights.
+bool collide(const SweepEdge& below, const SweepEdge& above) {
+  if (std::max(below.low.y, below.high.y) < std::min(above.low.y, above.high.y)) return false;
+  return cross(below.low, below.high, above.low, above.high);
+}
+
+bool contains(const SweepEdge& edge, const Point2& p) {
+  if (std::max(edge.low.y, edge.high.y) < p.y || p.y < std::min(edge.low.y, edge.high.y)) {
+    return false;
+  }
+  return orient2d(edge.low, edge.high, p) == Sign::zero;
+}
+
+// Does something meet at this vertex, or do edges cross that become neighbours there?
+bool has_contact(std::span<const SweepEdge> edges, const SweepEvent& event) {
+  const std::span<const std::uint32_t> outgoing = event.outgoing;
+  if (event.incoming.size() + outgoing.size() != 2) return true;
+  const bool is_below = event.below != kNoEdge;
+  const bool is_above = event.above != kNoEdge;
+  if (is_below && contains(edges[event.below], event.at)) return true;
+  if (is_above && contains(edges[event.above], event.at)) return true;
+  if (outgoing.empty())
+    return is_below && is_above && collide(edges[event.below], edges[event.above]);
+  const bool spike = outgoing.size() == 2 && orient2d(event.at, edges[outgoing[0]].high,
+                                                      edges[outgoing[1]].high) == Sign::zero;
+  return spike || (is_below && collide(edges[event.below], edges[outgoing.front()])) ||
+         (is_above && collide(edges[outgoing.back()], edges[event.above]));
+}
+
 }  // namespace
 
-bool has_contact(const Section& section) {
-  std::vector<SweepEdge> edges;
-  for (const Contour& contour : section.contours) {
-    const std::vector<Point2>& vertices = contour.vertices;
-    for (std::size_t v = 0; v < vertices.size(); ++v) {
-      const Point2& a = vertices[v];
-      const Point2& b = vertices[v + 1 == vertices.size() ? 0 : v + 1];
-      edges.push_back(canonical_less(a, b) ? SweepEdge{a, b} : SweepEdge{b, a});
-    }
-  }
-  const auto collide = [&](std::uint32_t i, std::uint32_t j) {
-    if (i == kNoEdge || j == kNoEdge) return false;
-    return cross(edges[i].low, edges[i].high, edges[j].low, edges[j].high);
-  };
+std::optional<Nesting> nest_without_contact(const Section& section) {
+  Nester nester(section);
+  const std::span<const SweepEdge> edges = nester.edges();
   bool contact = false;
   Sweep(edges).run([&](const SweepEvent& event) {
-    const auto contains_vertex = [&](std::uint32_t i) {
-      return i != kNoEdge && orient2d(edges[i].low, edges[i].high, event.at) == Sign::zero;
-    };
-    const auto& outgoing = event.outgoing;
-    contact = event.incoming.size() + outgoing.size() != 2 || contains_vertex(event.below) ||
-              contains_vertex(event.above);
-    if (contact) return false;
-    if (outgoing.empty()) {
-      contact = collide(event.below, event.above);
-    } else {
-      const bool spike = outgoing.size() == 2 && orient2d(event.at, edges[outgoing[0]].high,
-                                                          edges[outgoing[1]].high) == Sign::zero;
-      contact =
-          spike || collide(event.below, outgoing.front()) || collide(outgoing.back(), event.above);
-    }
+    contact = has_contact(edges, event);
+    if (!contact) nester.see(event);
     return !contact;
   });
-  return contact;
+  if (contact) return std::nullopt;
+  return nester.take();
 }
 
 std::optional<Defect> first_contact(const Section& section, const std::vector<bool>& usable,

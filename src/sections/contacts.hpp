@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <tetloft/nesting.hpp>
 #include <tetloft/section_stack.hpp>
 
 namespace tetloft::internal::sections {
@@ -23,9 +24,10 @@ struct Defect {
   }
 };
 
-/// Do contours cross, touch or overlap anywhere, themselves or each other? Requires contours
-/// of three vertices or more, consecutive ones different. O(n log n), whatever the input.
-[[nodiscard]] bool has_contact(const Section& section);
+/// The nesting of contours that neither cross nor touch nor overlap anywhere, themselves or each
+/// other; nothing where some do. Requires contours of three finite vertices or more, consecutive
+/// ones different. O(n log n), whatever the input.
+[[nodiscard]] std::optional<Nesting> nest_without_contact(const Section& section);
 
 /// The first contact among the usable contours, before `limit` if that is given.
 [[nodiscard]] std::optional<Defect> first_contact(const Section& section,

@@ -11,7 +11,6 @@
 
 #include "core/entry.hpp"
 #include "core/guard.hpp"
-#include "sections/sweep.hpp"
 
 namespace tetloft {
 
@@ -37,47 +36,56 @@ bool sections::has_contours(const Section& section) {
   });
 }
 
-Nesting nest(const Section& section) {
-  require_fit(sections::has_contours(section), "contours of fewer than three finite vertices");
-  const std::size_t contours = section.contours.size();
-  Nesting nesting;
-  nesting.parent.resize(contours);
-  nesting.depth.assign(contours, 0);
-  nesting.region.resize(contours);
-
-  std::vector<sections::SweepEdge> edges;
-  std::vector<ContourId> owner;
-  std::vector<bool> inside_above;
-  for (std::size_t c = 0; c < contours; ++c) {
-    const Contour& contour = section.contours[ContourId(c)];
-    const bool ccw = sections::is_counter_clockwise(contour);
-    for (std::size_t v = 0; v < contour.vertices.size(); ++v) {
-      const Point2& a = contour.vertices[v];
-      const Point2& b = contour.vertices[v + 1 == contour.vertices.size() ? 0 : v + 1];
+sections::Nester::Nester(const Section& section)
+    : seen_(section.contours.size(), false), ccw_(section.contours.size(), false) {
+  std::size_t count = 0;
+  for (const Contour& contour : section.contours) count += contour.vertices.size();
+  edges_.reserve(count);
+  owner_.reserve(count);
+  forward_.reserve(count);
+  for (const ContourId c : section.contours.ids()) {
+    const std::vector<Point2>& vertices = section.contours[c].vertices;
+    for (std::size_t v = 0; v < vertices.size(); ++v) {
+      const Point2& a = vertices[v];
+      const Point2& b = vertices[v + 1 == vertices.size() ? 0 : v + 1];
       const bool forward = canonical_less(a, b);
-      edges.push_back(forward ? sections::SweepEdge{a, b} : sections::SweepEdge{b, a});
-      owner.emplace_back(c);
-      inside_above.push_back(forward == ccw);
+      edges_.push_back(forward ? SweepEdge{a, b} : SweepEdge{b, a});
+      owner_.push_back(c);
+      forward_.push_back(forward);
     }
   }
+  const std::size_t contours = section.contours.size();
+  nesting_.parent.resize(contours);
+  nesting_.depth.assign(contours, 0);
+  nesting_.region.resize(contours);
+}
 
-  std::vector<bool> seen(contours, false);
-  sections::Sweep(edges).run([&](const sections::SweepEvent& event) {
-    if (event.outgoing.empty()) return true;
-    const ContourId c = owner[event.outgoing[0]];
-    if (seen[c.index()]) return true;
-    seen[c.index()] = true;
-    if (event.below != sections::kNoEdge) {
-      const ContourId neighbour = owner[event.below];
-      nesting.parent[c] = inside_above[event.below] ? neighbour : nesting.parent[neighbour];
-    }
-    const ContourId parent = nesting.parent[c];
-    if (parent.valid()) nesting.depth[c] = nesting.depth[parent] + 1;
-    nesting.region[c] =
-        nesting.depth[c] % 2 == 0 ? nesting.outer.push_back(c) : nesting.region[parent];
+// At the lowest vertex of a contour its interior lies between both edges there, above the lower.
+void sections::Nester::see(const SweepEvent& event) {
+  if (event.outgoing.empty()) return;
+  const std::uint32_t lowest = event.outgoing[0];
+  const ContourId c = owner_[lowest];
+  if (seen_[c.index()]) return;
+  seen_[c.index()] = true;
+  ccw_[c.index()] = forward_[lowest];
+  if (event.below != kNoEdge) {
+    const ContourId neighbour = owner_[event.below];
+    nesting_.parent[c] = is_inside_above(event.below) ? neighbour : nesting_.parent[neighbour];
+  }
+  const ContourId parent = nesting_.parent[c];
+  if (parent.valid()) nesting_.depth[c] = nesting_.depth[parent] + 1;
+  nesting_.region[c] =
+      nesting_.depth[c] % 2 == 0 ? nesting_.outer.push_back(c) : nesting_.region[parent];
+}
+
+Nesting nest(const Section& section) {
+  require_fit(sections::has_contours(section), "contours of fewer than three finite vertices");
+  sections::Nester nester(section);
+  sections::Sweep(nester.edges()).run([&](const sections::SweepEvent& event) {
+    nester.see(event);
     return true;
   });
-  return nesting;
+  return nester.take();
 }
 
 namespace {

@@ -10,7 +10,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
-#include <numeric>
 #include <set>
 #include <span>
 #include <utility>
@@ -18,6 +17,8 @@
 
 #include <tetloft/point.hpp>
 #include <tetloft/predicates.hpp>
+
+#include "spatial/sort_by_key.hpp"
 
 namespace tetloft::internal::sections {
 
@@ -63,9 +64,10 @@ class Sweep {
       while (s < starts.size() && edges_[starts[s]].low == event.at) {
         outgoing.push_back(starts[s++]);
       }
-      std::sort(outgoing.begin(), outgoing.end(), [&](std::uint32_t i, std::uint32_t j) {
-        return orient2d(event.at, edges_[i].high, edges_[j].high) == Sign::positive;
-      });
+      if (outgoing.size() > 1)
+        std::sort(outgoing.begin(), outgoing.end(), [&](std::uint32_t i, std::uint32_t j) {
+          return orient2d(event.at, edges_[i].high, edges_[j].high) == Sign::positive;
+        });
       event.outgoing = outgoing;
       const std::size_t first_end = e;
       while (e < ends.size() && edges_[ends[e]].high == event.at) ++e;
@@ -112,11 +114,12 @@ class Sweep {
   using Iterator = Status::iterator;
 
   [[nodiscard]] std::vector<std::uint32_t> sorted_by(Point2 SweepEdge::*end) const {
-    std::vector<std::uint32_t> order(edges_.size());
-    std::iota(order.begin(), order.end(), std::uint32_t{0});
-    std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
-      return canonical_less(edges_[i].*end, edges_[j].*end);
-    });
+    std::vector<Keyed> entries(edges_.size());
+    for (std::uint32_t i = 0; i < entries.size(); ++i) entries[i].place = i;
+    sort_canonically(entries,
+                     [&](std::uint32_t edge) -> const Point2& { return edges_[edge].*end; });
+    std::vector<std::uint32_t> order(entries.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = entries[i].place;
     return order;
   }
 

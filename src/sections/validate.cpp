@@ -83,8 +83,9 @@ std::optional<Defect> local_defect(const Contour& contour, std::size_t c) {
   return std::nullopt;
 }
 
-// Only where there is some defect is the first one looked for.
-std::optional<Defect> contour_defect(const Section& section) {
+// Only where there is some defect is the first one looked for; where there is none, the contours
+// are nested.
+std::optional<Defect> contour_defect(const Section& section, Nesting& nesting) {
   std::optional<Defect> first;
   std::vector<bool> usable(section.contours.size(), true);
   for (std::size_t c = 0; c < section.contours.size(); ++c) {
@@ -97,7 +98,12 @@ std::optional<Defect> contour_defect(const Section& section) {
     }
     if (defect && !first) first = std::move(defect);
   }
-  if (!first && !sections::has_contact(section)) return std::nullopt;
+  if (!first) {
+    if (std::optional<Nesting> nested = sections::nest_without_contact(section)) {
+      nesting = *std::move(nested);
+      return std::nullopt;
+    }
+  }
   std::optional<Defect> contact = sections::first_contact(section, usable, first);
   TETLOFT_CHECK(contact || first);
   return contact ? contact : first;
@@ -143,14 +149,14 @@ Error error_at(const Section& section, std::size_t s, const Defect& defect) {
   return error;
 }
 
-std::optional<Error> section_error(const SectionStack& stack, std::size_t s) {
+std::optional<Error> section_error(const SectionStack& stack, std::size_t s, Nesting& nesting) {
   const Section& section = stack.sections[SectionId(s)];
   if (const auto reason = height_defect(stack, s)) {
     Error error{ErrorCode::invalid_input, *reason, {}};
     error.where.section = s;
     return error;
   }
-  if (const auto defect = contour_defect(section)) return error_at(section, s, *defect);
+  if (const auto defect = contour_defect(section, nesting)) return error_at(section, s, *defect);
   return std::nullopt;
 }
 
@@ -170,18 +176,20 @@ std::size_t SectionStack::vertex_count() const {
   return count;
 }
 
-Result<void> sections::validate_within(const SectionStack& stack, WatchedWork& work) {
-  if (Result<void> sound = fp_self_check(); !sound) return sound;
+Result<IdVector<SectionId, Nesting>> sections::nest_if_valid(const SectionStack& stack,
+                                                             WatchedWork& work) {
+  if (Result<void> sound = fp_self_check(); !sound) return sound.error();
   if (stack.sections.empty()) {
     return Error{ErrorCode::invalid_input, "the stack has no section", {}};
   }
+  IdVector<SectionId, Nesting> nestings(stack.sections.size());
   std::vector<std::optional<Error>> errors(stack.sections.size());
   // Sections above a faulty one need no look: the lowest is reported.
   std::atomic<std::size_t> lowest{errors.size()};
   parallel_for(errors.size(), work.execution().threads, [&](std::size_t s) {
     if (s > lowest.load()) return;
     work.go_on();
-    errors[s] = section_error(stack, s);
+    errors[s] = section_error(stack, s, nestings[SectionId(s)]);
     work.step_done();
     if (!errors[s]) return;
     std::size_t known = lowest.load();
@@ -189,16 +197,37 @@ Result<void> sections::validate_within(const SectionStack& stack, WatchedWork& w
     }
   });
   if (lowest < errors.size()) return *std::move(errors[lowest]);
-  if (stack.contour_count() > 0) return {};
+  if (stack.contour_count() > 0) return nestings;
   Error error{ErrorCode::invalid_input, "the stack has no contour: all its sections are empty", {}};
   error.where.section = 0;
   return error;
+}
+
+Result<IdVector<SectionId, Nesting>> sections::nest_if_valid(const SectionStack& stack) {
+  const Execution alone{.threads = 1};
+  WatchedWork work(alone, 0);
+  return nest_if_valid(stack, work);
+}
+
+Result<void> sections::validate_within(const SectionStack& stack, WatchedWork& work) {
+  const Result<IdVector<SectionId, Nesting>> nested = nest_if_valid(stack, work);
+  if (!nested) return nested.error();
+  return {};
 }
 
 Result<void> validate(const SectionStack& stack, const Execution& given) {
   return guard_threads(given, [&](const Execution& execution) {
     WatchedWork work(execution, stack.sections.size());
     return sections::validate_within(stack, work);
+  });
+}
+
+Result<ValidStack> ValidStack::of(SectionStack stack, const Execution& given) {
+  return guard_threads(given, [&](const Execution& execution) -> Result<ValidStack> {
+    WatchedWork work(execution, stack.sections.size());
+    Result<IdVector<SectionId, Nesting>> nested = sections::nest_if_valid(stack, work);
+    if (!nested) return nested.error();
+    return sections::ValidStackMaker::make(std::move(stack), *std::move(nested));
   });
 }
 

@@ -35,6 +35,8 @@ SlabClasses::SlabClasses(const ConformingSection& lower, const ConformingSection
     exterior_ = members_.push_back({});
     class_of_region_.push_back(exterior_);
   }
+  class_of_vertex_.reserve(region_of_vertex_.size());
+  for (const SlabRegionId r : region_of_vertex_) class_of_vertex_.push_back(class_of_region_[r]);
 }
 
 }  // namespace tetloft::internal

@@ -32,7 +32,7 @@ class SlabClasses {
 
   /// Region and class of a slab vertex. Exterior vertices have the region behind the last one.
   [[nodiscard]] SlabRegionId region(SlabVertexId v) const { return region_of_vertex_[v]; }
-  [[nodiscard]] ClassId of(SlabVertexId v) const { return class_of_region_[region_of_vertex_[v]]; }
+  [[nodiscard]] ClassId of(SlabVertexId v) const { return class_of_vertex_[v]; }
 
  private:
   SlabRegions regions_;
@@ -40,6 +40,7 @@ class SlabClasses {
   IdVector<SlabRegionId, ClassId> class_of_region_;
   IdVector<ClassId, std::vector<SlabRegionId>> members_;
   IdVector<SlabVertexId, SlabRegionId> region_of_vertex_;
+  IdVector<SlabVertexId, ClassId> class_of_vertex_;
 };
 
 }  // namespace tetloft::internal

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -128,12 +129,13 @@ class BoxTree2 {
       });
     }
   }
-  /// The same for boxes near p: by how far it is outside along x or y.
+  /// The same for boxes near p: by the distance to it, which is off by four units in the last place
+  /// at most. Requires coordinates that can be squared; of those too small for that, 0 is taken.
   template <class Visit, class Within>
   void query_nearest(const Point2& p, Visit visit, Within within) const {
     const auto offset = [&](const Box2& box) {
       const Point2 outside = box.offset(p);
-      return std::max(outside.x, outside.y);
+      return std::sqrt(outside.x * outside.x + outside.y * outside.y);
     };
     query_least(offset, visit, within);
   }

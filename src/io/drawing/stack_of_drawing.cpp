@@ -16,6 +16,7 @@
 #include "io/drawing/plane_gaps.hpp"
 #include "io/drawing/planes.hpp"
 #include "io/numbers.hpp"
+#include "sections/validation.hpp"
 
 namespace tetloft::internal::io {
 
@@ -26,7 +27,7 @@ class StackMaker {
   StackMaker(Drawing drawing, const std::string& name, const ReadOptions& options)
       : drawing_(std::move(drawing)), name_(name), options_(options) {}
 
-  Result<ReadStack> make() {
+  Result<StackOfFile> make() {
     if (drawing_.prepare) {
       if (Result<void> done = drawing_.prepare(drawing_); !done) return at(done.error());
     }
@@ -54,7 +55,7 @@ class StackMaker {
     for (Warning& warning : read_.warnings) {
       if (warning.where.file.empty()) warning.where.file = name_;
     }
-    return std::move(read_);
+    return StackOfFile{std::move(read_), std::move(nestings_)};
   }
 
  private:
@@ -247,7 +248,7 @@ class StackMaker {
   }
 
   Result<void> make_valid() {
-    Result<void> valid = validate(read_.stack, {.threads = 1});
+    Result<void> valid = nest();
     if (valid) return {};
     if (!drawing_.may_touch) return refusal(valid.error());
     Result<Repaired> repaired = repair(read_.stack, {.execution = options_.execution});
@@ -259,7 +260,15 @@ class StackMaker {
     read_.stack = std::move(repaired->stack);
     read_.lines = {};
     repaired_ = true;
-    return validate(read_.stack, {.threads = 1});
+    return nest();
+  }
+
+  // Validates.
+  Result<void> nest() {
+    auto nested = sections::nest_if_valid(read_.stack);
+    if (!nested) return nested.error();
+    nestings_ = *std::move(nested);
+    return {};
   }
 
   // With the place in the file.
@@ -278,8 +287,8 @@ class StackMaker {
 
   void add_labels() {
     if (!drawing_.labelled && drawing_.joins.empty()) return;
-    if (!validate(read_.stack, {.threads = 1}))
-      return;  // unchecked: what is mended is numbered anew
+    // Unchecked: what is mended is numbered anew.
+    if (nestings_.empty() && !validate(read_.stack, {.threads = 1})) return;
     if (repaired_) {
       warn({"the labels of the file are left out, for repairing numbered the contours anew", {}});
       return;
@@ -294,14 +303,15 @@ class StackMaker {
   const ReadOptions& options_;
   std::vector<ChosenLine> lines_;
   ReadStack read_;
+  IdVector<SectionId, Nesting> nestings_;
   LineOfContour origin_;
   bool repaired_ = false;
 };
 
 }  // namespace
 
-Result<ReadStack> stack_of_drawing(Drawing drawing, const std::string& name,
-                                   const ReadOptions& options) {
+Result<StackOfFile> stack_of_drawing(Drawing drawing, const std::string& name,
+                                     const ReadOptions& options) {
   return StackMaker(std::move(drawing), name, options).make();
 }
 

@@ -10,6 +10,7 @@
 #include "io/volume/slices.hpp"
 #include "io/volume/trace.hpp"
 #include "io/volume/volume_error.hpp"
+#include "sections/validation.hpp"
 
 namespace tetloft::internal::io {
 
@@ -95,8 +96,8 @@ Result<void> check_size(const VolumeHeader& header, const SlicePlacement& placed
 
 }  // namespace
 
-Result<ReadStack> stack_of_volume(Volume& volume, const std::string& name,
-                                  const ReadOptions& options) {
+Result<StackOfFile> stack_of_volume(Volume& volume, const std::string& name,
+                                    const ReadOptions& options) {
   const VolumeHeader& header = volume.header();
   const auto across = static_cast<std::size_t>(options.axis.value_or(2));
   const Result<SlicePlacement> placed = place_slices(header, across, name);
@@ -123,11 +124,15 @@ Result<ReadStack> stack_of_volume(Volume& volume, const std::string& name,
   read.stack.frame = placed->frame;
   read.stack.about = {region->name, header.unit,
                       is_of_body(header.space) ? header.space : std::string()};
+  IdVector<SectionId, Nesting> nestings;
   if (options.validity == Validity::required) {
-    const Result<void> valid = validate(read.stack, untold(options.execution));
-    if (!valid) return at_file(name, valid.error());
+    const Execution alone = untold(options.execution);
+    WatchedWork unwatched(alone, 0);
+    Result<IdVector<SectionId, Nesting>> nested = sections::nest_if_valid(read.stack, unwatched);
+    if (!nested) return at_file(name, nested.error());
+    nestings = *std::move(nested);
   }
-  return read;
+  return StackOfFile{std::move(read), std::move(nestings)};
 }
 
 }  // namespace tetloft::internal::io

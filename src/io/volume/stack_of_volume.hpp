@@ -6,14 +6,15 @@
 #include <tetloft/formats.hpp>
 #include <tetloft/inspect.hpp>
 
+#include "io/stack_of_file.hpp"
 #include "io/volume/volume.hpp"
 
 namespace tetloft::internal::io {
 
 /// `name` stands for the file in messages. Errors: usage where options.structure names none of the
 /// labels, or one of several must be named; invalid_input where no voxel is in the region.
-[[nodiscard]] Result<ReadStack> stack_of_volume(Volume& volume, const std::string& name,
-                                                const ReadOptions& options);
+[[nodiscard]] Result<StackOfFile> stack_of_volume(Volume& volume, const std::string& name,
+                                                  const ReadOptions& options);
 
 /// Counts all voxels.
 [[nodiscard]] Result<FileSummary> summary_of_volume(Volume& volume, const ReadOptions& options);

@@ -156,6 +156,69 @@ TEST(FindContacts, OfAFanTestsFewPairs) {
   }
 }
 
+/// Triangles as long as the soup is wide and as thin as they are many, in any direction of the
+/// plane, some of which share a vertex, at heights that differ little.
+Soup slivers(std::size_t count, double height, Prng& random) {
+  Soup soup;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Point3 at{random.between(-1, 1), random.between(-1, 1), height * random.unit()};
+    const double angle = random.between(0, 6.283185307179586);
+    const Point3 along{0.5 * std::cos(angle), 0.5 * std::sin(angle), height * random.unit()};
+    TriangleVertices t;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (k == 0 && i > 0 && random.chance(0.2)) {
+        t[k] = VertexId(random.below(soup.points.size()));
+        continue;
+      }
+      const double far = static_cast<double>(k % 2);
+      t[k] = VertexId(soup.points.size());
+      soup.points.push_back({at.x + far * along.x + random.between(0, 1e-3),
+                             at.y + far * along.y + random.between(0, 1e-3), at.z + far * along.z});
+    }
+    soup.triangles.push_back(t);
+  }
+  return soup;
+}
+
+TEST(FindContacts, OfSliversAgreesWithAllPairs) {
+  Prng random(31);
+  std::size_t contacts = 0;
+  for (const double height : {0.0, 1e-3, 1.0}) {
+    for (const double far : {0.0, 1e9, 1e300}) {
+      Soup soup = slivers(150, height, random);
+      for (Point3& p : soup.points) {
+        p.x += far;
+        p.y -= far;
+      }
+      const std::vector<Contact> found = find_contacts(soup.points, soup.triangles);
+      ASSERT_EQ(found, all_pairs(soup));
+      contacts += found.size();
+    }
+  }
+  EXPECT_GT(contacts, 100U);
+}
+
+// Side by side and askew: all of their boxes along the axes meet.
+TEST(FindContacts, OfParallelSliversTestsFewPairs) {
+  for (const Point2 along : {Point2{1, 1}, Point2{1, -1}, Point2{2, 1}, Point2{1, -2}}) {
+    Soup soup;
+    constexpr int kCount = 1000;
+    for (int k = 0; k < kCount; ++k) {
+      const double x = -along.y * k / kCount;
+      const double y = along.x * k / kCount;
+      TriangleVertices t;
+      for (std::size_t i = 0; i < 3; ++i) t[i] = VertexId(soup.points.size() + i);
+      soup.points.push_back({x, y, 0});
+      soup.points.push_back({x + 9 * along.x, y + 9 * along.y, 1});
+      soup.points.push_back({x + 9 * along.x, y + 9 * along.y, 1.5});
+      soup.triangles.push_back(t);
+    }
+    std::uint64_t tested = 0;
+    EXPECT_TRUE(find_contacts(soup.points, soup.triangles, 9, {}, &tested).empty());
+    EXPECT_LT(tested, 10U * kCount);
+  }
+}
+
 TEST(FindContacts, AgreesWithAllPairsOnRandomSoups) {
   Prng random(31);
   std::size_t found = 0;

@@ -31,8 +31,10 @@ Point3 lift(const Point2& p, double z) { return {p.x, p.y, z}; }
 // All triangles of one plane against all pairs of the other.
 void expect_insphere(const Triangulation2& centres, const Triangulation2& sites, bool sites_above) {
   if (centres.triangles.empty() || sites.triangles.empty()) return;
-  const PlaneDiagram centre_diagram(centres);
-  const PlaneDiagram site_diagram(sites);
+  const double reach = std::max(delaunay3_detail::reach_of(centres.points),
+                                delaunay3_detail::reach_of(sites.points));
+  const PlaneDiagram centre_diagram(centres, reach);
+  const PlaneDiagram site_diagram(sites, reach);
   const CentresAndSites planes{&centre_diagram, &site_diagram, sites_above};
   const double z_sites = sites_above ? 1 : -1;
   for (std::size_t k = 0; k < centre_diagram.finite_count(); ++k) {
@@ -109,9 +111,10 @@ TEST(Bisector, EveryStageAnswers) {
         const Triangulation2 centres = points();
         const Triangulation2 sites = points();
         if (centres.triangles.empty() || sites.triangles.empty()) continue;
-        PlaneDiagram centre_diagram(centres);
-        const PlaneDiagram site_diagram(sites);
-        if (kind == 3) centre_diagram.distrust_centres();
+        const double reach = std::max(delaunay3_detail::reach_of(centres.points),
+                                      delaunay3_detail::reach_of(sites.points));
+        const PlaneDiagram centre_diagram(centres, reach);
+        const PlaneDiagram site_diagram(sites, reach);
         const CentresAndSites planes{&centre_diagram, &site_diagram, true};
         for (std::size_t k = 0; k < centre_diagram.finite_count(); ++k) {
           for (std::size_t p = 1; p < sites.points.size(); ++p) {

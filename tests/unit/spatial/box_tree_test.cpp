@@ -51,7 +51,7 @@ TEST(BoxTree2, FindsTheNearest) {
       const Point2 p{prng.between(-50, 150), prng.between(-50, 150)};
       const auto offset = [&](std::size_t k) {
         const Point2 of = boxes[k].offset(p);
-        return std::max(of.x, of.y);
+        return std::hypot(of.x, of.y);
       };
       double expected = std::numeric_limits<double>::infinity();
       for (std::size_t k = 0; k < n; ++k) expected = std::min(expected, offset(k));
@@ -62,11 +62,34 @@ TEST(BoxTree2, FindsTheNearest) {
             found = std::min(found, offset(k));
             ++visited;
           },
-          [&] { return found; });
+          [&] { return found * (1 + 0x1p-50); });
       ASSERT_EQ(found, expected);
     }
     EXPECT_LE(visited, 50 * (100 + n / 10));
   }
+}
+
+// A square around the point would hold most of them: of a bay, from its middle.
+TEST(BoxTree2, TheNearestIsFoundByDistance) {
+  constexpr std::size_t kBoxes = 10000;
+  std::vector<Box2> boxes;
+  for (std::size_t k = 0; k < kBoxes; ++k) {
+    const double at = static_cast<double>(k) / kBoxes;  // along an edge from (12, 1) to (1, 12)
+    boxes.push_back(box_of({12 - 11 * at, 1 + 11 * at}, {12 - 11 * at, 1 + 11 * at}));
+  }
+  const BoxTree2 tree(boxes);
+  std::size_t visited = 0;
+  double found = std::numeric_limits<double>::infinity();
+  tree.query_nearest(
+      {0, 0},
+      [&](std::size_t k) {
+        const Point2 of = boxes[k].offset(Point2{0, 0});
+        found = std::min(found, std::hypot(of.x, of.y));
+        ++visited;
+      },
+      [&] { return found * (1 + 0x1p-50); });
+  EXPECT_NEAR(found, 6.5 * std::sqrt(2.0), 1e-3);
+  EXPECT_LT(visited, kBoxes / 20);
 }
 
 // As trimming asks: the edges of contours, from points beside them. The limit is asked for once for
@@ -92,7 +115,7 @@ TEST(BoxTree2, TheNearestIsFoundAmongAFewHoweverManyThereAre) {
           p,
           [&](std::size_t k) {
             const Point2 of = edges[k].offset(p);
-            found = std::min(found, std::max(of.x, of.y));
+            found = std::min(found, std::hypot(of.x, of.y));
           },
           [&] {
             ++looked_at;

@@ -21,7 +21,7 @@ void expect_sorted(std::vector<Keyed> entries) {
 // Few and many entries, with keys of all bits, of high bits only, and of few values.
 TEST(SortByKey, SortsByKeyThenPlace) {
   Prng prng(7);
-  for (const std::size_t n : {0U, 1U, 2U, 100U, 1999U, 2000U, 2001U, 30000U}) {
+  for (const std::size_t n : {0U, 1U, 2U, 16U, 17U, 100U, 2000U, 30000U}) {
     for (const std::uint64_t mask :
          {~std::uint64_t{0}, std::uint64_t{0xFF} << 56, std::uint64_t{7} << 10, std::uint64_t{0}}) {
       std::vector<Keyed> entries(n);
@@ -29,6 +29,16 @@ TEST(SortByKey, SortsByKeyThenPlace) {
       expect_sorted(entries);
     }
   }
+}
+
+// Each bucket but one is a bucket within another.
+TEST(SortByKey, SortsKeysThatCrowdAroundOneMoreAndMore) {
+  Prng prng(8);
+  std::vector<Keyed> entries(20000);
+  for (std::uint32_t i = 0; i < entries.size(); ++i) {
+    entries[i] = {prng.next() >> prng.below(64), i};
+  }
+  expect_sorted(entries);
 }
 
 }  // namespace

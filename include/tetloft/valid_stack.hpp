@@ -1,0 +1,41 @@
+// A stack known to be valid, so that it need not be validated again.
+#pragma once
+
+#include <utility>
+
+#include <tetloft/execution.hpp>
+#include <tetloft/export.hpp>
+#include <tetloft/ids.hpp>
+#include <tetloft/nesting.hpp>
+#include <tetloft/result.hpp>
+#include <tetloft/section_stack.hpp>
+
+namespace tetloft {
+
+namespace internal::sections {
+struct ValidStackMaker;
+}
+
+/// A stack that validate() accepts, and the nesting of its sections, which validation finds on the
+/// way. Nobody changes it: it stays valid.
+class TETLOFT_API ValidStack {
+ public:
+  /// Refused as by validate().
+  [[nodiscard]] static Result<ValidStack> of(SectionStack stack, const Execution& execution = {});
+
+  [[nodiscard]] const SectionStack& stack() const { return stack_; }
+  /// As by nest().
+  [[nodiscard]] const IdVector<SectionId, Nesting>& nestings() const { return nestings_; }
+  /// The stack, to be changed; this is empty then, and not to be used.
+  [[nodiscard]] SectionStack take() && { return std::move(stack_); }
+
+ private:
+  friend struct internal::sections::ValidStackMaker;
+  ValidStack(SectionStack stack, IdVector<SectionId, Nesting> nestings)
+      : stack_(std::move(stack)), nestings_(std::move(nestings)) {}
+
+  SectionStack stack_;
+  IdVector<SectionId, Nesting> nestings_;
+};
+
+}  // namespace tetloft

@@ -1,0 +1,290 @@
+// See insertion.hpp.
+#include "delaunay3/insertion.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <tetloft/predicates.hpp>
+
+#include "core/guard.hpp"
+#include "core/prefetch.hpp"
+
+namespace tetloft::internal::delaunay3_detail {
+
+// Faces that contain vertex 0 list it first: the ghost, vertex 0 of its tets, becomes
+// vertex 0 of the tets built on their facets.
+static_assert(kFaceVertex[1][0] == 0 && kFaceVertex[2][0] == 0 && kFaceVertex[3][0] == 0);
+
+bool Inserter::insert(VertexId v, std::size_t most_tets) {
+  const Point3 p = point(v);
+  collect_conflict_zone(p, walk(p, Alone{}), Alone{});
+  if (tets_->taken() + horizon_.size() > most_tets) return false;
+  const std::size_t recycled = std::min(free_.size(), horizon_.size());
+  take_slots(tets_->take(horizon_.size() - recycled));
+  hint_ = star_cavity(v);
+  return true;
+}
+
+Inserter::Outcome Inserter::insert_within(VertexId v, Part part) {
+  const Point3 p = point(v);
+  const WithinPart use{part};
+  const TetId start = walk(p, use);
+  if (!start.valid() || !collect_conflict_zone(p, start, use)) return Outcome::given_up;
+  if (!provide_slots()) {
+    unmark_zone();
+    return Outcome::no_room;
+  }
+  const std::size_t fresh = fresh_;
+  fresh_ += new_slots();
+  take_slots(fresh);
+  hint_ = star_cavity(v);
+  return Outcome::inserted;
+}
+
+TetId Inserter::locate(const Point3& p) { return walk(p, Alone{}); }
+
+// Remembering visibility walk (Devillers, Pion and Teillaud, "Walking in a triangulation",
+// IJFCS 13, 2002). It ends in every Delaunay triangulation, the perturbed ones included:
+// the power of p decreases with each tet. The first face tried is drawn at random for
+// speed alone, by an own generator: the walk is the same in every run.
+template <class Use>
+TetId Inserter::walk(const Point3& p, const Use& use) {
+  TetId t = hint_;
+  std::size_t entered = 4;
+  for (std::size_t steps = 0;; ++steps) {
+    TETLOFT_CHECK(steps <= tets_->taken());
+    walk_state_ = walk_state_ * 1664525U + 1013904223U;
+    const TetSlot& slot = tets_->slot(t);
+    HalfFaceId crossing;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const std::size_t i = ((walk_state_ >> 30) + k) & 3U;
+      if (i == entered) continue;
+      if (!is_beyond(slot.vertices, i, p)) continue;
+      crossing = slot.opposite[i];
+      break;
+    }
+    if (!crossing.valid()) return t;
+    t = TetMesh::tet_of(crossing);
+    if (is_ghost(t)) return t;
+    if (!use.owns(*tets_, t)) return TetId();
+    entered = static_cast<std::size_t>(TetMesh::face_of(crossing));
+  }
+}
+
+template <class Use>
+bool Inserter::collect_conflict_zone(const Point3& p, TetId start, const Use& use) {
+  // Whether a tet is in conflict is a coin toss for the processor: both outcomes are written
+  // where the next of their kind goes, and the counts, not a branch, tell which one stays.
+  conflict_.resize(kRoom);
+  horizon_.resize(kRoom);
+  std::size_t in_zone = 1;
+  std::size_t on_horizon = 0;
+  conflict_[0] = start;
+  mark(start) = Mark::in_conflict;
+  // The zone is its own queue: tets before `next` have all their neighbours decided.
+  for (std::size_t next = 0; next < in_zone; ++next) {
+    if (in_zone + 4 > conflict_.size()) conflict_.resize(2 * conflict_.size());
+    if (on_horizon + 4 > horizon_.size()) horizon_.resize(2 * horizon_.size());
+    const TetId t = conflict_[next];
+    if (!use.owns(*tets_, t)) {
+      conflict_.resize(in_zone);
+      horizon_.resize(on_horizon);
+      unmark_zone();
+      return false;
+    }
+    for (std::size_t i = 0; i < 4; ++i) {
+      const HalfFaceId across = tets_->slot(t).opposite[i];
+      const TetId neighbour = TetMesh::tet_of(across);
+      const Mark known = mark(neighbour);
+      if (known == Mark::in_conflict) continue;
+      horizon_[on_horizon] = {across, half_face(t, i), TetId()};
+      if (known == Mark::outside) {
+        ++on_horizon;
+        continue;
+      }
+      const auto in = static_cast<std::size_t>(in_conflict(neighbour, p));
+      mark(neighbour) = static_cast<Mark>(2 - in);
+      conflict_[in_zone] = neighbour;
+      fetch_neighbours(neighbour);
+      in_zone += in;
+      on_horizon += 1 - in;
+    }
+  }
+  conflict_.resize(in_zone);
+  horizon_.resize(on_horizon);
+  return true;
+}
+
+void Inserter::unmark_zone() {
+  for (const TetId t : conflict_) mark(t) = Mark::unvisited;
+  for (const HorizonFacet& facet : horizon_) mark(TetMesh::tet_of(facet.outer)) = Mark::unvisited;
+}
+
+// Asks the processor for what the search will read when it comes to t.
+void Inserter::fetch_neighbours(TetId t) const {
+  for (const HalfFaceId across : tets_->slot(t).opposite) {
+    core::prefetch(&tets_->slot(TetMesh::tet_of(across)));
+    core::prefetch(&tets_->mark(TetMesh::tet_of(across)));
+  }
+}
+
+bool Inserter::in_conflict(TetId t, const Point3& p) const {
+  return is_ghost(t) ? in_ghost_conflict(t, p) : in_sphere(tet(t), p);
+}
+
+bool Inserter::in_ghost_conflict(TetId t, const Point3& p) const {
+  // The sphere of a ghost tet is the half-space beyond its hull facet …
+  const TetVertices& ghost = tet(t);
+  const Sign side = orientation(p, point(ghost[1]), point(ghost[2]), point(ghost[3]));
+  if (side != Sign::zero) return side == Sign::positive;
+  // … and on its rim, the plane of the facet, the perturbed circle of the facet decides.
+  // That is where the sphere of the finite neighbour meets the plane: for a coplanar p
+  // the neighbour's fourth vertex has no weight in the perturbed determinant.
+  return in_sphere(tet(TetMesh::tet_of(tets_->opposite(half_face(t, 0)))), p);
+}
+
+bool Inserter::in_sphere(const TetVertices& tet, const Point3& p) const {
+  const Point3& a = point(tet[0]);
+  const Point3& b = point(tet[1]);
+  const Point3& c = point(tet[2]);
+  const Point3& d = point(tet[3]);
+  if (const int s = tets_->filter().insphere(a, b, c, d, p); s != 0) return s > 0;
+  if (tets_->filter().is_exact()) {
+    return predicates::perturbed_insphere_of_cospherical(a, b, c, d, p) == Sign::positive;
+  }
+  // The bound of the whole set can be far above that of five near points.
+  if (const int s = predicates::insphere_filter(a, b, c, d, p); s != 0) return s > 0;
+  return insphere_perturbed(a, b, c, d, p) == Sign::positive;
+}
+
+TetId Inserter::star_cavity(VertexId v) {
+  create_fillers(v);
+  glue_fillers();
+  for (const TetId t : conflict_) mark(t) = Mark::unvisited;
+  free_.insert(free_.end(), conflict_.begin(), conflict_.end());
+  // A finite one exists: the star of v holds more than its ghost tets.
+  std::size_t k = 0;
+  while (is_ghost(horizon_[k].filler)) ++k;
+  return horizon_[k].filler;
+}
+
+void Inserter::create_fillers(VertexId v) {
+  horizon_vertex_count_ = 0;
+  table_is_full_ = false;
+  for (const HorizonFacet& facet : horizon_) {
+    const TetId outer = TetMesh::tet_of(facet.outer);
+    mark(outer) = Mark::unvisited;
+    // Listed with the normal out of the outer tet, hence towards v: (base, v) is positive.
+    const TriangleVertices base = facet_of(tet(outer), facet.outer.index() & 3);
+    tets_->slot(facet.filler).vertices = {base[0], base[1], base[2], v};
+    // From now on the outer tet leads to the filler; the inner one still to the outer.
+    tets_->glue(half_face(facet.filler, 3), facet.outer);
+    if (table_is_full_) continue;
+    const std::size_t a = number_on_horizon(base[0]);
+    const std::size_t b = number_on_horizon(base[1]);
+    const std::size_t c = number_on_horizon(base[2]);
+    if (table_is_full_) continue;
+    edge_table_[kTableSide * b + c] = half_face(facet.filler, 0);
+    edge_table_[kTableSide * c + a] = half_face(facet.filler, 1);
+    edge_table_[kTableSide * a + b] = half_face(facet.filler, 2);
+  }
+}
+
+std::size_t Inserter::number_on_horizon(VertexId v) {
+  // The ghost has no record to keep a number in; its place is the last of the table.
+  if (v == kGhost) return kTableSide - 1;
+  std::uint32_t& number = tets_->vertex(v).on_horizon;
+  if (number < horizon_vertex_count_ && horizon_vertices_[number] == v) return number;
+  if (horizon_vertex_count_ == kTableSide - 1) {
+    table_is_full_ = true;
+    return 0;
+  }
+  number = static_cast<std::uint32_t>(horizon_vertex_count_++);
+  horizon_vertices_[number] = v;
+  return number;
+}
+
+void Inserter::glue_fillers() {
+  if (table_is_full_) {
+    glue_fillers_by_turning();
+  } else {
+    glue_fillers_by_table();
+  }
+}
+
+void Inserter::glue_fillers_by_table() {
+  for (const HorizonFacet& facet : horizon_) {
+    TetSlot& slot = tets_->slot(facet.filler);
+    const std::size_t a = number_on_horizon(slot.vertices[0]);
+    const std::size_t b = number_on_horizon(slot.vertices[1]);
+    const std::size_t c = number_on_horizon(slot.vertices[2]);
+    // The neighbour has the edge in the other direction.
+    slot.opposite[0] = edge_table_[kTableSide * c + b];
+    slot.opposite[1] = edge_table_[kTableSide * a + c];
+    slot.opposite[2] = edge_table_[kTableSide * b + a];
+  }
+}
+
+void Inserter::glue_fillers_by_turning() {
+  for (const HorizonFacet& facet : horizon_) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      tets_->opposite(half_face(facet.filler, i)) = filler_across(facet, i);
+    }
+  }
+}
+
+// Turns around the edge that face i of the filler has on the horizon, through the tets of
+// the conflict zone, until the horizon is met again. Every edge of the horizon has two of
+// its facets, as the horizon becomes the link of the new vertex, a sphere.
+HalfFaceId Inserter::filler_across(const HorizonFacet& facet, std::size_t i) const {
+  HalfFaceId entered = facet.inner;
+  // The vertex of the entered face that is not on the edge: the face to leave by is
+  // opposite to it.
+  VertexId behind = tet(facet.filler)[i];
+  for (std::size_t steps = 0;; ++steps) {
+    TETLOFT_CHECK(steps < conflict_.size());
+    const TetId t = TetMesh::tet_of(entered);
+    const HalfFaceId across = tets_->opposite(half_face(t, index_of(tet(t), behind)));
+    behind = tet(t)[static_cast<std::size_t>(TetMesh::face_of(entered))];
+    if (mark(TetMesh::tet_of(across)) == Mark::in_conflict) {
+      entered = across;
+      continue;
+    }
+    const TetId filler = TetMesh::tet_of(tets_->opposite(across));
+    return half_face(filler, index_of(tet(filler), behind));
+  }
+}
+
+bool Inserter::provide_slots() {
+  const std::size_t wanted = new_slots();
+  if (fresh_end_ - fresh_ >= wanted) return true;
+  // What is left of the last ones would not be in a row with the next.
+  for (; fresh_ < fresh_end_; ++fresh_) free_.emplace_back(fresh_);
+  const std::size_t count = std::max(kSlotsAtATime, new_slots());
+  if (!tets_->take_of_room(count, fresh_)) {
+    fresh_ = fresh_end_;
+    return new_slots() == 0;
+  }
+  fresh_end_ = fresh_ + count;
+  return true;
+}
+
+void Inserter::take_slots(std::size_t fresh) {
+  std::size_t recycled = std::min(free_.size(), horizon_.size());
+  for (HorizonFacet& facet : horizon_) {
+    if (recycled == 0) {
+      facet.filler = TetId(static_cast<std::uint32_t>(fresh++));
+      continue;
+    }
+    --recycled;
+    facet.filler = free_.back();
+    free_.pop_back();
+  }
+}
+
+void Inserter::mark_dead_slots() {
+  for (const TetId t : free_) tets_->slot(t).vertices[0] = VertexId();
+  for (; fresh_ < fresh_end_; ++fresh_) tets_->slot(TetId(fresh_)).vertices[0] = VertexId();
+}
+
+}  // namespace tetloft::internal::delaunay3_detail
