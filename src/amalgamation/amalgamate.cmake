@@ -19,7 +19,7 @@ endforeach()
 string(REPLACE "," ";" MODULES "${MODULES}")
 
 # Beside those of the C++ standard library, which have neither point nor slash in their names.
-set(known_system fcntl.h pthread.h signal.h stddef.h stdint.h sys/stat.h sys/types.h unistd.h)
+set(known_system fcntl.h pthread.h signal.h stddef.h stdint.h sys/mman.h sys/stat.h sys/types.h unistd.h)
 
 # Of the file being written, all but the umbrella's: it holds nothing but includes.
 set_property(GLOBAL PROPERTY placed "include/tetloft/tetloft.hpp")

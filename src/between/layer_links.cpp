@@ -18,14 +18,14 @@ namespace {
 constexpr double kLeastOverlap = 0.01;
 
 // A layer, be it a given one: its regions, and the classes of those that have one.
-struct Layer {
+struct LinkedLayer {
   IdVector<RegionId, RegionOutline> outline;
   IdVector<RegionId, Box2> box;
   IdVector<RegionId, ClassId> class_of;
   const IdVector<ClassId, std::vector<RegionId>>* region_of;  // by class and node
 
-  Layer(const Section& section, const Nesting& nesting,
-        const IdVector<ClassId, std::vector<RegionId>>& regions)
+  LinkedLayer(const Section& section, const Nesting& nesting,
+              const IdVector<ClassId, std::vector<RegionId>>& regions)
       : outline(outlines(section, nesting)), class_of(outline.size()), region_of(&regions) {
     for (const RegionOutline& region : outline) {
       Box2 bounds;
@@ -38,8 +38,9 @@ struct Layer {
   }
 };
 
-void link_graphs(const IdVector<ClassId, LayerGraph>& solids, std::size_t k, const Layer& below,
-                 const Layer& above, std::vector<LayerLink>& links) {
+void link_graphs(const IdVector<ClassId, LayerGraph>& solids, std::size_t k,
+                 const LinkedLayer& below, const LinkedLayer& above,
+                 std::vector<LayerLink>& links) {
   for (const ClassId c : solids.ids()) {
     for (const auto& [low, high] : solids[c].edges[k]) {
       links.push_back({(*below.region_of)[c][low], (*above.region_of)[c][high]});
@@ -48,7 +49,8 @@ void link_graphs(const IdVector<ClassId, LayerGraph>& solids, std::size_t k, con
   sort_distinct(links);
 }
 
-void link_overlaps(const Layer& below, const Layer& above, std::vector<LayerLink>& links) {
+void link_overlaps(const LinkedLayer& below, const LinkedLayer& above,
+                   std::vector<LayerLink>& links) {
   const std::vector<LayerLink> known = links;
   const BoxTree2 tree(above.box.raw());
   for (const RegionId low : below.outline.ids()) {
@@ -66,11 +68,11 @@ void link_overlaps(const Layer& below, const Layer& above, std::vector<LayerLink
 }
 
 // Classes whose regions the links do not all connect.
-std::vector<ClassId> classes_apart(const std::vector<Layer>& layers,
+std::vector<ClassId> classes_apart(const std::vector<LinkedLayer>& layers,
                                    const std::vector<std::vector<LayerLink>>& links,
                                    std::size_t classes) {
   std::vector<std::size_t> first{0};
-  for (const Layer& layer : layers) first.push_back(first.back() + layer.outline.size());
+  for (const LinkedLayer& layer : layers) first.push_back(first.back() + layer.outline.size());
   UnionFind sets(first.back());
   for (std::size_t k = 0; k < links.size(); ++k) {
     for (const auto& [low, high] : links[k]) {
@@ -101,7 +103,7 @@ LinkedLayers link_layers(const SlabShape& slab, const std::vector<TracedLayer>& 
     lower.push_back(c.lower);
     upper.push_back(c.upper);
   }
-  std::vector<Layer> all;
+  std::vector<LinkedLayer> all;
   all.emplace_back(slab.lower, slab.lower_nesting, lower);
   for (const TracedLayer& layer : layers) {
     all.emplace_back(layer.inner.section, layer.inner.nesting, layer.region_of);

@@ -123,7 +123,7 @@ std::optional<Bounds> bounds_in_scale(const OverlapRegion& a, const OverlapRegio
   return result;
 }
 
-Bounds bounds_of(const OverlapRegion& a, const OverlapRegion& b) {
+Bounds areas_within(const OverlapRegion& a, const OverlapRegion& b) {
   std::optional<Bounds> known;
   if (a.is_moderate() && b.is_moderate()) {
     known = bounds_in_scale(a, b);
@@ -167,7 +167,7 @@ std::array<Sign, 2> sections::compare_overlap(const OverlapRegion& a, const Over
       signs[k] = *sign;
       continue;
     }
-    if (!areas) areas = bounds_of(a, b);
+    if (!areas) areas = areas_within(a, b);
     if (taus[k] == 0) {
       const bool some = areas->overlap.positive() || interiors_meet_of(a, b);
       signs[k] = some ? Sign::positive : Sign::zero;
@@ -187,7 +187,7 @@ std::array<Sign, 2> sections::compare_overlap(const OverlapRegion& a, const Over
 
 double sections::overlap_ratio(const OverlapRegion& a, const OverlapRegion& b) {
   if (!a.box().overlaps(b.box())) return 0;
-  const Bounds areas = bounds_of(a, b);
+  const Bounds areas = areas_within(a, b);
   if (!areas.overlap.positive() && !interiors_meet_of(a, b)) return 0;
   if (areas.overlap.positive() && areas.smaller.positive()) {
     const Interval ratio = quotient(areas.overlap, areas.smaller);
