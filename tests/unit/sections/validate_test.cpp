@@ -297,5 +297,30 @@ TEST(SectionStack, CountsContoursAndVertices) {
   EXPECT_EQ(both.vertex_count(), 12U);
 }
 
+TEST(ValidStack, HoldsWhatValidateAcceptsAndItsNestings) {
+  for (const StackKind kind : all_kinds()) {
+    const SectionStack given = generate(kind, 3).stack;
+    const Result<ValidStack> valid = ValidStack::of(given);
+    ASSERT_TRUE(valid.ok()) << name_of(kind);
+    ASSERT_EQ(valid->nestings().size(), given.sections.size());
+    for (const SectionId s : given.sections.ids()) {
+      const Nesting nesting = nest(given.sections[s]);
+      EXPECT_EQ(valid->nestings()[s].parent, nesting.parent);
+      EXPECT_EQ(valid->nestings()[s].depth, nesting.depth);
+      EXPECT_EQ(valid->nestings()[s].region, nesting.region);
+      EXPECT_EQ(valid->nestings()[s].outer, nesting.outer);
+    }
+  }
+}
+
+TEST(ValidStack, IsRefusedAsByValidate) {
+  SectionStack broken = generate(all_kinds().front(), 3).stack;
+  std::vector<Point2>& vertices = broken.sections[SectionId(0)].contours[ContourId(0)].vertices;
+  vertices[1] = vertices[0];
+  const Result<ValidStack> valid = ValidStack::of(broken);
+  ASSERT_FALSE(valid.ok());
+  EXPECT_EQ(to_string(valid.error()), to_string(validate(broken).error()));
+}
+
 }  // namespace
 }  // namespace tetloft::testing
