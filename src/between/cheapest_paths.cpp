@@ -8,8 +8,6 @@
 
 namespace tetloft::internal::between {
 
-namespace {}  // namespace
-
 SampleSteps straight_steps(const motion::LatticeWindow& window) {
   const auto nx = static_cast<std::int64_t>(window.nx());
   return {1, -1, nx, -nx};
@@ -47,26 +45,27 @@ void PathSearch::start(const std::vector<std::uint32_t>& source, std::uint32_t f
   }
 }
 
-template <class Visit>
-void PathSearch::for_each_step(std::uint32_t place, const Visit& visit) const {
+template <class Meet>
+void PathSearch::step_on(std::uint32_t place, const SampleCost& cost, const Meet& meet) {
   for (const std::int64_t step : steps_) {
     const auto next = static_cast<std::uint32_t>(std::int64_t{place} + step);
-    if (!may_pass_ || may_pass_(place, next)) visit(next);
-  }
-}
-
-void PathSearch::step_on(std::uint32_t place, const SampleCost& cost) {
-  for_each_step(place, [&](std::uint32_t next) {
-    if (next < settled_.size() && settled_[next] != 0) return;
+    // Most places of large sources have none but others of theirs around them.
+    const bool settled = next < settled_.size() && settled_[next] != 0;
+    if (settled && front_[next] == front_[place]) continue;
+    if (may_pass_ && !may_pass_(place, next)) continue;
+    if (settled) {
+      meet(next);
+      continue;
+    }
     const double on = cost(next);
-    if (on == kNever || !(distance_[place] + on < distance_[next])) return;
+    if (on == kNever || !(distance_[place] + on < distance_[next])) continue;
     if (distance_[next] == kNever) touched_.push_back(next);
     distance_[next] = distance_[place] + on;
     from_[next] = place;
     front_[next] = front_[place];
     waiting_.push_back({distance_[next], next});
     std::push_heap(waiting_.begin(), waiting_.end(), std::greater<>());
-  });
+  }
 }
 
 std::optional<std::uint32_t> PathSearch::settle_next() {
@@ -93,12 +92,9 @@ std::vector<SamplePath> PathSearch::join(const std::vector<std::vector<std::uint
   UnionFind joined(sources.size());
   std::priority_queue<Meeting, std::vector<Meeting>, std::greater<>> meetings;
   const auto go_on = [&](std::uint32_t place) {
-    for_each_step(place, [&](std::uint32_t other) {
-      if (other < settled_.size() && settled_[other] != 0 && front_[other] != front_[place]) {
-        meetings.push({distance_[place] + distance_[other], place, other});
-      }
+    step_on(place, cost, [&](std::uint32_t other) {
+      meetings.push({distance_[place] + distance_[other], place, other});
     });
-    step_on(place, cost);
   };
   // Meetings found later cost at least as much as the nearest place that is not settled.
   const auto take_meetings = [&](double limit) {
@@ -128,10 +124,11 @@ std::optional<SamplePath> PathSearch::reach(const std::vector<std::uint32_t>& so
                                             const SampleCost& cost) {
   clear();
   start(sources, 0);
-  for (const std::uint32_t place : sources) step_on(place, cost);
+  const auto one_front = [](std::uint32_t) {};
+  for (const std::uint32_t place : sources) step_on(place, cost, one_front);
   while (const std::optional<std::uint32_t> place = settle_next()) {
     if (!target(*place)) {
-      step_on(*place, cost);
+      step_on(*place, cost, one_front);
       continue;
     }
     SamplePath path;

@@ -68,16 +68,13 @@ class PathSearch {
 
   void clear();
   void start(const std::vector<std::uint32_t>& source, std::uint32_t front);
-  /// Steps on from a settled place.
-  void step_on(std::uint32_t place, const SampleCost& cost);
+  /// Steps on from a settled place; calls meet(place) for settled ones beside it of another front.
+  template <class Meet>
+  void step_on(std::uint32_t place, const SampleCost& cost, const Meet& meet);
   /// The nearest place not settled yet, and settles it; none if all are.
   [[nodiscard]] std::optional<std::uint32_t> settle_next();
   /// Appends the places from here back to the source.
   void append_way_back(std::uint32_t place, SamplePath& path) const;
-
-  /// Calls visit(place) for the places one step away, some of them perhaps out of range.
-  template <class Visit>
-  void for_each_step(std::uint32_t place, const Visit& visit) const;
 
   SampleSteps steps_;
   SamplePassage may_pass_;        // or everywhere

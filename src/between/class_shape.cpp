@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <iterator>
 #include <utility>
 
 #include "between/class_motion.hpp"
@@ -160,12 +159,14 @@ class Interpolation {
   }
 
   [[nodiscard]] std::vector<double> given(const LatticeWindow& w, Around s) const {
-    std::vector<double> value(w.size());
-    std::vector<double> beyond_samples;
+    std::vector<double> value;
+    value.reserve(w.size());
+    std::vector<double> scratch;
     for (std::int64_t j = w.j0; j < w.j1; ++j) {
-      const double* const row = around_.field[s].row(w.i0, w.i1, j, beyond_samples);
-      std::transform(row, row + w.nx(), value.data() + w.place(w.i0, j), never_zero);
+      const double* const row = around_.field[s].row(w.i0, w.i1, j, scratch);
+      value.insert(value.end(), row, row + w.nx());
     }
+    for (double& v : value) v = never_zero(v);
     return value;
   }
 

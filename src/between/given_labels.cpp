@@ -127,7 +127,7 @@ std::vector<LabelledRun> GivenLabels::samples_beside(const std::vector<LabelledR
   };
   std::vector<Near> found;
   const LatticeWindow& w = window_;
-  const RunsByRow rows(runs, w);
+  RunCursor within(runs, w);
   for (const LatticeContour& contour : contours_) {
     Point2 last = contour.vertices.back();
     for (const Point2& next : contour.vertices) {
@@ -142,7 +142,7 @@ std::vector<LabelledRun> GivenLabels::samples_beside(const std::vector<LabelledR
       for (std::int64_t j = first_index(box.y0 - kThickening, w.j0, w.j1); j < j1; ++j) {
         for (std::int64_t i = i0; i < i1; ++i) {
           const auto place = static_cast<std::uint32_t>(w.place(i, j));
-          if (rows.node_at(static_cast<std::size_t>(j - w.j0), place) != kNoNode) continue;
+          if (within.node_at(static_cast<std::size_t>(j - w.j0), place) != kNoNode) continue;
           const Point2 p{static_cast<double>(i), static_cast<double>(j)};
           const double squared = squared_distance(p, a, b);
           if (squared < kThickening * kThickening) {

@@ -78,14 +78,30 @@ std::vector<std::uint32_t> LayerLabels::nodes(std::size_t places) const {
   return node;
 }
 
-RunsByRow::RunsByRow(const std::vector<LabelledRun>& runs, const motion::LatticeWindow& window)
-    : runs_(runs) {
-  first_.reserve(window.ny() + 1);
+RunCursor::RunCursor(const std::vector<LabelledRun>& runs, const motion::LatticeWindow& window)
+    : runs_(runs), nx_(window.nx()) {
+  in_row_.reserve(window.ny() + 1);
   std::size_t run = 0;
   for (std::size_t row = 0; row <= window.ny(); ++row) {
-    while (run < runs.size() && runs[run].first < row * window.nx()) ++run;
-    first_.push_back(run);
+    while (run < runs.size() && runs[run].first < row * nx_) ++run;
+    in_row_.push_back(run);
   }
+}
+
+void RunCursor::move_to(std::size_t row, std::size_t place) {
+  const auto begin = runs_.begin() + static_cast<std::ptrdiff_t>(in_row_[row]);
+  const auto end = runs_.begin() + static_cast<std::ptrdiff_t>(in_row_[row + 1]);
+  const auto run = std::partition_point(
+      begin, end, [&](const LabelledRun& before) { return before.end <= place; });
+  if (run != end && run->first <= place) {
+    first_ = run->first;
+    end_ = run->end;
+    node_ = run->node;
+    return;
+  }
+  first_ = run == begin ? row * nx_ : (run - 1)->end;
+  end_ = run == end ? (row + 1) * nx_ : run->first;
+  node_ = kNoNode;
 }
 
 std::vector<LabelledRun> runs_of(const motion::LatticeWindow& window,

@@ -42,25 +42,27 @@ inline constexpr std::size_t kUnbounded = std::numeric_limits<std::size_t>::max(
 [[nodiscard]] LayerLabels label_voids(const motion::LatticeWindow& window,
                                       const std::vector<double>& value);
 
-/// Looks up runs by row.
-class RunsByRow {
+/// Looks up nodes in runs: quickly where places are near each other.
+class RunCursor {
  public:
-  /// `labels` must outlive this.
-  RunsByRow(const LayerLabels& labels, const motion::LatticeWindow& window)
-      : RunsByRow(labels.runs, window) {}
-  RunsByRow(const std::vector<LabelledRun>& runs, const motion::LatticeWindow& window);
+  /// `runs` must outlive this.
+  RunCursor(const std::vector<LabelledRun>& runs, const motion::LatticeWindow& window);
 
   /// The node of a place in row `row` of the window, or kNoNode.
-  [[nodiscard]] std::uint32_t node_at(std::size_t row, std::size_t place) const {
-    std::size_t run = first_[row];
-    const std::size_t end = first_[row + 1];
-    while (run < end && runs_[run].end <= place) ++run;
-    return run < end && runs_[run].first <= place ? runs_[run].node : kNoNode;
+  [[nodiscard]] std::uint32_t node_at(std::size_t row, std::size_t place) {
+    if (place < first_ || place >= end_) move_to(row, place);
+    return node_;
   }
 
  private:
+  void move_to(std::size_t row, std::size_t place);
+
   const std::vector<LabelledRun>& runs_;
-  std::vector<std::size_t> first_;  // run, by row, and behind the last row
+  std::size_t nx_;
+  std::vector<std::size_t> in_row_;  // the first run, by row, and behind the last row
+  // The run, or the gap between two, that was looked at last.
+  std::size_t first_ = 0, end_ = 0;
+  std::uint32_t node_ = kNoNode;
 };
 
 /// Of nodes by place; sizes are left to the caller.

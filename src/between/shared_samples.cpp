@@ -85,38 +85,26 @@ Bounds bounds_of(const LayerLabels& labels, std::size_t nx) {
   return bounds;
 }
 
-// The nodes of a layer by place: worth making where many are looked up.
-class NodesByPlace {
- public:
-  NodesByPlace(const LayerLabels& labels, const motion::LatticeWindow& window)
-      : node_(labels.nodes(window.size())) {}
-  [[nodiscard]] std::uint32_t node_at(std::size_t, std::size_t place) const { return node_[place]; }
-
- private:
-  std::vector<std::uint32_t> node_;
-};
-
-template <class Nodes>
 class MovedPair {
  public:
   MovedPair(const LayerPair& pair, double share)
       : pair_(pair),
         nx_(pair.shape.window.nx()),
         ny_(pair.shape.window.ny()),
-        below_(pair.below, pair.shape.window),
-        above_(pair.above, pair.shape.window),
+        below_(pair.below.runs, pair.shape.window),
+        above_(pair.above.runs, pair.shape.window),
         share_(share),
         outside_(pair.kind == NodeKind::solid ? kNoNode : kExterior) {}
 
-  void share(Shares& shares) const {
+  void share(Shares& shares) {
     const Bounds where = looked_at();
     if (pair_.kind == NodeKind::empty) share_exterior(shares);
     for (std::size_t j = where.j0; j < where.j1 && !shares.suffice(pair_); ++j) {
       for (std::size_t i = where.i0; i < where.i1; ++i) {
-        const Moved at(*this, i, j);
-        const std::uint32_t below = at.below();
+        const Moved at = moved(i, j);
+        const std::uint32_t below = node_at(below_, at.below);
         if (below == kNoNode) continue;
-        const std::uint32_t above = at.above();
+        const std::uint32_t above = node_at(above_, at.above);
         if (above != kNoNode) shares.add({below, above}, 1);
       }
     }
@@ -137,52 +125,44 @@ class MovedPair {
   }
 
   // Whether the exteriors have a sample in common, which is enough: nearly always the first one.
-  void share_exterior(Shares& shares) const {
+  void share_exterior(Shares& shares) {
     for (std::size_t j = 0; j < ny_; ++j) {
       for (std::size_t i = 0; i < nx_; ++i) {
-        const Moved at(*this, i, j);
-        if (at.below() != kExterior || at.above() != kExterior) continue;
+        const Moved at = moved(i, j);
+        if (node_at(below_, at.below) != kExterior || node_at(above_, at.above) != kExterior)
+          continue;
         shares.add({kExterior, kExterior}, 1);
         return;
       }
     }
   }
 
-  // What lies where a sample is moved from.
-  class Moved {
-   public:
-    Moved(const MovedPair& pair, std::size_t i, std::size_t j)
-        : pair_(pair), x_(static_cast<double>(i)), y_(static_cast<double>(j)) {
-      const Point2& u = pair.pair_.shape.motion[j * pair.nx_ + i];
-      by_ = {pair.share_ * u.x, pair.share_ * u.y};
-    }
-    [[nodiscard]] std::uint32_t below() const {
-      return pair_.node_at(pair_.below_, x_ - by_.x, y_ - by_.y);
-    }
-    [[nodiscard]] std::uint32_t above() const {
-      return pair_.node_at(pair_.above_, x_ + by_.x, y_ + by_.y);
-    }
-
-   private:
-    const MovedPair& pair_;
-    double x_, y_;
-    Point2 by_;
+  // Where a sample is moved from.
+  struct Moved {
+    Point2 below, above;
   };
+  [[nodiscard]] Moved moved(std::size_t i, std::size_t j) const {
+    const Point2& u = pair_.shape.motion[j * nx_ + i];
+    const Point2 by{share_ * u.x, share_ * u.y};
+    const auto x = static_cast<double>(i);
+    const auto y = static_cast<double>(j);
+    return {{x - by.x, y - by.y}, {x + by.x, y + by.y}};
+  }
 
-  // The node at (x, y) of the window, to the nearest sample: halves go up.
-  [[nodiscard]] std::uint32_t node_at(const Nodes& nodes, double x, double y) const {
-    const double i = x + 0.5;
-    const double j = y + 0.5;
+  // The node at a place, from the first sample of the window on, to the nearest one: halves go up.
+  [[nodiscard]] std::uint32_t node_at(RunCursor& runs, const Point2& p) const {
+    const double i = p.x + 0.5;
+    const double j = p.y + 0.5;
     if (!(i >= 0 && j >= 0 && i < static_cast<double>(nx_) && j < static_cast<double>(ny_))) {
       return outside_;
     }
     const auto row = static_cast<std::size_t>(static_cast<std::int64_t>(j));
-    return nodes.node_at(row, row * nx_ + static_cast<std::size_t>(static_cast<std::int64_t>(i)));
+    return runs.node_at(row, row * nx_ + static_cast<std::size_t>(static_cast<std::int64_t>(i)));
   }
 
   const LayerPair& pair_;
   std::size_t nx_, ny_;
-  Nodes below_, above_;
+  RunCursor below_, above_;
   double share_;
   std::uint32_t outside_;  // the node beyond the window
 };
@@ -201,11 +181,7 @@ std::vector<SharedSamples> shared_samples(const LayerPair& pair, double share) {
   if (share == 0 || pair.shape.motion.empty()) {
     share_at_rest(pair, shares);
   } else {
-    if (is_lone(pair)) {
-      MovedPair<RunsByRow>(pair, share).share(shares);
-    } else {
-      MovedPair<NodesByPlace>(pair, share).share(shares);
-    }
+    MovedPair(pair, share).share(shares);
   }
   return std::move(shares).summed();
 }

@@ -263,11 +263,10 @@ DistanceSamples sample_distances(const LatticeEdges& edges, const LatticeWindow&
   for (std::int64_t j = window.j0; j < window.j1; ++j) {
     const std::vector<std::int64_t> turns = by_row.row(j);
     for (std::size_t k = 0; k + 1 < turns.size(); k += 2) {
-      double* const row = result.value.data() + window.place(window.i0, j);
-      double* const end = row + (turns[k + 1] - window.i0);
-      for (double* inside = row + (turns[k] - window.i0); inside < end; ++inside) {
-        *inside = -*inside;
-      }
+      if (turns[k] == turns[k + 1]) continue;
+      double* const inside = result.value.data() + window.place(turns[k], j);
+      const auto n = static_cast<std::size_t>(turns[k + 1] - turns[k]);
+      for (std::size_t i = 0; i < n; ++i) inside[i] = -inside[i];
     }
   }
   return result;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include <cstdint>
 #include <optional>
 
@@ -76,6 +78,22 @@ TEST(ClassMotion, IsBilinearInsideAndThatOfTheBorderOutside) {
   EXPECT_EQ(field.at({2, 2}), (Point2{4, 8}));
   EXPECT_EQ(field.at({-5, 1}), (Point2{0, 4}));
   EXPECT_EQ(field.at({99, 99}), (Point2{4, 8}));
+}
+
+TEST(MotionField, IsTheSameAtAllSamplesAtOnce) {
+  MotionField field{{-2, -1, 4, 3}, 1.7, {}};
+  for (std::size_t k = 0; k < field.window.size(); ++k) {
+    const auto t = static_cast<double>(k);
+    field.node.push_back({std::sin(t), std::cos(3 * t)});
+  }
+  const internal::motion::LatticeWindow samples{-19, -11, 23, 17};
+  const std::vector<Point2> all = field.at_samples(samples, 0.31);
+  for (std::int64_t j = samples.j0; j < samples.j1; ++j) {
+    for (std::int64_t i = samples.i0; i < samples.i1; ++i) {
+      EXPECT_EQ(all[samples.place(i, j)],
+                field.at({static_cast<double>(i) * 0.31, static_cast<double>(j) * 0.31}));
+    }
+  }
 }
 
 }  // namespace

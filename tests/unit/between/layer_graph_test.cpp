@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <tetloft/nesting.hpp>
@@ -162,6 +165,88 @@ TEST(LayerGraph, WhatWouldHaveNoEdgeIsComparedAsItLies) {
             (std::vector<LayerEdge>{{0, 0}, {1, 1}}));
   EXPECT_EQ(graph_of(NodeKind::solid, shape_of({below, above}, {-8, 0})).edges[0],
             (std::vector<LayerEdge>{{0, 0}, {1, 0}, {1, 1}}));
+}
+
+// Layers of random blots.
+ClassShape blots(Prng& prng, double longest) {
+  ClassShape shape;
+  shape.window = {0, 0, 12 + static_cast<std::int64_t>(prng.below(12)),
+                  12 + static_cast<std::int64_t>(prng.below(12))};
+  shape.value.assign(3, std::vector<double>(shape.window.size(), 1));
+  for (std::vector<double>& value : shape.value) {
+    for (int blot = 0; blot < 9; ++blot) {
+      const auto i0 = 1 + static_cast<std::int64_t>(prng.below(shape.window.nx() - 4));
+      const auto j0 = 1 + static_cast<std::int64_t>(prng.below(shape.window.ny() - 4));
+      const double v = prng.chance(0.6) ? -1 : 1;
+      for (std::int64_t j = j0; j < std::min(j0 + 6, shape.window.j1 - 1); ++j) {
+        for (std::int64_t i = i0; i < std::min(i0 + 5, shape.window.i1 - 1); ++i) {
+          value[shape.window.place(i, j)] = v;
+        }
+      }
+    }
+  }
+  for (std::size_t k = 0; k < shape.window.size(); ++k) {
+    shape.motion.push_back({prng.between(-longest, longest), prng.between(-longest, longest)});
+  }
+  return shape;
+}
+
+// The edges between two layers, from all samples; `by`: the share of the motion.
+std::set<LayerEdge> plain_edges(NodeKind kind, const ClassShape& shape, const LayerLabels& low,
+                                const LayerLabels& high, double by) {
+  const auto node = std::pair(low.nodes(shape.window.size()), high.nodes(shape.window.size()));
+  const auto at = [&](const std::vector<std::uint32_t>& nodes, double x, double y) {
+    const auto i = static_cast<std::int64_t>(std::floor(x + 0.5));
+    const auto j = static_cast<std::int64_t>(std::floor(y + 0.5));
+    const bool in = i >= 0 && j >= 0 && i < shape.window.i1 && j < shape.window.j1;
+    return in ? nodes[shape.window.place(i, j)] : kind == NodeKind::solid ? kNoNode : kExterior;
+  };
+  std::set<LayerEdge> edges;
+  std::set<std::uint32_t> has_low, has_high;
+  for (const double share : {by, 0.0}) {
+    std::map<LayerEdge, std::size_t> samples;
+    for (std::int64_t j = 0; j < shape.window.j1; ++j) {
+      for (std::int64_t i = 0; i < shape.window.i1; ++i) {
+        const Point2& u = shape.motion[shape.window.place(i, j)];
+        const auto x = static_cast<double>(i);
+        const auto y = static_cast<double>(j);
+        ++samples[{at(node.first, x - share * u.x, y - share * u.y),
+                   at(node.second, x + share * u.x, y + share * u.y)}];
+      }
+    }
+    std::set<LayerEdge> found;
+    for (const auto& [nodes, count] : samples) {
+      if (nodes.first == kNoNode || nodes.second == kNoNode) continue;
+      if (share == 0 && has_low.count(nodes.first) != 0 && has_high.count(nodes.second) != 0) {
+        continue;
+      }
+      const std::size_t smaller = std::min(low.size[nodes.first], high.size[nodes.second]);
+      const bool enough = kind == NodeKind::solid ? 50 * count >= smaller : 10 * count > smaller;
+      if (smaller == kUnbounded || enough) found.insert(nodes);
+    }
+    for (const LayerEdge& edge : found) {
+      edges.insert(edge);
+      has_low.insert(edge.first);
+      has_high.insert(edge.second);
+    }
+  }
+  return edges;
+}
+
+TEST(LayerGraph, EdgesAreThoseOfAllSamples) {
+  for (std::uint64_t seed = 0; seed < 150; ++seed) {
+    Prng prng(seed);
+    const ClassShape shape = blots(prng, seed % 3 == 0 ? 40 : 6);
+    for (const NodeKind kind : {NodeKind::solid, NodeKind::empty}) {
+      const LayerGraph graph = graph_of(kind, shape);
+      const double by = 0.25;  // each of two layers half a gap apart moves as far
+      for (std::size_t k = 0; k < 2; ++k) {
+        const std::set<LayerEdge> want =
+            plain_edges(kind, shape, graph.layers[k], graph.layers[k + 1], by);
+        EXPECT_EQ(graph.edges[k], std::vector<LayerEdge>(want.begin(), want.end())) << seed;
+      }
+    }
+  }
 }
 
 TEST(LayerGraph, ConnectionsBelowAndAbove) {
