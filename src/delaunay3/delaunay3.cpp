@@ -35,7 +35,7 @@ namespace {
 // 32-bit ids hold many more; the limit of 2^30 tets comes first for all but degenerate input.
 constexpr std::size_t kMaxPoints = std::size_t{1} << 30;
 
-bool is_finite(const Point3& p) {
+bool has_finite_coordinates(const Point3& p) {
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
 
@@ -43,7 +43,7 @@ Result<void> check_points(std::span<const Point3> points) {
   if (points.size() >= kMaxPoints) {
     return Error{ErrorCode::invalid_input, "more than 2^30 points", {}};
   }
-  const auto bad = std::find_if_not(points.begin(), points.end(), is_finite);
+  const auto bad = std::find_if_not(points.begin(), points.end(), has_finite_coordinates);
   if (bad == points.end()) return {};
   Error error{ErrorCode::invalid_input, "a coordinate is not finite", {}};
   error.where.vertex = static_cast<std::size_t>(bad - points.begin());

@@ -15,8 +15,8 @@ namespace {
 // So many at a time by a thread.
 constexpr std::size_t kVerticesGathered = std::size_t{1} << 15;
 
-// Half-faces are 4 t + i in 32 bits.
-constexpr std::size_t kMostSlots = std::size_t{1} << 30;
+// Half-faces are 4 t + i in 32 bits, none of them the invalid one.
+constexpr std::size_t kMostSlots = (std::size_t{1} << 30) - 1;
 
 // Slots are copied as bytes and never destroyed.
 static_assert(std::is_trivially_copyable_v<TetSlot> && std::is_trivially_destructible_v<TetSlot>);
