@@ -15,24 +15,6 @@ namespace {
 
 using Field = Case::Field;
 
-// One or more sets of points, each triangulated by itself, times added.
-template <class Point>
-using Sets = std::shared_ptr<const std::vector<std::vector<Point>>>;
-
-template <class Point>
-Runner over_all(Sets<Point> sets, std::function<Run(std::span<const Point>)> run) {
-  return [sets = std::move(sets), run = std::move(run)] {
-    Run sum;
-    for (const std::vector<Point>& set : *sets) {
-      const Run one = run(set);
-      sum.seconds += one.seconds;
-      sum.simplices += one.simplices;
-      sum.steps.insert(sum.steps.end(), one.steps.begin(), one.steps.end());
-    }
-    return sum;
-  };
-}
-
 template <class Point>
 std::size_t count(const Sets<Point>& sets) {
   std::size_t n = 0;
@@ -40,17 +22,12 @@ std::size_t count(const Sets<Point>& sets) {
   return n;
 }
 
-// Why the peer does not run; empty: it does.
-std::string left_out(const Peer& peer, std::size_t points) {
-  if (points <= peer.most_points) return {};
-  return "left out above " + std::to_string(peer.most_points) + " points";
-}
-
 void add_peers(Field& field, const Sets<Point3>& sets, const std::vector<Peer>& peers) {
   for (const Peer& peer : peers) {
     if (!peer.run3) continue;
+    const auto run = [run3 = peer.run3](std::span<const Point3> points) { return run3(points, 1); };
     field.peers.push_back(
-        {peer.name, over_all<Point3>(sets, peer.run3), false, left_out(peer, field.points)});
+        {peer.name, over_all<Point3>(sets, run), false, left_out(peer, field.points)});
   }
 }
 
@@ -62,7 +39,10 @@ Case in_space(std::string name, std::string what,
             field.points = count<Point3>(sets);
             if (two_planes) field.own.push_back({"slab", over_all<Point3>(sets, slab3), true});
             field.own.push_back({"incremental", over_all<Point3>(sets, incremental3), true});
-            field.own.push_back({"whole call", over_all<Point3>(sets, whole_call3), true});
+            const auto whole = [](std::span<const Point3> points) {
+              return whole_call3(points, 1);
+            };
+            field.own.push_back({"whole call", over_all<Point3>(sets, whole), true});
             add_peers(field, sets, peers);
             return field;
           }};
@@ -106,11 +86,11 @@ Case whole(const std::string& path) {
 }
 
 // A generated stack, written before it is timed.
-Case branching_case(std::string name, std::size_t vertices, std::size_t sections) {
-  return {std::move(name),
-          "wiggly circles with holes that part in four; peers triangulate the slabs only",
+Case generated(std::string name, const std::string& what,
+               const std::function<SectionStack()>& make) {
+  return {std::move(name), what + "; peers triangulate the slabs only",
           [=](const std::vector<Peer>& peers) {
-            const SectionStack stack = branching(vertices, sections);
+            const SectionStack stack = make();
             const auto file = std::make_shared<const StackFile>(stack);
             Field field;
             field.points = stack.vertex_count();
@@ -143,6 +123,11 @@ Case scaling(std::size_t vertices) {
 }
 
 }  // namespace
+
+std::string left_out(const Peer& peer, std::size_t points) {
+  if (points <= peer.most_points) return {};
+  return "left out above " + std::to_string(peer.most_points) + " points";
+}
 
 std::vector<Case> all_cases(const std::vector<std::string>& stacks) {
   using Sets3 = std::vector<std::vector<Point3>>;
@@ -185,8 +170,12 @@ std::vector<Case> all_cases(const std::vector<std::string>& stacks) {
       in_plane("plane 50k", "uniform in a square", [] { return uniform2(50'000); }),
       in_plane("plane 1M", "uniform in a square", [] { return uniform2(1'000'000); }),
   };
-  cases.push_back(branching_case("smoke stack", 1000, 6));
-  cases.push_back(branching_case("reconstruct 128k in 48", 128'000, 48));
+  const std::string branches = "wiggly circles with holes that part in four";
+  cases.push_back(generated("smoke stack", branches, [] { return branching(1000, 6); }));
+  cases.push_back(
+      generated("reconstruct 128k in 48", branches, [] { return branching(128'000, 48); }));
+  cases.push_back(
+      generated("coasts 3x20k", "outlines of islands", [] { return coasts(20'000, 3); }));
   for (const char* sample : {"bifurcation", "bunny", "terrain", "tooth", "torus"}) {
     cases.push_back(whole(std::string(TETLOFT_DATA_DIR) + '/' + sample + ".cnt"));
   }

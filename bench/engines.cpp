@@ -74,9 +74,9 @@ Run slab3(std::span<const Point3> points) {
   return {clock.seconds(), slab.size()};
 }
 
-Run whole_call3(std::span<const Point3> points) {
+Run whole_call3(std::span<const Point3> points, unsigned threads) {
   const Clock clock;
-  const auto d = delaunay3(points, {.execution = kUnwatched});
+  const auto d = delaunay3(points, {.execution = {.threads = threads}});
   const double seconds = clock.seconds();
   return {seconds, d->mesh.tet_count()};
 }

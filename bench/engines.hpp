@@ -27,7 +27,7 @@ Run incremental3(std::span<const Point3> points);
 /// Both plane triangulations and the overlay with adjacency, without canonical numbering.
 Run slab3(std::span<const Point3> points);
 /// The whole call, by the automatic engine: canonical numbering and mesh included.
-Run whole_call3(std::span<const Point3> points);
+Run whole_call3(std::span<const Point3> points, unsigned threads);
 /// Order and insertion.
 Run incremental2(std::span<const Point2> points);
 /// The whole call.
@@ -37,13 +37,16 @@ Run whole_call2(std::span<const Point2> points);
 struct Peer {
   std::string name;
   std::string version;
-  std::function<Run(std::span<const Point3>)> run3;  // empty: cannot
+  std::function<Run(std::span<const Point3>, unsigned threads)> run3;  // empty: cannot
   std::function<Run(std::span<const Point2>)> run2;
+  bool parallel = false;                                   // of use with several threads, in space
   std::size_t most_points = static_cast<std::size_t>(-1);  // more takes too long to wait for
 };
 
 Peer cgal();
 Peer tetgen();
 Peer qhull();
+Peer hxt();
+Peer geogram();
 
 }  // namespace tetloft::bench

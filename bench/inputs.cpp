@@ -44,6 +44,13 @@ Point3 in_cube(Prng& prng) {
   return {x, y, z};
 }
 
+// The sum of twelve uniform numbers is nearly Gaussian, and the same everywhere.
+double nearly_gaussian(Prng& prng) {
+  double sum = -6;
+  for (int k = 0; k < 12; ++k) sum += prng.unit();
+  return sum;
+}
+
 // n points of `count` curves a + t (b − a) + bend t² c.
 std::vector<Point3> bent(std::size_t n, std::size_t count, double bend, std::uint64_t seed) {
   Prng prng(seed);
@@ -71,6 +78,25 @@ std::vector<Point2> wiggly(double x, double y, double radius, double phase, std:
     points[i] = {x + r * std::cos(angle), y + r * std::sin(angle)};
   }
   return points;
+}
+
+// 2^levels radii around a circle of radius 1, by midpoint displacement: each level displaces less,
+// by a factor that leaves the finest radii about as rough as they are apart.
+std::vector<double> displaced_radii(int levels, Prng& prng) {
+  constexpr double kFirst = 0.2;
+  constexpr double kEachLevel = 0.6;
+  std::vector<double> radius{1};
+  double most = kFirst;
+  for (int level = 0; level < levels; ++level, most *= kEachLevel) {
+    std::vector<double> finer;
+    for (std::size_t k = 0; k < radius.size(); ++k) {
+      const double next = radius[(k + 1) % radius.size()];
+      finer.push_back(radius[k]);
+      finer.push_back(0.5 * (radius[k] + next) + prng.between(-most, most));
+    }
+    radius = std::move(finer);
+  }
+  return radius;
 }
 
 Point3 direction(Prng& prng) {
@@ -173,12 +199,7 @@ std::vector<Point3> clusters(std::size_t n, std::size_t count) {
   Prng prng(10);
   std::vector<Point3> centres(count);
   for (Point3& p : centres) p = in_cube(prng);
-  // The sum of twelve uniform numbers is nearly Gaussian, and the same everywhere.
-  const auto near = [&](double centre) {
-    double sum = -6;
-    for (int k = 0; k < 12; ++k) sum += prng.unit();
-    return centre + 1e-3 * sum;
-  };
+  const auto near = [&](double centre) { return centre + 1e-3 * nearly_gaussian(prng); };
   std::vector<Point3> points(n);
   for (std::size_t i = 0; i < n; ++i) {
     const Point3& c = centres[i % count];
@@ -187,6 +208,28 @@ std::vector<Point3> clusters(std::size_t n, std::size_t count) {
     points[i].z = near(c.z);
   }
   prng.shuffle(points);
+  return points;
+}
+
+std::vector<Point3> around_line(std::size_t n) {
+  Prng prng(13);
+  std::vector<Point3> points(n);
+  for (Point3& p : points) {
+    const double along = prng.unit();
+    p.x = along + 1e-3 * nearly_gaussian(prng);
+    p.y = 0.5 * along + 1e-3 * nearly_gaussian(prng);
+    p.z = 0.25 * along + 1e-3 * nearly_gaussian(prng);
+  }
+  return points;
+}
+
+std::vector<Point3> moment_curve(std::size_t n) {
+  Prng prng(14);
+  std::vector<Point3> points(n);
+  for (Point3& p : points) {
+    const double t = prng.between(-1, 1);
+    p = {t, t * t, t * t * t};
+  }
   return points;
 }
 
@@ -210,6 +253,27 @@ SectionStack branching(std::size_t vertices, std::size_t sections) {
       section.contours.push_back({wiggly(x, y, radius, phase, outer)});
       section.contours.push_back({wiggly(x, y, 0.5 * radius, -phase, outer / 2)});
     }
+    stack.sections.push_back(std::move(section));
+  }
+  return stack;
+}
+
+SectionStack coasts(std::size_t vertices, std::size_t sections) {
+  int levels = 0;
+  while ((std::size_t{1} << levels) < vertices) ++levels;
+  SectionStack stack;
+  for (std::size_t k = 0; k < sections; ++k) {
+    Prng prng(15 + k);
+    const std::vector<double> radius = displaced_radii(levels, prng);
+    Section section;
+    section.z = 10 * static_cast<double>(k);
+    Contour contour;
+    for (std::size_t i = 0; i < vertices; ++i) {
+      const double angle = kTurn * static_cast<double>(i) / static_cast<double>(vertices);
+      const double r = 100 * radius[i * radius.size() / vertices];
+      contour.vertices.push_back({r * std::cos(angle), r * std::sin(angle)});
+    }
+    section.contours.push_back(std::move(contour));
     stack.sections.push_back(std::move(section));
   }
   return stack;

@@ -29,10 +29,20 @@ std::vector<Point3> clusters(std::size_t n, std::size_t count);
 std::vector<Point3> lines(std::size_t n, std::size_t count);
 /// The same on parabolas.
 std::vector<Point3> curves(std::size_t n, std::size_t count);
+/// `n` points around a segment, a thousandth of its length away, nearly Gaussian.
+std::vector<Point3> around_line(std::size_t n);
+/// (t, t², t³) at `n` places t in [-1, 1]: each two neighbours along the curve make tets with each
+/// other two, so that there are about n² / 2.
+std::vector<Point3> moment_curve(std::size_t n);
 std::vector<Point2> uniform2(std::size_t n);
 
 /// A tube with wiggles, of about `vertices` vertices, 200 to a section.
 SectionStack tube(std::size_t vertices);
+
+/// Outlines of `vertices` vertices each, as of islands: radii by midpoint displacement, so that
+/// they wander by thousands of times the distance of neighbouring vertices, and differ between
+/// sections.
+SectionStack coasts(std::size_t vertices, std::size_t sections);
 
 /// Wiggly circles of about `vertices` vertices in all, each with a hole: one in the lowest
 /// third of the sections, two in the next, four in the last.

@@ -94,6 +94,8 @@ std::vector<Measurement> measure(const std::vector<Contestant>& contestants, int
   for (std::size_t i = 0; i < contestants.size(); ++i) {
     result[i].name = contestants[i].name;
     result[i].left_out = contestants[i].left_out;
+    result[i].engine = contestants[i].engine;
+    result[i].threads = contestants[i].threads;
   }
   const auto runs = [&](std::size_t i) {
     return result[i].left_out.empty() && result[i].failure.empty();

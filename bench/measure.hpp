@@ -29,10 +29,14 @@ struct Contestant {
   Runner run;
   bool counted = false;    // whether it calls our predicates, all from one thread
   std::string left_out{};  // why it does not run; empty: it does
+  std::string engine{};    // of plots: whose curve it is on; empty: of none
+  unsigned threads = 1;
 };
 
 struct Measurement {
   std::string name;
+  std::string engine;  // as that of the contestant
+  unsigned threads = 1;
   std::vector<double> seconds;  // one for each round
   std::size_t simplices = 0;
   std::vector<std::pair<std::string, double>> steps;  // of the best round

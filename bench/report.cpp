@@ -1,5 +1,6 @@
 #include "report.hpp"
 
+#include <algorithm>
 #include <cstdio>
 
 namespace tetloft::bench {
@@ -89,6 +90,71 @@ std::string details_of(const Measurement& m) {
   return text;
 }
 
+// Seconds of the best run, and megabytes, by distribution and size.
+std::string distribution_table(const Report& report) {
+  std::vector<std::string> names;
+  const auto for_each = [](const CaseReport& one, const auto& visit) {
+    for (const Measurement& m : one.own) visit(m);
+    for (const Measurement& m : one.peers) visit(m);
+  };
+  for (const CaseReport& one : report.cases) {
+    if (one.distribution.empty()) continue;
+    for_each(one, [&](const Measurement& m) {
+      if (std::find(names.begin(), names.end(), m.name) == names.end()) names.push_back(m.name);
+    });
+  }
+  if (names.empty()) return {};
+  std::string text = "Seconds (MB) of the best run.\n\n| distribution | points |";
+  for (const std::string& name : names) text += ' ' + name + " |";
+  text += "\n|---|---|";
+  for (std::size_t k = 0; k < names.size(); ++k) text += "---|";
+  text += '\n';
+  for (const CaseReport& one : report.cases) {
+    if (one.distribution.empty()) continue;
+    text += "| " + one.distribution + " | " + std::to_string(one.points) + " |";
+    for (const std::string& name : names) {
+      std::string cell;
+      for_each(one, [&](const Measurement& m) {
+        if (m.name != name) return;
+        cell = m.valid() ? format("%.3g (%.0f)", m.best(), m.peak_megabytes) : why_invalid(m);
+      });
+      text += ' ' + cell + " |";
+    }
+    text += '\n';
+  }
+  return text + '\n';
+}
+
+std::string case_table(const Report& report) {
+  std::string text =
+      "| case | points | who | best (s) | median (s) | MB | ratio of bests (median of rounds) |\n"
+      "|---|---|---|---|---|---|---|\n";
+  std::string details;
+  for (const CaseReport& one : report.cases) {
+    if (!one.distribution.empty()) continue;
+    const auto row = [&](const Measurement& m, const std::string& ratio) {
+      text += "| " + one.name + " | " + std::to_string(one.points) + " | " + m.name + " | ";
+      text += m.valid() ? format("%.3f | %.3f | %.0f", m.best(), m.median(), m.peak_megabytes)
+                        : why_invalid(m) + " | | ";
+      text += " | " + ratio + " |\n";
+      if (!m.valid() || (m.steps.empty() && !m.counters)) return;
+      details += "- " + one.name + ", " + m.name + ":\n" + details_of(m);
+    };
+    for (const Measurement& own : one.own) {
+      std::string ratios;
+      for (const Measurement& peer : one.peers) {
+        if (!own.valid() || !peer.valid()) continue;
+        ratios += (ratios.empty() ? "" : ", ") + peer.name +
+                  format(" %.2f (%.2f)", own.best() / peer.best(), median_ratio(own, peer));
+      }
+      row(own, ratios);
+    }
+    for (const Measurement& peer : one.peers) row(peer, "");
+  }
+  if (!details.empty()) text += "\n" + details;
+  return text;
+}
+
 }  // namespace
 
 std::string text_of(const CaseReport& report) {
@@ -170,31 +236,10 @@ std::string json_of(const Report& report) {
 }
 
 std::string markdown_of(const Report& report) {
-  std::string text =
-      "| case | points | who | best (s) | median (s) | MB | ratio of bests (median of rounds) |\n"
-      "|---|---|---|---|---|---|---|\n";
-  std::string details;
-  for (const CaseReport& one : report.cases) {
-    const auto row = [&](const Measurement& m, const std::string& ratio) {
-      text += "| " + one.name + " | " + std::to_string(one.points) + " | " + m.name + " | ";
-      text += m.valid() ? format("%.3f | %.3f | %.0f", m.best(), m.median(), m.peak_megabytes)
-                        : why_invalid(m) + " | | ";
-      text += " | " + ratio + " |\n";
-      if (!m.valid() || (m.steps.empty() && !m.counters)) return;
-      details += "- " + one.name + ", " + m.name + ":\n" + details_of(m);
-    };
-    for (const Measurement& own : one.own) {
-      std::string ratios;
-      for (const Measurement& peer : one.peers) {
-        if (!own.valid() || !peer.valid()) continue;
-        ratios += (ratios.empty() ? "" : ", ") + peer.name +
-                  format(" %.2f (%.2f)", own.best() / peer.best(), median_ratio(own, peer));
-      }
-      row(own, ratios);
-    }
-    for (const Measurement& peer : one.peers) row(peer, "");
-  }
-  if (!details.empty()) text += "\n" + details;
+  std::string text = distribution_table(report);
+  const bool others = std::any_of(report.cases.begin(), report.cases.end(),
+                                  [](const CaseReport& one) { return one.distribution.empty(); });
+  if (others) text += case_table(report);
   if (report.predicates.empty()) return text;
   text += "\n| predicate | input | stage | ns a call | settled |\n|---|---|---|---|---|\n";
   for (const PredicateTime& t : report.predicates) {

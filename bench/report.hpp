@@ -15,6 +15,7 @@ struct CaseReport {
   std::size_t points = 0;
   std::vector<Measurement> own;
   std::vector<Measurement> peers;
+  std::string distribution{};  ///< of plots; empty: on none
 };
 
 struct Report {
@@ -28,7 +29,8 @@ struct Report {
 [[nodiscard]] std::string text_of(const CaseReport& report);
 [[nodiscard]] std::string text_of(const std::vector<PredicateTime>& times);
 [[nodiscard]] std::string json_of(const Report& report);
-/// A row for each contestant, steps and stages below, and a table of predicates.
+/// The cases by distribution in one table, a column for each contestant. A row for each contestant
+/// of all others, steps and stages below, and a table of predicates.
 [[nodiscard]] std::string markdown_of(const Report& report);
 
 }  // namespace tetloft::bench

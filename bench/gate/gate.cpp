@@ -38,7 +38,7 @@ void count_reconstruction(const tetloft::SectionStack& stack, Between between) {
 
 void count_triangulations(const std::vector<std::vector<tetloft::Point3>>& sets) {
   counted_work([&] {
-    for (const auto& points : sets) whole_call3(points);
+    for (const auto& points : sets) whole_call3(points, 1);
   });
 }
 

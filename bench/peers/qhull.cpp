@@ -38,7 +38,7 @@ Run delaunay(std::vector<double>& coordinates, int dimension) {
   return run;
 }
 
-Run run3(std::span<const Point3> points) {
+Run run3(std::span<const Point3> points, unsigned) {
   std::vector<double> coordinates;
   for (const Point3& p : points) coordinates.insert(coordinates.end(), {p.x, p.y, p.z});
   return delaunay(coordinates, 3);
@@ -52,6 +52,6 @@ Run run2(std::span<const Point2> points) {
 
 }  // namespace
 
-Peer qhull() { return {"Qhull", qh_version2, run3, run2, 10'000}; }
+Peer qhull() { return {"Qhull", qh_version2, run3, run2, false, 10'000}; }
 
 }  // namespace tetloft::bench

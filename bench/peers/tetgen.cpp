@@ -13,7 +13,7 @@ namespace tetloft::bench {
 
 namespace {
 
-Run run3(std::span<const Point3> points) {
+Run run3(std::span<const Point3> points, unsigned) {
   tetgenio in;
   tetgenio out;
   in.numberofpoints = static_cast<int>(points.size());

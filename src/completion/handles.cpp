@@ -64,18 +64,27 @@ class HandleFiller {
     });
   }
 
-  // What closing a tet adds to the Euler characteristic, by itself.
-  [[nodiscard]] int gain(const VoidSpace& space, TetId t) {
-    int gain = -1;
+  // Does closing a tet, by itself, add to the Euler characteristic? It adds faces that are not
+  // there yet, less edges that are not, less the tet. Edges of faces that are there are there as
+  // well.
+  [[nodiscard]] bool gains(const VoidSpace& space, TetId t) {
+    unsigned faces = 0;
+    int faces_added = 0;
     for (int i = 0; i < 4; ++i) {
       const HalfFaceId h = slab_.mesh().opposite(TetMesh::half_face(t, i));
       const bool has_face =
           space.is_closed(t, 0xFU & ~(1U << i)) ||
           (h.valid() && space.is_closed(TetMesh::tet_of(h), 0xFU & ~(1U << TetMesh::face_of(h))));
-      gain += has_face ? 0 : 1;
+      faces |= has_face ? 1U << i : 0U;
+      faces_added += has_face ? 0 : 1;
     }
-    for (const auto& [i, j] : kEdgeVertex) gain -= has_edge(t, i, j) ? 0 : 1;
-    return gain;
+    int gain = faces_added - 1;
+    for (const auto& [i, j] : kEdgeVertex) {
+      if (gain <= 0) return false;
+      const unsigned around = 0xFU & ~(1U << i) & ~(1U << j);
+      if ((faces & around) == 0 && !has_edge(t, i, j)) --gain;
+    }
+    return gain > 0;
   }
 
   // Tets of one class that are not closed, and would close a tunnel.
@@ -85,7 +94,7 @@ class HandleFiller {
     for (const TetId t : slab_.tets()) {
       const ClassId c = classes_.of(slab_.vertex(t, 0));
       if (!groups_.is_low(c, sums_) || !space.of_one_class(t, 0xF) || !space.is_void(t)) continue;
-      if (gain(space, t) > 0) result.push_back({size(t), t, c});
+      if (gains(space, t)) result.push_back({size(t), t, c});
     }
     std::sort(result.begin(), result.end(), [](const Candidate& a, const Candidate& b) {
       return std::tie(a.size, a.tet) < std::tie(b.size, b.tet);

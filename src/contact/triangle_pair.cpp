@@ -275,8 +275,8 @@ bool triangles_touch(std::span<const Point3> points, const TriangleVertices& a,
                      const TriangleVertices& b) {
   using contact_detail::corners;
   using contact_detail::facing_of;
-  return contact_detail::touch(points, contact_detail::Meeting(a, b),
-                               facing_of(corners(points, a)), facing_of(corners(points, b)));
+  return contact_detail::touch(points, contact_detail::Meeting(a, b), facing_of(corners(points, a)),
+                               facing_of(corners(points, b)));
 }
 
 }  // namespace tetloft::internal

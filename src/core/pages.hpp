@@ -11,6 +11,15 @@ namespace tetloft::internal::core {
 /// lost, but they may be used again.
 void give_back_pages(std::span<std::byte> bytes);
 
+/// Has the system make the pages of `bytes`, which will be written soon, all at once: it would do
+/// so one by one, and slower, when they are. What they hold does not change.
+void make_pages(std::span<std::byte> bytes);
+
+template <class T>
+void make_pages(T* items, std::size_t count) {
+  make_pages({reinterpret_cast<std::byte*>(items), count * sizeof(T)});
+}
+
 template <class T>
 void give_back_pages(std::span<T> items) {
   give_back_pages(std::as_writable_bytes(items));

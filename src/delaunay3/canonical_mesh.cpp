@@ -100,18 +100,33 @@ class Renumbering {
   void fill_mesh() {
     tets_.reserve(tets());
     opposite_.reserve(4 * tets());
+    for (std::size_t part = 0; part < std::min(kPartsOfRound, parts_); ++part) make_room(part);
     for (std::size_t first = 0; first < parts_; first += kPartsOfRound) {
       const std::size_t end = std::min(first + kPartsOfRound, parts_);
       const std::size_t filled = std::min(end << kPartBits, tets());
       tets_.resize(filled);
       opposite_.resize(4 * filled);
-      parallel_for(end - first, threads_, [&](std::size_t i) { fill_part(first + i); });
-      for (std::size_t k = 0; k < stretches_.count; ++k) {
-        const std::uint32_t* begin = &part_begin_[k * (parts_ + 1)];
-        core::give_back_pages(
-            built_.subspan(stretches_.begin(k), begin[end] - stretches_.begin(k)));
-      }
+      parallel_for(end - first, threads_, [&](std::size_t i) {
+        fill_part(first + i);
+        if (end + i < parts_) make_room(end + i);
+        for (std::size_t k = i; k < stretches_.count; k += end - first) give_back(k, first);
+      });
     }
+  }
+
+  // The slots of a stretch whose tets are in the parts before `end`.
+  void give_back(std::size_t k, std::size_t end) {
+    const std::size_t begin = stretches_.begin(k);
+    core::give_back_pages(built_.subspan(begin, part_begin_[k * (parts_ + 1) + end] - begin));
+  }
+
+  // Of a part that the mesh has not grown to: its pages are made by several threads, before one
+  // makes its elements.
+  void make_room(std::size_t part) {
+    const std::size_t first = part << kPartBits;
+    const std::size_t count = std::min(tets() - first, std::size_t{1} << kPartBits);
+    core::make_pages(tets_.data() + first, count);
+    core::make_pages(opposite_.data() + 4 * first, 4 * count);
   }
 
   void fill_part(std::size_t part) {

@@ -150,7 +150,8 @@ bool Inserter::in_sphere(const TetVertices& tet, const Point3& p) const {
   const Point3& d = point(tet[3]);
   if (const int s = tets_->filter().insphere(a, b, c, d, p); s != 0) return s > 0;
   if (tets_->filter().is_exact()) {
-    return predicates::perturbed_insphere_of_cospherical(a, b, c, d, p) == Sign::positive;
+    return predicates::perturbed_insphere_of_cospherical(tets_->filter(), a, b, c, d, p) ==
+           Sign::positive;
   }
   // The bound of the whole set can be far above that of five near points.
   if (const int s = predicates::insphere_filter(a, b, c, d, p); s != 0) return s > 0;

@@ -305,8 +305,8 @@ class CntReader {
     }
   }
 
-  // Where a number ends, but for white space.
-  static constexpr std::string_view kStops = "{},;#";
+  // Where a number ends.
+  static constexpr TokenEnds kStops{"{},;#"};
   // A file of a million slips gets this many warnings, and one that counts the others.
   static constexpr std::size_t kMostWarnings = 1000;
 

@@ -1,6 +1,7 @@
 // A cursor over text: tokens between white space, and the line it is in.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string_view>
 
@@ -21,6 +22,24 @@ namespace tetloft::internal::io {
   while (!text.empty() && is_white(text.back())) text.remove_suffix(1);
   return text;
 }
+
+/// What ends a token: white space, and some other bytes. One look at a table for each byte.
+class TokenEnds {
+ public:
+  constexpr explicit TokenEnds(std::string_view others) {
+    for (std::size_t c = 0; c < ends_.size(); ++c) {
+      const char byte = static_cast<char>(static_cast<unsigned char>(c));
+      ends_[c] = is_white(byte) || others.find(byte) != std::string_view::npos;
+    }
+  }
+  [[nodiscard]] constexpr bool has(char c) const { return ends_[static_cast<unsigned char>(c)]; }
+
+ private:
+  std::array<bool, 256> ends_{};
+};
+
+/// White space, and the beginning of a comment.
+inline constexpr TokenEnds kWhiteOrComment("#");
 
 class TextCursor {
  public:
@@ -54,10 +73,15 @@ class TextCursor {
   /// One-based.
   [[nodiscard]] std::size_t line() const { return line_; }
 
-  /// The bytes up to the next white space or one of `stops`, passed over.
-  std::string_view token(std::string_view stops = {}) {
+  /// The bytes up to the next white space, passed over.
+  std::string_view token() {
+    constexpr TokenEnds white("");
+    return token(white);
+  }
+  /// The bytes up to the next of these ends, passed over.
+  std::string_view token(const TokenEnds& ends) {
     const char* const from = at_;
-    while (at_ != end_ && !is_white(*at_) && stops.find(*at_) == std::string_view::npos) ++at_;
+    while (at_ != end_ && !ends.has(*at_)) ++at_;
     return {from, static_cast<std::size_t>(at_ - from)};
   }
 

@@ -60,7 +60,7 @@ class MeditReader {
       comments_.take(rest.substr(1, rest.find('\n') - 1));
       cursor_.skip_line();
     }
-    return cursor_.token("#");
+    return cursor_.token(kWhiteOrComment);
   }
 
   Result<void> take_section(std::string_view keyword) {
@@ -79,7 +79,7 @@ class MeditReader {
                        kOtherMeditCells.end();
     TextCursor ahead = cursor_;
     ahead.skip_white();
-    const std::int64_t count = parse_integer(ahead.token("#")).value_or(0);
+    const std::int64_t count = parse_integer(ahead.token(kWhiteOrComment)).value_or(0);
     if (cells && count > 0) {
       warnings_.add("left out: " + std::to_string(count) + ' ' + std::string(keyword),
                     cursor_.line());

@@ -21,7 +21,7 @@ class ObjReader {
 
   Result<ReadTriangles> read() {
     for (cursor_.skip_white(); !cursor_.at_end(); cursor_.skip_white()) {
-      const std::string_view word = cursor_.token("#");
+      const std::string_view word = cursor_.token(kWhiteOrComment);
       Result<void> taken;
       if (word == "v") taken = take_vertex();
       if (word == "f" || word == "fo") taken = take_face();
@@ -42,7 +42,7 @@ class ObjReader {
     for (;;) {
       cursor_.skip_blanks();
       if (cursor_.at_end() || cursor_.peek() == '\n' || cursor_.peek() == '#') return {};
-      if (!at_continuation()) return cursor_.token("#");
+      if (!at_continuation()) return cursor_.token(kWhiteOrComment);
       cursor_.advance();
       cursor_.skip_white();
     }

@@ -68,7 +68,7 @@ class OffReader {
     return !cursor_.at_end();
   }
 
-  std::string_view next() { return go_to_word() ? cursor_.token("#") : std::string_view(); }
+  std::string_view next() { return go_to_word() ? cursor_.token(kWhiteOrComment) : std::string_view(); }
 
   // Colours may follow on the line, how many only the line tells.
   void skip_rest() { cursor_.skip_line(); }
@@ -76,7 +76,7 @@ class OffReader {
   Result<void> read_head() {
     go_to_word();
     TextCursor ahead = cursor_;
-    const OffHead head = off_head(ahead.token("#"));
+    const OffHead head = off_head(ahead.token(kWhiteOrComment));
     std::string_view word = head.rest;
     if (head.known) next();
     if (head.other_dimension) return complain("points of other than three dimensions");

@@ -40,7 +40,7 @@ Result<void> for_each_row(std::string_view text, Row&& row) {
     const std::size_t line = cursor.line();
     RowFields fields;
     for (; !cursor.at_end() && cursor.peek() != '\n' && cursor.peek() != '#'; ++fields.count) {
-      const std::string_view field = cursor.token("#");
+      const std::string_view field = cursor.token(kWhiteOrComment);
       if (fields.count < fields.field.size()) fields.field[fields.count] = field;
       cursor.skip_blanks();
     }

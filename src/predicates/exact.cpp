@@ -10,10 +10,12 @@
 // 2^27 + 1: no overflow if n (H + 1) + s + 1 + 28 <= 1023.
 #include "predicates/exact.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 #include "arithmetic/bounded_integer.hpp"
 #include "arithmetic/double_double.hpp"
@@ -166,34 +168,77 @@ std::optional<TwoPlanes<n>> split_by_plane(const std::array<const Point3*, n>& p
   return result;
 }
 
-// The in-sphere filter in twice the precision. Leaves lattice data to the lattice stage: there
-// zero is likely.
-int double_double_insphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
-                           const Point3& e) {
-  const std::array<const Point3*, 4> corner{&a, &b, &c, &d};
-  std::array<DoubleDouble, 12> p;
-  std::array<double, 12> values;
-  std::array<double, 3> most{};
-  bool rounded = false;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const std::array<double, 3> from{corner[i]->x, corner[i]->y, corner[i]->z};
-    const std::array<double, 3> to{e.x, e.y, e.z};
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Rounded difference = two_difference(from[k], to[k]);
-      p[3 * i + k] = {difference.value, difference.error};
-      values[3 * i + k] = difference.value;
-      most[k] = std::max(most[k], std::abs(difference.value));
-      rounded |= difference.error != 0;
+// The filters in twice the precision, for points that are nearly cospherical or coplanar, as those
+// of a sphere or of a tilted plane are after rounding.
+//
+// Of near points most differences are doubles, and products of these take half the operations.
+template <std::size_t n>
+class PreciseDifferences {
+ public:
+  /// p[i] - q.
+  PreciseDifferences(const std::array<const Point3*, n>& p, const Point3& q) {
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::array<double, 3> from{p[i]->x, p[i]->y, p[i]->z};
+      const std::array<double, 3> to{q.x, q.y, q.z};
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Rounded difference = two_difference(from[k], to[k]);
+        value_[3 * i + k] = difference.value;
+        error_[3 * i + k] = difference.error;
+        most_[k] = std::max(most_[k], std::abs(difference.value));
+        rounded_ |= difference.error != 0;
+      }
     }
   }
-  if (!(largest(most[0], most[1], most[2]) <= kLargest)) return 0;
-  if (!rounded && to_lattice<kInsphereBits>(values)) return 0;
-  const DoubleDouble determinant = insphere_determinant(p[0], p[1], p[2], p[3], p[4], p[5], p[6],
-                                                        p[7], p[8], p[9], p[10], p[11]);
-  const double bound = kInsphereError / kRounding * kDoubleDoubleRounding * most[0] * most[1] *
-                           most[2] * (most[0] * most[0] + most[1] * most[1] + most[2] * most[2]) +
-                       kTiny;
-  return certain_sign(determinant.high, bound);
+
+  /// Whether the filters are of use. They leave lattice data to the lattice stage: there zero is
+  /// likely.
+  template <int bits>
+  [[nodiscard]] bool are_suitable() const {
+    return largest(most_[0], most_[1], most_[2]) <= kLargest &&
+           (rounded_ || !to_lattice<bits>(value_));
+  }
+  /// The largest magnitude by axis.
+  [[nodiscard]] const std::array<double, 3>& most() const { return most_; }
+
+  /// The determinant of their array, rounded; 10 u² for u in the error bounds.
+  template <class Determinant>
+  [[nodiscard]] double evaluate(const Determinant& determinant) const {
+    return evaluate(determinant, std::make_index_sequence<3 * n>());
+  }
+
+ private:
+  template <class Determinant, std::size_t... k>
+  [[nodiscard]] double evaluate(const Determinant& determinant, std::index_sequence<k...>) const {
+    if (!rounded_) return determinant(Halves(value_[k])...).high;
+    return determinant(DoubleDouble{value_[k], error_[k]}...).high;
+  }
+
+  std::array<double, 3 * n> value_{};
+  std::array<double, 3 * n> error_{};
+  std::array<double, 3> most_{};
+  bool rounded_ = false;
+};
+
+constexpr double kPrecise = kDoubleDoubleRounding / kRounding;
+
+int precise_orient3d(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
+  const PreciseDifferences<3> p({&b, &c, &d}, a);
+  if (!p.are_suitable<kOrient3dBits>()) return 0;
+  const auto& most = p.most();
+  return certain_sign(
+      p.evaluate([](const auto&... difference) { return orient3d_determinant(difference...); }),
+      kPrecise * kOrient3dError * most[0] * most[1] * most[2] + kTiny);
+}
+
+int precise_insphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
+                     const Point3& e) {
+  const PreciseDifferences<4> p({&a, &b, &c, &d}, e);
+  if (!p.are_suitable<kInsphereBits>()) return 0;
+  const auto& most = p.most();
+  const double squares = most[0] * most[0] + most[1] * most[1] + most[2] * most[2];
+  return certain_sign(
+      p.evaluate([](const auto&... difference) { return insphere_determinant(difference...); }),
+      kPrecise * kInsphereError * most[0] * most[1] * most[2] * squares + kTiny);
 }
 
 Answer times(Sign s, const Answer& answer) {
@@ -240,6 +285,7 @@ Answer exact_orient3d(const Point3& a, const Point3& b, const Point3& c, const P
   if (const int s = orient3d_axis_filter(a, b, c, d); s != 0) {
     return {to_sign(s), &Stages::filter};
   }
+  if (const int s = precise_orient3d(a, b, c, d); s != 0) return {to_sign(s), &Stages::filter};
   return exact_sign<kOrient3dBits>(
       std::array{b.x, b.y, b.z, c.x, c.y, c.z, d.x, d.y, d.z},
       std::array{a.x, a.y, a.z, a.x, a.y, a.z, a.x, a.y, a.z}, kOrient3dRange, [](const auto& p) {
@@ -268,7 +314,7 @@ Answer exact_insphere(const Point3& a, const Point3& b, const Point3& c, const P
                                                         flat((*p)[3]), flat((*p)[4])));
     }
   }
-  if (const int s = double_double_insphere(a, b, c, d, e); s != 0) {
+  if (const int s = precise_insphere(a, b, c, d, e); s != 0) {
     return {to_sign(s), &Stages::filter};
   }
   if (const int s = insphere_axis_filter(a, b, c, d, e); s != 0) {

@@ -42,10 +42,12 @@ Sign orientation(const std::array<Point2, 3>& p) {
   return s != 0 ? static_cast<Sign>(s) : predicates::exact_orient2d(p[0], p[1], p[2]).sign;
 }
 
-Sign orientation(const std::array<Point3, 4>& p) {
-  const int s = predicates::orient3d_filter(p[0], p[1], p[2], p[3]);
-  return s != 0 ? static_cast<Sign>(s) : predicates::exact_orient3d(p[0], p[1], p[2], p[3]).sign;
+Sign orientation(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
+  const int s = predicates::orient3d_filter(a, b, c, d);
+  return s != 0 ? static_cast<Sign>(s) : predicates::exact_orient3d(a, b, c, d).sign;
 }
+
+Sign orientation(const std::array<Point3, 4>& p) { return orientation(p[0], p[1], p[2], p[3]); }
 
 /// The sign of the perturbed predicate of `simplex` and `query` where the unperturbed one
 /// is zero.
@@ -76,11 +78,47 @@ Sign perturbed_sign(const std::array<Point, n>& simplex, const Point& query) {
 
 }  // namespace
 
+// Most calls end at the first cofactor, but on lattices, where four of the points often lie in a
+// plane.
 Sign predicates::perturbed_insphere_of_cospherical(const Point3& a, const Point3& b,
                                                    const Point3& c, const Point3& d,
                                                    const Point3& e) {
   count_answer(&PredicateCounters::insphere, &Stages::symbolic);
+  const std::array<const Point3*, 5> p{&a, &b, &c, &d, &e};
+  std::size_t latest = 4;
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (canonical_less(*p[latest], *p[i])) latest = i;
+  }
+  // Where two points are equal the predicate is zero: left, as other zeros, to the general case.
+  // A cofactor other than zero shows its four points distinct.
+  bool tied = false;
+  for (std::size_t i = 0; i < 5; ++i) tied |= i != latest && *p[i] == *p[latest];
+  if (!tied) {
+    std::array<const Point3*, 4> cofactor{&a, &b, &c, &d};
+    if (latest < 4) cofactor[latest] = &e;
+    const Sign s = orientation(*cofactor[0], *cofactor[1], *cofactor[2], *cofactor[3]);
+    if (s != Sign::zero) return latest < 4 ? s : -s;
+  }
   return perturbed_sign(std::array{a, b, c, d}, e);
+}
+
+Sign predicates::perturbed_insphere_of_cospherical(const SetFilter& filter, const Point3& a,
+                                                   const Point3& b, const Point3& c,
+                                                   const Point3& d, const Point3& e) {
+  count_answer(&PredicateCounters::insphere, &Stages::symbolic);
+  std::array<const Point3*, 5> left{&a, &b, &c, &d, &e};
+  for (std::size_t count = left.size(); count > 0;) {
+    std::size_t latest = 0;
+    for (std::size_t k = 1; k < count; ++k) {
+      if (canonical_less(*left[latest], *left[k])) latest = k;
+    }
+    const Point3* const raised = left[latest];
+    left[latest] = left[--count];
+    const auto other = [&](const Point3& p) -> const Point3& { return &p == raised ? e : p; };
+    const int s = filter.orient3d(other(a), other(b), other(c), other(d));
+    if (s != 0) return static_cast<Sign>(raised == &e ? -s : s);
+  }
+  return Sign::zero;  // all points in one plane
 }
 
 // Most calls end at the first cofactor: no three of the points lie on a line unless two are
@@ -129,8 +167,7 @@ Sign insphere_perturbed(const Point3& a, const Point3& b, const Point3& c, const
     count_answer(&PredicateCounters::insphere, exact.stage);
     return exact.sign;
   }
-  count_answer(&PredicateCounters::insphere, &Stages::symbolic);
-  return perturbed_sign(std::array{a, b, c, d}, e);
+  return predicates::perturbed_insphere_of_cospherical(a, b, c, d, e);
 }
 
 }  // namespace tetloft

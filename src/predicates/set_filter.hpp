@@ -52,4 +52,9 @@ class SetFilter {
                                                      const Point3& c, const Point3& d,
                                                      const Point3& e);
 
+/// The same for distinct points of a set whose filter is exact: that tells orientations, too.
+[[nodiscard]] Sign perturbed_insphere_of_cospherical(const SetFilter& filter, const Point3& a,
+                                                     const Point3& b, const Point3& c,
+                                                     const Point3& d, const Point3& e);
+
 }  // namespace tetloft::internal::predicates

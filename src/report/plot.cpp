@@ -121,12 +121,23 @@ struct Range {
   [[nodiscard]] bool empty() const { return !(low <= high); }
 };
 
-bool is_finite(const Point2& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
+bool has_place(double value, Scale scale) {
+  return std::isfinite(value) && (scale == Scale::linear || value > 0);
+}
 
-void append_curve(std::string& out, const Curve& curve, const PlotFrame& frame) {
-  std::string path;
+// Those of the curve's points that have a place.
+std::vector<Point2> shown(const Curve& curve, const PlotScales& scales) {
+  std::vector<Point2> points;
   for (const Point2& p : curve.points) {
-    if (!is_finite(p)) continue;
+    if (has_place(p.x, scales.x) && has_place(p.y, scales.y)) points.push_back(p);
+  }
+  return points;
+}
+
+void append_curve(std::string& out, const Curve& curve, const PlotScales& scales,
+                  const PlotFrame& frame) {
+  std::string path;
+  for (const Point2& p : shown(curve, scales)) {
     const double at = frame.across(p.x);
     const double height = frame.up(p.y);
     if (curve.dots) {
@@ -170,23 +181,23 @@ std::string histogram_svg(const ReportHistogram& histogram, Scale scale, const P
   return out + "</svg>";
 }
 
-std::string line_plot_svg(std::span<const Curve> curves, const PlotLabels& labels) {
+std::string line_plot_svg(std::span<const Curve> curves, const PlotLabels& labels,
+                          const PlotScales& scales) {
   Range across_range, up_range;
   for (const Curve& curve : curves) {
-    for (const Point2& p : curve.points) {
-      if (!is_finite(p)) continue;
+    for (const Point2& p : shown(curve, scales)) {
       across_range.include(p.x);
       up_range.include(p.y);
     }
   }
   if (across_range.empty()) return empty_plot(labels);
+  if (scales.y == Scale::linear) up_range.include(0);
   const PlotFrame frame(
-      Axis(across_range.low, across_range.high, Scale::linear, kTicksAcross, false),
-      Axis(std::min(0.0, up_range.low), std::max(0.0, up_range.high), Scale::linear, kTicksUp,
-           true));
+      Axis(across_range.low, across_range.high, scales.x, kTicksAcross, false),
+      Axis(up_range.low, up_range.high, scales.y, kTicksUp, scales.y == Scale::linear));
   std::string out = opened(labels);
   append_axes(out, frame, labels);
-  for (const Curve& curve : curves) append_curve(out, curve, frame);
+  for (const Curve& curve : curves) append_curve(out, curve, scales, frame);
   return out + "</svg>";
 }
 

@@ -30,8 +30,14 @@ struct Curve {
   bool dots = false;  ///< of single points, else a line through all
 };
 
-/// y from 0, or from the least value where that is negative. Points that are not finite are left
-/// out.
-[[nodiscard]] std::string line_plot_svg(std::span<const Curve> curves, const PlotLabels& labels);
+struct PlotScales {
+  Scale x = Scale::linear;
+  Scale y = Scale::linear;
+};
+
+/// A linear y is from 0, or from the least value where that is negative. Points that are not
+/// finite, or not positive where the scale is logarithmic, are left out.
+[[nodiscard]] std::string line_plot_svg(std::span<const Curve> curves, const PlotLabels& labels,
+                                        const PlotScales& scales = {});
 
 }  // namespace tetloft::internal::report

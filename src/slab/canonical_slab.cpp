@@ -22,10 +22,27 @@ using delaunay3_detail::TriangleSideId;
 
 // The canonical places of a slot's four vertices.
 using Places = std::array<std::uint8_t, 4>;
-constexpr Places kAsTheyAre{0, 1, 2, 3};
 // Sorted, the last two exchanged where that was an odd permutation (struct Delaunay3).
-constexpr Places kBehindIsHigher{1, 0, 3, 2};  // of type 2, {behind, ahead, left, right}
-constexpr Places kSecondIsHigher{0, 3, 1, 2};  // of type 1 below, {s0, s1, s2, apex}
+enum Arrangement : std::uint32_t { kAsTheyAre, kBehindIsHigher, kSecondIsHigher };
+constexpr std::array<Places, 3> kPlaces{{
+    {0, 1, 2, 3},
+    {1, 0, 3, 2},  // of type 2, {behind, ahead, left, right}
+    {0, 3, 1, 2},  // of type 1 below, {s0, s1, s2, apex}
+}};
+
+// Where a slot goes: its tet, and how the vertices are arranged there.
+class NewName {
+ public:
+  NewName() = default;
+  NewName(std::uint32_t tet, Arrangement arrangement) : packed_(4 * tet + arrangement) {}
+  [[nodiscard]] TetId tet() const { return TetId(packed_ / 4); }
+  [[nodiscard]] HalfFaceId half_face(std::size_t i) const {
+    return HalfFaceId((packed_ & ~3U) + kPlaces[packed_ & 3U][i]);
+  }
+
+ private:
+  std::uint32_t packed_ = 0;
+};
 
 // Visits a section's triangles in the order of their sorted vertices, each with its lowest edge.
 template <class Visit>
@@ -69,7 +86,7 @@ class CanonicalSlab {
     SlabDelaunay result;
     result.mesh = renamed();
     result.base.resize(slots_.size());
-    for (std::size_t k = 0; k < slots_.size(); ++k) result.base[name_[k]] = bases_[k];
+    for (std::size_t k = 0; k < slots_.size(); ++k) result.base[name_[k].tet()] = bases_[k];
     result.edges = std::move(edges_);
     return result;
   }
@@ -137,10 +154,10 @@ class CanonicalSlab {
     std::vector<std::uint32_t> next(lower_.edges.size() + lower_.vertex_count() + 1, 0);
     for (const std::uint32_t place : place_) ++next[place + 1];
     for (std::size_t p = 1; p < next.size(); ++p) next[p] += next[p - 1];
-    for (const std::uint32_t k : order) name_[k] = TetId(next[place_[k]]++);
+    for (const std::uint32_t k : order) name_[k] = {next[place_[k]]++, arrangement(k)};
   }
 
-  [[nodiscard]] const Places& places(std::size_t k) const {
+  [[nodiscard]] Arrangement arrangement(std::size_t k) const {
     const TetVertices& v = slots_[k].vertices;
     if (k < below_) return v[2] < v[1] ? kSecondIsHigher : kAsTheyAre;
     return k >= type1_ && v[1] < v[0] ? kBehindIsHigher : kAsTheyAre;
@@ -151,14 +168,13 @@ class CanonicalSlab {
     std::vector<HalfFaceId> opposite(4 * slots_.size());
     for (std::size_t k = 0; k < slots_.size(); ++k) {
       const TetSlot& slot = slots_[k];
-      const Places& place = places(k);
       for (std::size_t i = 0; i < 4; ++i) {
-        tets[name_[k].index()][place[i]] = slot.vertices[i];
+        const HalfFaceId h = name_[k].half_face(i);
+        tets[h.index() / 4][h.index() % 4] = slot.vertices[i];
         const HalfFaceId across = slot.opposite[i];
         if (!across.valid()) continue;
-        const std::size_t n = TetMesh::tet_of(across).index();
-        const auto face = static_cast<std::size_t>(TetMesh::face_of(across));
-        opposite[4 * name_[k].index() + place[i]] = TetMesh::half_face(name_[n], places(n)[face]);
+        opposite[h.index()] =
+            name_[across.index() / 4].half_face(static_cast<std::size_t>(TetMesh::face_of(across)));
       }
     }
     return TetMesh::from_adjacency(lower_.vertex_count() + upper_.vertex_count(), std::move(tets),
@@ -174,7 +190,7 @@ class CanonicalSlab {
   std::size_t below_;
   std::size_t type1_;
   std::vector<std::uint32_t> place_;
-  std::vector<TetId> name_;
+  std::vector<NewName> name_;
 };
 
 TriangleSideId side_with(const EdgesOfSides& edges, const ConformingSection& section, EdgeId e) {

@@ -27,7 +27,8 @@ Error too_much_work(SlabId id, const ConformingSection& lower, const ConformingS
               std::to_string(lower.vertex_count() + upper.vertex_count()) +
               " vertices takes more than " + std::to_string(most_tets) +
               " tets, the work limit, as it does where round contours of many vertices lie about "
-              "different centres: take fewer vertices to a contour, or raise the limit",
+              "different centres: round coordinates to 16 bits, or fewer, which breaks the circles "
+              "(--snap 16), take fewer vertices to a contour, or raise the limit",
           place};
 }
 

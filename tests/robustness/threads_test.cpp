@@ -1,7 +1,9 @@
 // Threads that the system does not give, and whose time the steps' seconds are.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <ctime>
 #include <numeric>
 #include <thread>
@@ -30,6 +32,12 @@ TEST(Threads, ThatCannotBeMadeAreDoneWithout) {
     }
   }
   const std::size_t tets = delaunay3(planes).value().mesh.tet_count();
+  std::vector<Point3> space;
+  for (int i = 0; i < 5000; ++i) {
+    space.push_back({std::fmod(i * 0.6180339887, 1), std::fmod(i * 0.4142135624, 1),
+                     std::fmod(i * 0.7320508076, 1)});
+  }
+  const TetMesh in_space = delaunay3(space, {.execution = {.threads = 1}}).value().mesh;
   for (const std::size_t most : {std::size_t{0}, std::size_t{1}, std::size_t{5}}) {
     for (const unsigned threads : {2U, 16U, 1000U}) {
       const FewThreads few(most);
@@ -46,6 +54,9 @@ TEST(Threads, ThatCannotBeMadeAreDoneWithout) {
       EXPECT_TRUE(check(expected, stack, {.execution = {.threads = threads}}).value().pass());
       EXPECT_EQ(delaunay3(planes, {.execution = {.threads = threads}}).value().mesh.tet_count(),
                 tets);
+      EXPECT_TRUE(std::ranges::equal(
+          delaunay3(space, {.execution = {.threads = threads}}).value().mesh.tets(),
+          in_space.tets()));
     }
   }
 }

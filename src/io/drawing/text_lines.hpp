@@ -35,7 +35,7 @@ class TextLines {
       cursor_.skip_white();
       line_ = cursor_.line();
       while (!cursor_.at_end() && cursor_.peek() != '\n' && cursor_.peek() != '#') {
-        words_.push_back(cursor_.token("#"));
+        words_.push_back(cursor_.token(kWhiteOrComment));
         cursor_.skip_blanks();
       }
       cursor_.skip_line();

@@ -1,6 +1,8 @@
 // Building meshes: adjacency against an oracle, refusals, whole-mesh traversals.
 #include "unit/mesh/meshes.hpp"
 
+#include <thread>
+
 namespace tetloft::mesh_test {
 namespace {
 
@@ -133,6 +135,41 @@ TEST(TetMeshBuild, ComponentsAgreeWithRepeatedMerging) {
       EXPECT_EQ(component[TetId(t)].index(), number[label[t]]);
     }
   }
+}
+
+// Corner lists are made by whoever asks first.
+TEST(TetMeshBuild, CornersAreTheSameForAllThreadsAndCopies) {
+  const Grid grid{3, 3, 2};
+  const TetMesh mesh = make(grid.vertices(), grid.tets());
+  std::vector<std::vector<TetId>> stars(grid.vertices());
+  for (const TetId t : IdRange<TetId>(mesh.tet_slots())) {
+    for (const VertexId v : mesh.vertices(t)) stars[v.index()].push_back(t);
+  }
+  const auto has_stars = [&](const TetMesh& other) {
+    for (std::size_t v = 0; v < stars.size(); ++v) {
+      std::vector<TetId> listed;
+      for (const HalfFaceId c : other.corners(VertexId(v))) listed.push_back(TetMesh::tet_of(c));
+      if (listed != stars[v]) return false;
+    }
+    return true;
+  };
+  std::vector<char> same(8, 0);
+  std::vector<std::thread> threads;
+  for (char& own : same) {
+    threads.emplace_back([&] { own = has_stars(TetMesh(mesh)) && has_stars(mesh) ? 1 : 0; });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(same, std::vector<char>(8, 1));
+
+  TetMesh copy = mesh;
+  copy.remove_tet(TetId(0U));
+  EXPECT_FALSE(has_stars(copy));
+  EXPECT_VALID(copy);
+  EXPECT_TRUE(has_stars(mesh));
+  copy = mesh;
+  EXPECT_TRUE(has_stars(copy));
+  const TetMesh moved = std::move(copy);
+  EXPECT_TRUE(has_stars(moved));
 }
 
 }  // namespace

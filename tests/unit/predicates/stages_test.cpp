@@ -72,6 +72,31 @@ TEST(Stages, FiltersAnswerForAThinAxis) {
   EXPECT_GE(counters.insphere.filter, kTrials - 10);
 }
 
+/// What rounding leaves of zero is told by twice the precision, whose filters count as such: of
+/// points near each other, whose differences are doubles, and of others.
+TEST(Stages, FiltersAnswerForATiltedPlane) {
+  PredicateCounters counters;
+  const PredicateCounting scope(counters);
+  Prng prng(12);
+  constexpr std::uint64_t kTrials = 500;
+  for (std::uint64_t trial = 0; trial < kTrials; ++trial) {
+    const double size = trial % 2 == 0 ? 1 : 1e-3;
+    const double x = prng.unit(), y = prng.unit();
+    Points points;
+    for (Point3& p : points) {
+      p.x = x + size * prng.unit();
+      p.y = y + size * prng.unit();
+      p.z = 0.3 * p.x + 0.7 * p.y;
+    }
+    const Sign sign = orient3d(points[0], points[1], points[2], points[3]);
+    EXPECT_EQ(sign, -orient3d(points[1], points[0], points[2], points[3]));
+    (void)insphere(points[0], points[1], points[2], points[3], points[4]);
+  }
+  // Some are coplanar.
+  EXPECT_GE(counters.orient3d.filter, 2 * kTrials * 9 / 10);
+  EXPECT_GE(counters.insphere.filter, kTrials * 9 / 10);
+}
+
 TEST(Stages, AllOfIncircleAreReached) {
   PredicateCounters counters;
   const PredicateCounting scope(counters);

@@ -67,6 +67,20 @@ TEST(Histogram, ShowsTheSmallestCountBesideTheLargest) {
   EXPECT_NEAR(bars[0]->number("width"), bars[1]->number("width"), 0.11);
 }
 
+TEST(LinePlot, OnLogarithmicScalesEqualRatiosAreEquallyFar) {
+  const std::array<Curve, 1> curves{
+      {{{{1, 1}, {10, 100}, {100, 10000}, {0, 5}, {5, -1}, {5, 0}}, "given", true}}};
+  const Element svg =
+      parsed(line_plot_svg(curves, kLabels, {Scale::logarithmic, Scale::logarithmic}));
+  const auto dots = svg.all("circle", "given");
+  ASSERT_EQ(dots.size(), 3U);  // what is not positive has no place
+  for (const char* axis : {"cx", "cy"}) {
+    EXPECT_NEAR(dots[1]->number(axis), (dots[0]->number(axis) + dots[2]->number(axis)) / 2, 0.11);
+  }
+  EXPECT_GT(dots[2]->number("cx"), dots[0]->number("cx"));
+  EXPECT_LT(dots[2]->number("cy"), dots[0]->number("cy"));
+}
+
 TEST(LinePlot, PutsPointsWhereTheyBelong) {
   const std::array<Curve, 1> curves{{{{{0, 0}, {1, 5}, {2, 10}}, "given", true}}};
   const Element svg = parsed(line_plot_svg(curves, kLabels));
