@@ -17,9 +17,9 @@ constexpr std::size_t kTileSide = 8;
 constexpr auto kTileStep = static_cast<std::int64_t>(kTileSide);
 using TileRow = std::array<double, kTileSide>;
 
-class Layer {
+class LayerFiller {
  public:
-  Layer(const FieldsAround& around, const LatticeWindow& window, double share)
+  LayerFiller(const FieldsAround& around, const LatticeWindow& window, double share)
       : around_(around),
         window_(window),
         cubic_(share, around.beside),
@@ -216,7 +216,7 @@ WindowMotion::WindowMotion(const LatticeWindow& window, std::vector<Point2> of_s
 
 std::vector<double> layer_values(const FieldsAround& around, const LatticeWindow& window,
                                  const WindowMotion* motion, double share) {
-  Layer layer(around, window, share);
+  LayerFiller layer(around, window, share);
   if (motion != nullptr) {
     layer.fill(*motion);
   } else {
