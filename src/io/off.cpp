@@ -68,7 +68,9 @@ class OffReader {
     return !cursor_.at_end();
   }
 
-  std::string_view next() { return go_to_word() ? cursor_.token(kWhiteOrComment) : std::string_view(); }
+  std::string_view next() {
+    return go_to_word() ? cursor_.token(kWhiteOrComment) : std::string_view();
+  }
 
   // Colours may follow on the line, how many only the line tells.
   void skip_rest() { cursor_.skip_line(); }

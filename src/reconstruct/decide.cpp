@@ -71,7 +71,8 @@ std::optional<Error> Decision::find_reverse(SlabId slab) {
   const ConformingSection& upper = prepared_.sections[upper_section(slab)];
   by_criterion_[slab].clear();
   if (lower.vertex_count() == 0 || upper.vertex_count() == 0) return std::nullopt;
-  Result<SlabDelaunay> d = slab_delaunay(slab, lower, upper, options_.delaunay, options_.work_limit);
+  Result<SlabDelaunay> d =
+      slab_delaunay(slab, lower, upper, options_.delaunay, options_.work_limit);
   if (!d) return d.error();
   for (const Link& link : reverse_links(slab, Slab(lower, upper, std::move(*d)))) {
     LinkCandidate candidate = asked_for(link, sections_, Evidence::reverse);

@@ -105,23 +105,25 @@ class SlabBuilder {
   Result<SlabOutcome> run() {
     // Each round but the last opens a pit at least, or gives all of them up.
     for (;;) {
-      Result<std::optional<SlabOutcome>> built = attempt();
-      if (accepted(built) && !*built) continue;
-      const bool solid = built && std::holds_alternative<SlabSolid>(**built);
-      const bool asks = built && std::holds_alternative<RefineHere>(**built);
+      Attempt built = attempt();
+      if (!built) continue;
+      const bool outcome = accepted(*built);
+      const bool solid = outcome && std::holds_alternative<SlabSolid>(**built);
+      const bool asks = outcome && std::holds_alternative<RefineHere>(**built);
       if (pits_.opened() + pits_.pairs() > 0 && !solid && !asks) {
         pits_.give_up();
         continue;
       }
-      if (!built) return built.error();
       if (solid) finish(std::get<SlabSolid>(**built));
-      return std::move(**built);
+      return *std::move(built);
     }
   }
 
  private:
+  using Attempt = std::optional<Result<SlabOutcome>>;
+
   // Over the sections of pits_; nothing if these changed, since a pit was sealed.
-  Result<std::optional<SlabOutcome>> attempt() {
+  Attempt attempt() {
     StepClock clock(seconds_);
     Result<SlabDelaunay> d =
         slab_delaunay(id_, pits_.lower(), pits_.upper(), options_.engine, options_.work_limit);
@@ -143,21 +145,20 @@ class SlabBuilder {
       if (!apart.empty()) return left_apart(slab, classes, apart.front());
       const bool sealed = pits_.open_sealed(slab, classes, completion.complex());
       clock.end(Step::complex);
-      if (sealed) return std::optional<SlabOutcome>();
+      if (sealed) return std::nullopt;
       const Topology::Next next =
           topology_.make({slab, classes, active}, completion, options_.may_ask, rules);
       clock.end(Step::complex);
-      if (next == Topology::Next::again) return std::optional<SlabOutcome>();
-      if (next == Topology::Next::refine) return std::optional<SlabOutcome>(topology_.wanted());
+      if (next == Topology::Next::again) return std::nullopt;
+      if (next == Topology::Next::refine) return Attempt(topology_.wanted());
       if (auto outcome = subdivided(slab, classes, completion.complex(), lone, rules, clock)) {
         return outcome;
       }
     }
   }
 
-  [[nodiscard]] static std::optional<SlabOutcome> left_apart(const Slab& slab,
-                                                             const SlabClasses& classes,
-                                                             LeftApart& apart) {
+  [[nodiscard]] static Attempt left_apart(const Slab& slab, const SlabClasses& classes,
+                                          LeftApart& apart) {
     RefineHere here;
     for (const SlabRegionId r : apart.regions) {
       const bool upper = classes.regions().is_upper(r);
@@ -168,8 +169,8 @@ class SlabBuilder {
         }
       }
     }
-    if (is_refined(slab, here)) return Unconnectable{std::move(apart.regions)};
-    return here;
+    if (is_refined(slab, here)) return Attempt(Unconnectable{std::move(apart.regions)});
+    return Attempt(std::move(here));
   }
 
   // Are all these contours refined already?
@@ -184,13 +185,12 @@ class SlabBuilder {
   }
 
   // Nothing where a lone class gave up its prism, and is to be completed.
-  std::optional<SlabOutcome> subdivided(const Slab& slab, const SlabClasses& classes,
-                                        const Complex& complex, std::vector<LoneEnd>& lone,
-                                        RuleCounts& rules, StepClock& clock) {
+  Attempt subdivided(const Slab& slab, const SlabClasses& classes, const Complex& complex,
+                     std::vector<LoneEnd>& lone, RuleCounts& rules, StepClock& clock) {
     count(rules, Rule::detached_sheet, detached_sheets(complex));
     const Subdivision subdivision = subdivide(slab, classes, complex, rules);
     Lifting lifting(slab, subdivision);
-    if (!lifting.settle(rules)) return Unrepresentable{too_close(id_, lifting.at(), slab)};
+    if (!lifting.settle(rules)) return Attempt(Unrepresentable{too_close(id_, lifting.at(), slab)});
     Truncation truncation = truncate(slab, classes, complex, subdivision,
                                      choose_trimmed(slab, classes, complex, subdivision, lifting));
     Embedding embedding(slab, classes, complex, subdivision, lifting, truncation, lone, rules);
@@ -201,7 +201,7 @@ class SlabBuilder {
     add_seconds(seconds_, Step::contact, embedding.contact_seconds());
     if (outcome == Embedding::Outcome::more_truncated) return std::nullopt;
     if (outcome == Embedding::Outcome::failed) {
-      return Unrepresentable{too_close(id_, embedding.at(), slab)};
+      return Attempt(Unrepresentable{too_close(id_, embedding.at(), slab)});
     }
     for (const LoneEnd& end : lone) count(rules, Rule::prism, end.is_prism() ? 1 : 0);
     SlabSolid solid;
@@ -222,7 +222,7 @@ class SlabBuilder {
     solid.deviations = deviations(topology_.groups(), classes, solid.chi);
     solid.smallest_lift = embedding.smallest_lift();
     solid.rules = rules;
-    return solid;
+    return Attempt(std::move(solid));
   }
 
   // Numbers the nodes as if the sections had no exterior vertices; what all attempts took.
