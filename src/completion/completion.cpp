@@ -145,9 +145,31 @@ void Completion::settle(SlabVertexId p) {
   }
 }
 
+// The corners of p by tet, over the faces at it: few stars are gathered, and lists of corners for
+// all vertices would cost more. A star is connected.
+void Completion::find_star(SlabVertexId p) {
+  ++epoch_;
+  star_.clear();
+  const auto reach = [&](TetId t) {
+    seen_[t] = epoch_;
+    star_.push_back(TetMesh::half_face(t, slab_.index_in(t, p)));
+  };
+  reach(sectors_[p].first);
+  for (std::size_t at = 0; at < star_.size(); ++at) {
+    const TetId t = TetMesh::tet_of(star_[at]);
+    for (int i = 0; i < 4; ++i) {
+      if (i == TetMesh::face_of(star_[at])) continue;
+      const TetId across = slab_.mesh().neighbour(t, i);
+      if (across.valid() && seen_[across] != epoch_) reach(across);
+    }
+  }
+  std::sort(star_.begin(), star_.end());
+}
+
 void Completion::gather_star(SlabVertexId p) {
   spokes_.clear();
-  for (const HalfFaceId c : slab_.corners(p)) {
+  find_star(p);
+  for (const HalfFaceId c : star_) {
     const TetId t = TetMesh::tet_of(c);
     spoke_of_[t] = static_cast<std::int32_t>(spokes_.size());
     spokes_.push_back({t, TetMesh::face_of(c), {}});

@@ -149,6 +149,7 @@ class Completion {
   // if it is not.
   [[nodiscard]] bool attach_disc(SlabVertexId p);
 
+  void find_star(SlabVertexId p);
   void gather_star(SlabVertexId p);
   void find_primary_sheet();
   void flood_primary(std::size_t start);
@@ -212,6 +213,7 @@ class Completion {
   IdVector<SlabVertexId, Sector> sectors_;
   // What attach_disc() has come to: its corners in the order of the flood, and by tet the epoch.
   std::vector<HalfFaceId> sheet_;
+  std::vector<HalfFaceId> star_;
   IdVector<TetId, std::uint32_t> seen_;
 
   // The star of the current vertex, and its spokes by tet (meaningful for its tets only).

@@ -30,12 +30,14 @@ void Completion::unite_attached(TetId t, int corner) {
   const SlabVertexId p = slab_.vertex(t, corner);
   const ClassId c = classes_.of(p);
   if (part_count_[c] == 1 && !note_changes_) return;
+  const SlabRegionId region = classes_.region(p);
   for (int i = 0; i < 4; ++i) {
+    if (!note_changes_ && !complex_.is_attached(t, i)) continue;
     const SlabVertexId u = slab_.vertex(t, i);
     if (classes_.of(u) != c) continue;
     note_change(u);
-    if (!complex_.is_attached(t, i)) continue;
-    if (parts_.unite(classes_.region(u).index(), classes_.region(p).index())) --part_count_[c];
+    if (!complex_.is_attached(t, i) || classes_.region(u) == region) continue;
+    if (parts_.unite(classes_.region(u).index(), region.index())) --part_count_[c];
   }
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/pages.hpp"
+
 namespace tetloft::internal {
 
 namespace {
@@ -23,6 +25,7 @@ class Gluing {
     reserve(parts);
     for (Part& part : parts) {
       add(part);
+      core::release(part.solid.pieces);
       part.solid = SlabSolid();
     }
     return std::move(model_);

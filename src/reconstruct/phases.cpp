@@ -4,6 +4,7 @@
 
 #include "core/enums.hpp"
 #include "core/option_rules.hpp"
+#include "core/pages.hpp"
 #include "core/unit_of_length.hpp"
 #include "correspondence/link_report.hpp"
 #include "model/scaling.hpp"
@@ -20,6 +21,16 @@
 namespace tetloft::internal {
 
 namespace {
+
+// What slabs are built on takes as much memory as a model; gluing asks for vertices alone.
+void release_triangulations(IdVector<SectionId, ConformingSection>& sections) {
+  for (ConformingSection& section : sections) {
+    core::release(section.triangulation.triangles.raw());
+    core::release(section.triangulation.neighbours.raw());
+    core::release(section.edges.raw());
+    core::release(section.first_edge);
+  }
+}
 
 [[nodiscard]] std::optional<Error> check_options(const ReconstructOptions& options) {
   const Result<void> sensible = check_correspondence_options(options.correspondence);
@@ -140,6 +151,7 @@ std::optional<Model> take_model(BuiltStack& built) {
   Plan& plan = built.plan;
   VoidOutcome of_voids =
       void_outcome(built.prepared.sections, plan.voids, built.complements, built.parts);
+  release_triangulations(built.prepared.sections);
   Model model =
       glue(built.prepared.sections, plan.correspondence.component, std::move(built.parts));
   model.links = region_links(plan.correspondence.candidates, built.prepared.nestings);

@@ -40,7 +40,8 @@ struct BuiltStack {
 [[nodiscard]] Result<BuiltStack> build_stack(Unit unit, const GivenStack& stack,
                                              const ReconstructOptions& options, WatchedWork& work);
 
-/// The model, in the unit given; the parts are given up. Nothing where it is none there: a
+/// The model, in the unit given; the parts and the triangulations of sections are given up. Nothing
+/// where it is none there: a
 /// coordinate would lose a bit.
 [[nodiscard]] std::optional<Model> take_model(BuiltStack& built);
 

@@ -54,13 +54,13 @@ Drawing tower(std::size_t sections, const Map& map = unchanged) {
 }
 
 ReadStack made_of(Drawing drawing, const ReadOptions& options = {}) {
-  Result<ReadStack> read = io::stack_of_drawing(std::move(drawing), "file", options);
-  if (!read) throw std::runtime_error(to_string(read.error()));
-  return *std::move(read);
+  Result<io::StackOfFile> made = io::stack_of_drawing(std::move(drawing), "file", options);
+  if (!made) throw std::runtime_error(to_string(made.error()));
+  return std::move(made->read);
 }
 
 Error refusal_of(Drawing drawing, const ReadOptions& options = {}) {
-  const Result<ReadStack> read = io::stack_of_drawing(std::move(drawing), "file", options);
+  const Result<io::StackOfFile> read = io::stack_of_drawing(std::move(drawing), "file", options);
   return read ? Error{ErrorCode::internal, "was read", {}} : read.error();
 }
 

@@ -222,12 +222,12 @@ TEST(FormatTable, ReadsBackWhatEachFormatWrites) {
 
 // A format of nowhere: a stack in one byte.
 bool is_dot(std::string_view bytes) { return bytes.substr(0, 1) == "."; }
-Result<ReadStack> read_dot(const io::Source& source, const ReadOptions& /*options*/) {
+Result<io::StackOfFile> read_dot(const io::Source& source, const ReadOptions& /*options*/) {
   ReadStack read;
   for (std::size_t i = 0; i < source.bytes.size(); ++i) {
     read.stack.sections.push_back({static_cast<double>(i), {}});
   }
-  return read;
+  return io::StackOfFile{std::move(read), {}};
 }
 io::Written write_dots(io::Sink& sink, const SectionStack& stack, const io::Target& /*target*/) {
   sink.append(std::string(stack.sections.size(), '.'));

@@ -23,9 +23,9 @@ using Size = MemoryVolume::Size;
 constexpr VolumeContours kBothWays[] = {VolumeContours::sub_pixel, VolumeContours::lattice};
 
 ReadStack stack_of(MemoryVolume& volume, const ReadOptions& options) {
-  Result<ReadStack> read = io::stack_of_volume(volume, "file", options);
-  EXPECT_TRUE(read.ok()) << (read.ok() ? "" : to_string(read.error()));
-  return read.ok() ? *std::move(read) : ReadStack{};
+  Result<io::StackOfFile> made = io::stack_of_volume(volume, "file", options);
+  EXPECT_TRUE(made.ok()) << (made.ok() ? "" : to_string(made.error()));
+  return made.ok() ? std::move(made->read) : ReadStack{};
 }
 
 ReadOptions label(double value, VolumeContours way) {
@@ -191,13 +191,14 @@ TEST(VolumeContours, AtAnIsoValueThatVoxelsHaveDoNotMeet) {
     options.iso = 2;
     for (const VolumeContours way : kBothWays) {
       options.contours = way;
-      const Result<ReadStack> read = io::stack_of_volume(volume, "file", options);
-      if (!read) {
-        EXPECT_EQ(read.error().code, ErrorCode::invalid_input) << read.error().message;
+      const Result<io::StackOfFile> made = io::stack_of_volume(volume, "file", options);
+      if (!made) {
+        EXPECT_EQ(made.error().code, ErrorCode::invalid_input) << made.error().message;
         continue;
       }
-      expect_right_pixels(mask, *read,
-                          static_cast<std::size_t>(read->stack.sections[SectionId(0)].z));
+      const ReadStack& read = made->read;
+      expect_right_pixels(mask, read,
+                          static_cast<std::size_t>(read.stack.sections[SectionId(0)].z));
     }
   }
 }

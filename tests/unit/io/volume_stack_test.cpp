@@ -25,7 +25,9 @@ using test::MemoryVolume;
 using Columns = std::array<std::array<double, 3>, 3>;
 
 Result<ReadStack> read_of(MemoryVolume& volume, const ReadOptions& options) {
-  return io::stack_of_volume(volume, "file", options);
+  Result<io::StackOfFile> made = io::stack_of_volume(volume, "file", options);
+  if (!made) return made.error();
+  return std::move(made->read);
 }
 
 ReadOptions structure(const std::string& name) {
