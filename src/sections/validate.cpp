@@ -8,6 +8,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstdio>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -183,20 +184,22 @@ Result<IdVector<SectionId, Nesting>> sections::nest_if_valid(const SectionStack&
     return Error{ErrorCode::invalid_input, "the stack has no section", {}};
   }
   IdVector<SectionId, Nesting> nestings(stack.sections.size());
-  std::vector<std::optional<Error>> errors(stack.sections.size());
   // Sections above a faulty one need no look: the lowest is reported.
-  std::atomic<std::size_t> lowest{errors.size()};
-  parallel_for(errors.size(), work.execution().threads, [&](std::size_t s) {
+  std::atomic<std::size_t> lowest{stack.sections.size()};
+  std::optional<Error> of_lowest;
+  std::mutex told;
+  parallel_for(stack.sections.size(), work.execution().threads, [&](std::size_t s) {
     if (s > lowest.load()) return;
     work.go_on();
-    errors[s] = section_error(stack, s, nestings[SectionId(s)]);
+    std::optional<Error> error = section_error(stack, s, nestings[SectionId(s)]);
     work.step_done();
-    if (!errors[s]) return;
-    std::size_t known = lowest.load();
-    while (s < known && !lowest.compare_exchange_weak(known, s)) {
-    }
+    if (!error) return;
+    const std::lock_guard lock(told);
+    if (s > lowest.load()) return;
+    lowest = s;
+    of_lowest = std::move(error);
   });
-  if (lowest < errors.size()) return *std::move(errors[lowest]);
+  if (of_lowest) return *std::move(of_lowest);
   if (stack.contour_count() > 0) return nestings;
   Error error{ErrorCode::invalid_input, "the stack has no contour: all its sections are empty", {}};
   error.where.section = 0;
