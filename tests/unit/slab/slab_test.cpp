@@ -12,6 +12,7 @@
 #include <tetloft/predicates.hpp>
 
 #include "contact/contact.hpp"
+#include "slab/delaunay.hpp"
 #include "support/slabs/cases.hpp"
 
 namespace tetloft::testing {
@@ -160,6 +161,36 @@ TEST(Slab, FindsATetAtEveryInPlaneEdge) {
         const auto& edge = section.edges[EdgeId(e)];
         EXPECT_GE(slab.mesh().index_in(t, VertexId(edge.a.index() + offset)), 0);
         EXPECT_GE(slab.mesh().index_in(t, VertexId(edge.b.index() + offset)), 0);
+      }
+    }
+  }
+}
+
+// By tet, as the overlay hands it over or a search finds it: the same as by vertices.
+TEST(Slab, KnowsTheEdgesAndTheTriangleOfEachTet) {
+  for (const DelaunayEngine engine : {DelaunayEngine::slab, DelaunayEngine::incremental}) {
+    for (const NamedSlab& s : generated_slabs(106, 1)) {
+      SCOPED_TRACE(s.name);
+      const Slab slab(
+          s.built->lower, s.built->upper,
+          slab_delaunay(SlabId(0), s.built->lower, s.built->upper, engine, kDefaultWorkLimit)
+              .value());
+      for (const TetId t : slab.tets()) {
+        std::size_t in_plane = 0;
+        for (const auto& [i, j] : kEdgeVertex) {
+          if (!slab.same_plane(t, i, j)) continue;
+          ++in_plane;
+          ASSERT_EQ(slab.edge(t, i, j), slab.edge(slab.vertex(t, i), slab.vertex(t, j)));
+        }
+        if (in_plane != 3) continue;
+        const bool upper = slab.has_triangle(t, true);
+        ASSERT_NE(upper, slab.has_triangle(t, false));
+        EXPECT_EQ(slab.tet_on(upper, slab.triangle(t)), t);
+        for (const PlaneVertexId v :
+             slab.section(upper).triangulation.triangles[slab.triangle(t)]) {
+          const SlabVertexId corner = slab.numbering().in_slab(upper, v);
+          EXPECT_GE(slab.mesh().index_in(t, VertexId(corner.value())), 0);
+        }
       }
     }
   }
