@@ -16,6 +16,10 @@ namespace internal::sections {
 struct ValidStackMaker;
 }
 
+/// validate(), and the nestings that it finds on the way: those of nest().
+[[nodiscard]] TETLOFT_API Result<IdVector<SectionId, Nesting>> nest_if_valid(
+    const SectionStack& stack, const Execution& execution = {});
+
 /// A stack that validate() accepts, and the nesting of its sections, which validation finds on the
 /// way. Nobody changes it: it stays valid.
 class TETLOFT_API ValidStack {

@@ -13,11 +13,11 @@
 #include <vector>
 
 #include <tetloft/repair.hpp>
+#include <tetloft/valid_stack.hpp>
 
 #include "io/cnt_contents.hpp"
 #include "io/cursor.hpp"
 #include "io/numbers.hpp"
-#include "sections/validation.hpp"
 
 namespace tetloft::internal::io {
 
@@ -47,7 +47,7 @@ class CntReader {
     sum_up();
     IdVector<SectionId, Nesting> nestings;
     if (options.validity == Validity::required) {
-      auto nested = sections::nest_if_valid(contents_.stack);
+      auto nested = nest_if_valid(contents_.stack, {.threads = 1});
       if (!nested) return refusal(nested.error());
       nestings = *std::move(nested);
     }

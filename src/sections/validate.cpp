@@ -206,10 +206,12 @@ Result<IdVector<SectionId, Nesting>> sections::nest_if_valid(const SectionStack&
   return error;
 }
 
-Result<IdVector<SectionId, Nesting>> sections::nest_if_valid(const SectionStack& stack) {
-  const Execution alone{.threads = 1};
-  WatchedWork work(alone, 0);
-  return nest_if_valid(stack, work);
+Result<IdVector<SectionId, Nesting>> nest_if_valid(const SectionStack& stack,
+                                                   const Execution& given) {
+  return guard_threads(given, [&](const Execution& execution) {
+    WatchedWork work(execution, stack.sections.size());
+    return sections::nest_if_valid(stack, work);
+  });
 }
 
 Result<void> sections::validate_within(const SectionStack& stack, WatchedWork& work) {

@@ -16,8 +16,6 @@ namespace tetloft::internal::sections {
 /// way. Throws what its steps throw.
 [[nodiscard]] Result<IdVector<SectionId, Nesting>> nest_if_valid(const SectionStack& stack,
                                                                  WatchedWork& work);
-/// The same on one thread, unwatched.
-[[nodiscard]] Result<IdVector<SectionId, Nesting>> nest_if_valid(const SectionStack& stack);
 /// The same without nestings: validate() that tells a step of `work` for each section.
 [[nodiscard]] Result<void> validate_within(const SectionStack& stack, WatchedWork& work);
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include <tetloft/repair.hpp>
+#include <tetloft/valid_stack.hpp>
 
 #include "io/drawing/choose_lines.hpp"
 #include "io/drawing/file_labels.hpp"
@@ -16,7 +17,6 @@
 #include "io/drawing/plane_gaps.hpp"
 #include "io/drawing/planes.hpp"
 #include "io/numbers.hpp"
-#include "sections/validation.hpp"
 
 namespace tetloft::internal::io {
 
@@ -265,7 +265,7 @@ class StackMaker {
 
   // Validates.
   Result<void> nest() {
-    auto nested = sections::nest_if_valid(read_.stack);
+    auto nested = nest_if_valid(read_.stack, {.threads = 1});
     if (!nested) return nested.error();
     nestings_ = *std::move(nested);
     return {};

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include <tetloft/valid_stack.hpp>
+
 #include "core/watched_work.hpp"
 #include "io/arguments.hpp"
 #include "io/volume/placement.hpp"
@@ -10,7 +12,6 @@
 #include "io/volume/slices.hpp"
 #include "io/volume/trace.hpp"
 #include "io/volume/volume_error.hpp"
-#include "sections/validation.hpp"
 
 namespace tetloft::internal::io {
 
@@ -126,9 +127,7 @@ Result<StackOfFile> stack_of_volume(Volume& volume, const std::string& name,
                       is_of_body(header.space) ? header.space : std::string()};
   IdVector<SectionId, Nesting> nestings;
   if (options.validity == Validity::required) {
-    const Execution alone = untold(options.execution);
-    WatchedWork unwatched(alone, 0);
-    Result<IdVector<SectionId, Nesting>> nested = sections::nest_if_valid(read.stack, unwatched);
+    auto nested = nest_if_valid(read.stack, untold(options.execution));
     if (!nested) return at_file(name, nested.error());
     nestings = *std::move(nested);
   }
