@@ -1,11 +1,9 @@
 // See pages.hpp. The one file that knows how the system hands out memory.
 #include "core/pages.hpp"
 
-#if defined(__linux__)
 #include <cstdint>
 
-#include <sys/mman.h>
-#endif
+#include <sys/mman.h>  // POSIX, as files are; what is asked for is Linux's
 
 namespace tetloft::internal::core {
 
