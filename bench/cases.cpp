@@ -1,13 +1,13 @@
 #include "cases.hpp"
 
 #include <filesystem>
-#include <stdexcept>
 #include <utility>
 
 #include <tetloft/io.hpp>
 
 #include "inputs.hpp"
 #include "reconstruction.hpp"
+#include "value_of.hpp"
 
 namespace tetloft::bench {
 
@@ -64,24 +64,34 @@ Case in_plane(std::string name, std::string what, std::function<std::vector<Poin
           }};
 }
 
-// Peers only triangulate the slabs.
+using Reconstruct = std::function<Run(unsigned threads)>;
+
+// Ours on one thread, whose calls of predicates are counted, and on two.
+Field reconstructions(const SectionStack& stack, const Reconstruct& run) {
+  Field field;
+  field.points = stack.vertex_count();
+  field.own.push_back({"1 thread", [run] { return run(1); }, true});
+  field.own.push_back({"2 threads", [run] { return run(2); }});
+  return field;
+}
+
+// The same, and peers, who only triangulate the slabs.
+Field against_slabs(const SectionStack& stack, const Reconstruct& run,
+                    const std::vector<Peer>& peers) {
+  Field field = reconstructions(stack, run);
+  add_peers(field, std::make_shared<const std::vector<std::vector<Point3>>>(slabs_of(stack)),
+            peers);
+  return field;
+}
+
 Case whole(const std::string& path) {
   return {"reconstruct " + std::filesystem::path(path).stem().string(),
           "reading, reconstruction and writing; peers triangulate the slabs only",
           [=](const std::vector<Peer>& peers) {
-            const auto input = read_cnt(path);
-            if (!input) throw std::runtime_error(to_string(input.error()));
-            const SectionStack& stack = input->stack;
-            Field field;
-            field.points = stack.vertex_count();
-            field.own.push_back(
-                {"1 thread", [=] { return reconstruct_file(path, Between::nothing, 1); }, true});
-            field.own.push_back(
-                {"2 threads", [=] { return reconstruct_file(path, Between::nothing, 2); }});
-            add_peers(field,
-                      std::make_shared<const std::vector<std::vector<Point3>>>(slabs_of(stack)),
-                      peers);
-            return field;
+            const auto run = [path](unsigned threads) {
+              return reconstruct_file(path, Between::nothing, threads);
+            };
+            return against_slabs(value_of(read_cnt(path)).stack, run, peers);
           }};
 }
 
@@ -92,18 +102,10 @@ Case generated(std::string name, const std::string& what,
           [=](const std::vector<Peer>& peers) {
             const SectionStack stack = make();
             const auto file = std::make_shared<const StackFile>(stack);
-            Field field;
-            field.points = stack.vertex_count();
-            for (const unsigned threads : {1U, 2U}) {
-              field.own.push_back(
-                  {threads == 1 ? "1 thread" : "2 threads",
-                   [=] { return reconstruct_file(file->path(), Between::nothing, threads); },
-                   threads == 1});
-            }
-            add_peers(field,
-                      std::make_shared<const std::vector<std::vector<Point3>>>(slabs_of(stack)),
-                      peers);
-            return field;
+            const auto run = [file](unsigned threads) {
+              return reconstruct_file(file->path(), Between::nothing, threads);
+            };
+            return against_slabs(stack, run, peers);
           }};
 }
 
@@ -112,13 +114,9 @@ Case scaling(std::size_t vertices) {
           "reconstruction of a tube of sections of 200 vertices, in memory",
           [=](const std::vector<Peer>&) {
             const auto stack = std::make_shared<const SectionStack>(tube(vertices));
-            Field field;
-            field.points = stack->vertex_count();
-            field.own.push_back(
-                {"1 thread", [=] { return reconstruct_stack(*stack, Between::nothing, 1); }, true});
-            field.own.push_back(
-                {"2 threads", [=] { return reconstruct_stack(*stack, Between::nothing, 2); }});
-            return field;
+            return reconstructions(*stack, [stack](unsigned threads) {
+              return reconstruct_stack(*stack, Between::nothing, threads);
+            });
           }};
 }
 

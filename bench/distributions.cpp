@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <stdexcept>
 #include <utility>
 
 #include <tetloft/formats.hpp>
 #include <tetloft/io.hpp>
 
 #include "inputs.hpp"
+#include "reconstruction.hpp"
+#include "value_of.hpp"
 
 namespace tetloft::bench {
 
@@ -43,19 +44,9 @@ constexpr Distribution kDistributions[] = {
     {"two planes", "wiggly circles in two planes", [](std::size_t n) { return two_planes(n / 2); }},
 };
 
-template <class T>
-T value_of(Result<T> result) {
-  if (!result) throw std::runtime_error(to_string(result.error()));
-  return std::move(result.value());
-}
-
 Points vertices_of(const SectionStack& stack) {
   Points points;
-  for (const Section& section : stack.sections) {
-    for (const Contour& contour : section.contours) {
-      for (const Point2& p : contour.vertices) points.push_back({p.x, p.y, section.z});
-    }
-  }
+  for (const Section& section : stack.sections) append_vertices(section, points);
   return points;
 }
 

@@ -19,25 +19,8 @@ using namespace tetloft::bench;
 
 constexpr const char* kPredicates = "predicates";
 
-std::vector<Peer> installed_peers() {
-  std::vector<Peer> peers;
-#ifdef TETLOFT_BENCH_CGAL
-  peers.push_back(cgal());
-#endif
-#ifdef TETLOFT_BENCH_TETGEN
-  peers.push_back(tetgen());
-#endif
-#ifdef TETLOFT_BENCH_QHULL
-  peers.push_back(qhull());
-#endif
-#ifdef TETLOFT_BENCH_HXT
-  peers.push_back(hxt());
-#endif
-#ifdef TETLOFT_BENCH_GEOGRAM
-  peers.push_back(geogram());
-#endif
-  return peers;
-}
+// As CMake has found them: "cgal(), tetgen()".
+std::vector<Peer> installed_peers() { return {TETLOFT_BENCH_PEERS}; }
 
 // Names that nothing here has; "none" and peers that are not installed are no mistakes.
 std::string unknown_name(const BenchOptions& options, const std::vector<Case>& cases) {

@@ -14,14 +14,14 @@ namespace {
 
 using internal::report::Curve;
 using internal::report::escaped;
+using internal::report::kPlotHeight;
+using internal::report::kPlotWidth;
 using internal::report::line_plot_svg;
 using internal::report::PlotLabels;
 using internal::report::PlotScales;
 using internal::report::Scale;
 
-// Of the picture, in pixels; a plot has the shape that plots have.
-constexpr int kPlotWidth = 420;
-constexpr int kPlotHeight = 236;
+// Of the picture, in pixels; a plot is as large as in its own units.
 constexpr int kColumns = 3;
 constexpr int kTitle = 26;
 constexpr int kLegend = 40;
@@ -123,8 +123,8 @@ std::string legend(const Names& engines) {
   std::string out;
   for (std::size_t k = 0; k < engines.size(); ++k) {
     const std::string colour = kStyles[k % kStyles.size()].colour;
-    out += text_at(20 + 140 * static_cast<int>(k), 24, " class=\"engine\" fill=\"" + colour + "\"",
-                   engines[k]);
+    out += text_at(20 + 140 * static_cast<int>(k), 24,
+                   " class=\"engine\" style=\"fill: " + colour + "\"", engines[k]);
   }
   return out;
 }
@@ -161,7 +161,7 @@ std::string style() {
   for (const Style& one : kStyles) {
     out += std::string(".") + one.line + " { fill: none; stroke: " + one.colour +
            "; stroke-width: 1.7; stroke-linejoin: round } ." + one.dots + " { fill: " + one.colour +
-           " } text[fill=\"" + one.colour + "\"] { fill: " + one.colour + " }\n";
+           " }\n";
   }
   return out + "</style>\n";
 }

@@ -1,29 +1,18 @@
 #include "reconstruction.hpp"
 
 #include <cstdio>
-#include <stdexcept>
 #include <system_error>
-#include <utility>
 
 #include <unistd.h>
 
 #include <tetloft/tetloft.hpp>
 
 #include "measure.hpp"
+#include "value_of.hpp"
 
 namespace tetloft::bench {
 
 namespace {
-
-template <class T>
-T value_of(Result<T> result) {
-  if (!result) throw std::runtime_error(to_string(result.error()));
-  return std::move(result.value());
-}
-
-void throw_if_failed(const Result<void>& result) {
-  if (!result) throw std::runtime_error(to_string(result.error()));
-}
 
 std::filesystem::path temporary(const std::string& ending) {
   return std::filesystem::temp_directory_path() /
@@ -72,18 +61,18 @@ Run reconstruct_stack(const SectionStack& stack, Between between, unsigned threa
   return run;
 }
 
-std::vector<std::vector<Point3>> slabs_of(const SectionStack& stack) {
-  std::vector<std::vector<Point3>> sections;
-  for (const Section& section : stack.sections) {
-    std::vector<Point3>& points = sections.emplace_back();
-    for (const Contour& contour : section.contours) {
-      for (const Point2& p : contour.vertices) points.push_back({p.x, p.y, section.z});
-    }
+void append_vertices(const Section& section, std::vector<Point3>& points) {
+  for (const Contour& contour : section.contours) {
+    for (const Point2& p : contour.vertices) points.push_back({p.x, p.y, section.z});
   }
+}
+
+std::vector<std::vector<Point3>> slabs_of(const SectionStack& stack) {
   std::vector<std::vector<Point3>> slabs;
-  for (std::size_t k = 0; k + 1 < sections.size(); ++k) {
-    slabs.push_back(sections[k]);
-    slabs.back().insert(slabs.back().end(), sections[k + 1].begin(), sections[k + 1].end());
+  for (std::size_t k = 0; k + 1 < stack.sections.size(); ++k) {
+    std::vector<Point3>& points = slabs.emplace_back();
+    append_vertices(stack.sections[SectionId(k)], points);
+    append_vertices(stack.sections[SectionId(k + 1)], points);
   }
   return slabs;
 }

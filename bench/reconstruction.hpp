@@ -22,6 +22,9 @@ Run reconstruct_file(const std::string& path, Between between, unsigned threads)
 /// In memory.
 Run reconstruct_stack(const SectionStack& stack, Between between, unsigned threads);
 
+/// The vertices of a section, behind those that are there.
+void append_vertices(const Section& section, std::vector<Point3>& points);
+
 /// The vertices of every slab: what a reconstruction has to triangulate at least.
 std::vector<std::vector<Point3>> slabs_of(const SectionStack& stack);
 

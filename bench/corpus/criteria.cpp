@@ -8,7 +8,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -18,6 +17,7 @@
 #include "corpus/solids.hpp"
 #include "corpus/union_errors.hpp"
 #include "stack_truth.hpp"
+#include "value_of.hpp"
 #include "words.hpp"
 
 namespace {
@@ -65,9 +65,7 @@ struct Tally {
 };
 
 StackLinks links_by(const Rule& rule, const SectionStack& stack) {
-  Result<StackLinks> links = find_links(stack, {rule.options, {.threads = 1}});
-  if (!links) throw std::runtime_error(to_string(links.error()));
-  return std::move(*links);
+  return value_of(find_links(stack, {rule.options, {.threads = 1}}));
 }
 
 void print_corpus(const std::vector<Rule>& rules, const std::vector<Tally>& tallies) {

@@ -154,6 +154,7 @@ void Completion::find_star(SlabVertexId p) {
     seen_[t] = epoch_;
     star_.push_back(TetMesh::half_face(t, slab_.index_in(t, p)));
   };
+  TETLOFT_CHECK(sectors_[p].count > 0);
   reach(sectors_[p].first);
   for (std::size_t at = 0; at < star_.size(); ++at) {
     const TetId t = TetMesh::tet_of(star_[at]);

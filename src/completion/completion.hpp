@@ -149,7 +149,7 @@ class Completion {
   // if it is not.
   [[nodiscard]] bool attach_disc(SlabVertexId p);
 
-  void find_star(SlabVertexId p);
+  void find_star(SlabVertexId p);  // requires an internal triangle at p
   void gather_star(SlabVertexId p);
   void find_primary_sheet();
   void flood_primary(std::size_t start);
@@ -168,7 +168,8 @@ class Completion {
   }
 
   void fill_convex();
-  [[nodiscard]] bool is_of_one_class(TetId t) const;
+  // Do all four corners belong to one class, which is active?
+  [[nodiscard]] bool is_of_active_class(TetId t) const;
   // Does a CC tet lie on the region's side of both its contour edges?
   [[nodiscard]] bool is_inside_contours(TetId t) const;
   [[nodiscard]] bool is_expansion(TetId t);
@@ -227,7 +228,7 @@ class Completion {
   // Of the vertices in the current star's link, those with the current epoch.
   IdVector<SlabVertexId, LinkVertex> link_vertex_;
   std::uint32_t epoch_ = 0;
-  // What convex filling knows of a tet; empty before. Rejected ones were no expansion when last
+  // What convex filling knows of a tet, while it lasts. Rejected ones were no expansion when last
   // looked at.
   enum : std::uint8_t { kNoCandidate, kRejected, kWaiting };
   IdVector<TetId, std::uint8_t> candidate_;

@@ -27,6 +27,9 @@ struct Complex {
   }
 };
 
+/// A mask of all four corners.
+inline constexpr std::uint8_t kAllCorners = 0xF;
+
 /// The corners of t that belong to class c, as a mask.
 [[nodiscard]] inline std::uint8_t own_corners(const Slab& slab, const SlabClasses& classes, TetId t,
                                               ClassId c) {

@@ -15,8 +15,6 @@ namespace tetloft::internal {
 
 namespace {
 
-constexpr std::uint8_t kAllCorners = 0xF;
-
 // Does the whole tet lie on the region's side of the contour edge u v of one plane, in
 // projection?
 bool tet_on_inner_side(const Slab& slab, SlabVertexId u, SlabVertexId v, SlabVertexId w,
@@ -29,10 +27,9 @@ bool tet_on_inner_side(const Slab& slab, SlabVertexId u, SlabVertexId v, SlabVer
 
 }  // namespace
 
-bool Completion::is_of_one_class(TetId t) const {
+bool Completion::is_of_active_class(TetId t) const {
   const ClassId c = classes_.of(slab_.vertex(t, 0));
-  return active_[c] != 0 && classes_.of(slab_.vertex(t, 1)) == c &&
-         classes_.of(slab_.vertex(t, 2)) == c && classes_.of(slab_.vertex(t, 3)) == c;
+  return active_[c] != 0 && own_corners(slab_, classes_, t, c) == kAllCorners;
 }
 
 bool Completion::is_inside_contours(TetId t) const {
@@ -91,7 +88,7 @@ void Completion::fill_convex() {
   candidate_.assign(slab_.tet_count(), kNoCandidate);
   std::vector<TetId> pass;
   for (const TetId t : slab_.tets()) {
-    if (complex_.kept[t] != 0 || slab_.kind(t) != TetKind::cc || !is_of_one_class(t)) continue;
+    if (complex_.kept[t] != 0 || slab_.kind(t) != TetKind::cc || !is_of_active_class(t)) continue;
     candidate_[t] = kWaiting;
     pass.push_back(t);
   }
@@ -110,6 +107,7 @@ void Completion::fill_convex() {
     std::sort(next.begin(), next.end());
     pass = std::move(next);
   }
+  candidate_ = {};
 }
 
 bool Completion::fill_where_convex(TetId t) {

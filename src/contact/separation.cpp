@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/narrowed.hpp"
+
 namespace tetloft::internal::contact_detail {
 
 namespace {
@@ -71,7 +73,7 @@ Separation::Separation(std::span<const Point3> points, std::span<const TriangleV
   values_.resize(points.size());
   for (std::size_t v = 0; v < points.size(); ++v) {
     for (std::size_t k = 0; k < kForms; ++k) {
-      values_[v][k] = static_cast<float>(forms[k](points[v]) - constant[k]);
+      values_[v][k] = narrowed(forms[k](points[v]) - constant[k]);
     }
   }
 }

@@ -4,18 +4,14 @@
 #include <array>
 #include <limits>
 
+#include "contact/narrowed.hpp"
+
 namespace tetloft::internal::contact_detail {
 
 namespace {
 
 /// Measured: 4 to 12 are equally fast; fewer nodes take less memory.
 constexpr std::uint32_t kLeafSize = 8;
-
-// Numbers beyond the range of float are as good as its ends.
-float narrowed(double oblique) {
-  constexpr double kMost = std::numeric_limits<float>::max();
-  return static_cast<float>(std::clamp(oblique, -kMost, kMost));
-}
 
 }  // namespace
 

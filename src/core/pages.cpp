@@ -1,9 +1,11 @@
 // See pages.hpp. The one file that knows how the system hands out memory.
 #include "core/pages.hpp"
 
+#if defined(__linux__)
 #include <cstdint>
 
 #include <sys/mman.h>
+#endif
 
 namespace tetloft::internal::core {
 
@@ -11,7 +13,8 @@ namespace tetloft::internal::core {
 
 namespace {
 
-// The part of `bytes` that is made of whole pages; empty where it has few.
+// The part of `bytes` that is made of whole pages, as what else is on a page belongs to others;
+// empty where it has few.
 std::span<std::byte> whole_pages(std::span<std::byte> bytes) {
   // A multiple of the pages of all systems; less is not worth the call.
   constexpr std::size_t kPages = std::size_t{1} << 16;

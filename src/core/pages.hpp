@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 namespace tetloft::internal::core {
@@ -22,6 +23,8 @@ void make_pages(T* items, std::size_t count) {
 
 template <class T>
 void give_back_pages(std::span<T> items) {
+  // Nothing reads the lost items, not even a destructor.
+  static_assert(std::is_trivially_destructible_v<T>);
   give_back_pages(std::as_writable_bytes(items));
 }
 

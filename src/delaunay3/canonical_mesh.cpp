@@ -21,7 +21,7 @@ namespace tetloft::internal::delaunay3_detail {
 namespace {
 
 // A part of the mesh, so many tets one after the other: small enough to be filled within cache.
-constexpr unsigned kPartBits = 13;
+constexpr std::size_t kTetsOfPart = std::size_t{1} << 13;
 // Parts that the mesh grows by at a time, after which the slots they were read from are given back.
 constexpr std::size_t kPartsOfRound = 32;
 
@@ -38,7 +38,7 @@ class Renumbering {
 
   TetMesh run() {
     begin_ = name_tets(built_, names_.rank_of, threads_);
-    parts_ = (tets() + (std::size_t{1} << kPartBits) - 1) >> kPartBits;
+    parts_ = (tets() + kTetsOfPart - 1) / kTetsOfPart;
     part_begin_.resize(stretches_.count * (parts_ + 1));
     parallel_for(stretches_.count, threads_, [&](std::size_t k) { rename_opposites(k); });
     parallel_for(stretches_.count, threads_, [&](std::size_t k) { sort_stretch(k); });
@@ -50,7 +50,7 @@ class Renumbering {
   [[nodiscard]] std::size_t tets() const { return begin_.back(); }
   // The part of a slot's tet; after all parts for those that have none.
   [[nodiscard]] std::size_t part_of(const TetSlot& slot) const {
-    return renamed::is_finite(slot) ? renamed::name(slot) >> kPartBits : parts_;
+    return renamed::is_finite(slot) ? renamed::name(slot) / kTetsOfPart : parts_;
   }
 
   // Puts the opposites of the tets of a stretch into canonical order, by their new names. Of other
@@ -103,7 +103,7 @@ class Renumbering {
     for (std::size_t part = 0; part < std::min(kPartsOfRound, parts_); ++part) make_room(part);
     for (std::size_t first = 0; first < parts_; first += kPartsOfRound) {
       const std::size_t end = std::min(first + kPartsOfRound, parts_);
-      const std::size_t filled = std::min(end << kPartBits, tets());
+      const std::size_t filled = std::min(end * kTetsOfPart, tets());
       tets_.resize(filled);
       opposite_.resize(4 * filled);
       parallel_for(end - first, threads_, [&](std::size_t i) {
@@ -123,22 +123,21 @@ class Renumbering {
   // Of a part that the mesh has not grown to: its pages are made by several threads, before one
   // makes its elements.
   void make_room(std::size_t part) {
-    const std::size_t first = part << kPartBits;
-    const std::size_t count = std::min(tets() - first, std::size_t{1} << kPartBits);
+    const std::size_t first = part * kTetsOfPart;
+    const std::size_t count = std::min(tets() - first, kTetsOfPart);
     core::make_pages(tets_.data() + first, count);
     core::make_pages(opposite_.data() + 4 * first, 4 * count);
   }
 
   void fill_part(std::size_t part) {
-    const std::array<std::uint32_t, (std::size_t{1} << kPartBits)> lowest = lowest_ranks(part);
+    const std::array<std::uint32_t, kTetsOfPart> lowest = lowest_ranks(part);
     for (std::size_t k = 0; k < stretches_.count; ++k) {
       const std::uint32_t* begin = &part_begin_[k * (parts_ + 1) + part];
       for (const TetSlot& slot : built_.subspan(begin[0], begin[1] - begin[0])) {
         const std::uint32_t name = renamed::name(slot);
-        tets_[name] = {names_.input_of[lowest[name & (lowest.size() - 1)]],
-                       names_.input_of[renamed::rank(slot, 1)],
-                       names_.input_of[renamed::rank(slot, 2)],
-                       names_.input_of[renamed::rank(slot, 3)]};
+        tets_[name] = {
+            names_.input_of[lowest[name % kTetsOfPart]], names_.input_of[renamed::rank(slot, 1)],
+            names_.input_of[renamed::rank(slot, 2)], names_.input_of[renamed::rank(slot, 3)]};
         std::copy(slot.opposite.begin(), slot.opposite.end(),
                   opposite_.begin() + std::ptrdiff_t{4} * name);
       }
@@ -146,11 +145,10 @@ class Renumbering {
   }
 
   // Of the tets of a part: their lowest ranks, whose place their names have taken.
-  [[nodiscard]] std::array<std::uint32_t, (std::size_t{1} << kPartBits)> lowest_ranks(
-      std::size_t part) const {
-    std::array<std::uint32_t, (std::size_t{1} << kPartBits)> lowest;
-    const std::size_t first = part << kPartBits;
-    const std::size_t end = std::min(first + lowest.size(), tets());
+  [[nodiscard]] std::array<std::uint32_t, kTetsOfPart> lowest_ranks(std::size_t part) const {
+    std::array<std::uint32_t, kTetsOfPart> lowest;
+    const std::size_t first = part * kTetsOfPart;
+    const std::size_t end = std::min(first + kTetsOfPart, tets());
     const auto after = std::upper_bound(begin_.begin(), begin_.end(), first);
     auto r = static_cast<std::uint32_t>(after - begin_.begin() - 1);
     for (std::size_t name = first; name < end; ++name) {

@@ -26,16 +26,6 @@ void key_by(std::size_t coordinate, std::span<const Point3> points, std::span<Ke
   for (Keyed& entry : run) entry.key = key_of(points[entry.place].*kSignificance[coordinate]);
 }
 
-/// The runs of equal keys in what is sorted by them, of two entries at least.
-std::vector<std::span<Keyed>> equal_runs(std::span<Keyed> sorted) {
-  std::vector<std::span<Keyed>> runs;
-  for (std::size_t begin = 0, end = 0; begin < sorted.size(); begin = end) {
-    while (end < sorted.size() && sorted[end].key == sorted[begin].key) ++end;
-    if (end - begin > 1) runs.push_back(sorted.subspan(begin, end - begin));
-  }
-  return runs;
-}
-
 /// Sorts points that agree in all coordinates before `coordinate`.
 void sort_from(std::size_t coordinate, std::span<const Point3> points, std::span<Keyed> run) {
   key_by(coordinate, points, run);

@@ -351,7 +351,9 @@ Result<Delaunay3> delaunay3(std::span<const Point3> points, const Delaunay3Optio
 
 Result<TetMesh> slab_delaunay3(const Triangulation2& lower, const Triangulation2& upper,
                                std::size_t most_tets, const Execution& execution) {
-  return guard_internal([&] { return triangulate_slab(lower, upper, most_tets, execution); });
+  return guard_threads(execution, [&](const Execution& own) {
+    return triangulate_slab(lower, upper, most_tets, own);
+  });
 }
 
 }  // namespace tetloft

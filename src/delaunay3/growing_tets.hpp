@@ -1,8 +1,8 @@
 // A 3D Delaunay triangulation while points are inserted: its memory, shared by all who insert.
 //
 // Laid out for the search of the conflict zone, which is most of the work: a tet's vertices and
-// neighbours share a cache line (half of one), so do a point, its number on the horizon and its
-// part.
+// neighbours lie side by side, as many bytes as half a cache line, so do a point, its number on the
+// horizon and its part.
 #pragma once
 
 #include <atomic>

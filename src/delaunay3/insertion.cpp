@@ -18,7 +18,10 @@ static_assert(kFaceVertex[1][0] == 0 && kFaceVertex[2][0] == 0 && kFaceVertex[3]
 bool Inserter::insert(VertexId v, std::size_t most_tets) {
   const Point3 p = point(v);
   collect_conflict_zone(p, walk(p, Alone{}), Alone{});
-  if (tets_->taken() + horizon_.size() > most_tets) return false;
+  if (tets_->taken() + horizon_.size() > most_tets) {
+    unmark_zone();
+    return false;
+  }
   const std::size_t recycled = std::min(free_.size(), horizon_.size());
   take_slots(tets_->take(horizon_.size() - recycled));
   hint_ = star_cavity(v);

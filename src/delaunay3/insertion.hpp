@@ -8,8 +8,10 @@
 // walks through and removes tets of its part only, and gives a point up that needs others. Of other
 // tets it sees the neighbours of its own. Such a tet has three vertices of the part or the ghost,
 // hence no neighbour in another part: two of its faces share two vertices, not both of them the
-// ghost. So it is written to by no other thread, and no other thread sees it: there is nothing to
-// lock.
+// ghost. So it is written to by no other thread, and no other thread sees it. Where it is a ghost,
+// the vertices of the tet below its hull facet are read, too: that one has two vertices of the
+// part, hence is in no other, nor, with three vertices there, a neighbour of one that is. So there
+// is nothing to lock.
 #pragma once
 
 #include <algorithm>

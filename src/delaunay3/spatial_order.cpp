@@ -95,12 +95,7 @@ bool sort_along_curve(std::span<const Point3> points, std::span<Keyed> run, bool
 // share a cell, as in dense clusters or in planes far from each other, get a finer grid: it spans
 // their own bounding cube, so it separates at least two of them.
 std::vector<std::span<Keyed>> runs_of_cells(std::span<Keyed> run) {
-  std::vector<std::span<Keyed>> runs;
-  for (std::size_t begin = 0, end = 0; begin < run.size(); begin = end) {
-    while (end < run.size() && run[end].key == run[begin].key) ++end;
-    if (end - begin > kSmallRun) runs.push_back(run.subspan(begin, end - begin));
-  }
-  return runs;
+  return equal_runs(run, kSmallRun + 1);
 }
 
 // Sorts a run and, on one thread, all runs within.

@@ -13,11 +13,9 @@ namespace tetloft::internal::report {
 namespace {
 
 // Of the drawing, in its own units; letters are 12 high.
-constexpr double kWidth = 420;
-constexpr double kHeight = 236;
 constexpr double kRight = 14;
 constexpr double kTop = 12;
-constexpr double kFloor = kHeight - 46;  // of the plot
+constexpr double kFloor = kPlotHeight - 46;  // of the plot
 constexpr double kMiddle = (kTop + kFloor) / 2;
 constexpr std::size_t kTicksAcross = 6;
 constexpr std::size_t kTicksUp = 5;
@@ -32,12 +30,12 @@ class PlotFrame {
   }
   [[nodiscard]] double left() const { return left_; }
   [[nodiscard]] double across(double value) const {
-    return left_ + x_.position(value) * (kWidth - kRight - left_);
+    return left_ + x_.position(value) * (kPlotWidth - kRight - left_);
   }
   [[nodiscard]] double up(double value) const {
     return kFloor - y_.position(value) * (kFloor - kTop);
   }
-  [[nodiscard]] double middle() const { return (left_ + kWidth - kRight) / 2; }
+  [[nodiscard]] double middle() const { return (left_ + kPlotWidth - kRight) / 2; }
   [[nodiscard]] const Axis& x() const { return x_; }
   [[nodiscard]] const Axis& y() const { return y_; }
 
@@ -79,9 +77,9 @@ void append_text(std::string& out, double x, double y, const char* anchor, const
 
 std::string opened(const PlotLabels& labels) {
   std::string out = "<svg class=\"plot\" role=\"img\" viewBox=\"0 0 ";
-  append_coordinate(out, kWidth);
+  append_coordinate(out, kPlotWidth);
   out += ' ';
-  append_coordinate(out, kHeight);
+  append_coordinate(out, kPlotHeight);
   return out + "\"><title>" + escaped(labels.title) + "</title>";
 }
 
@@ -89,7 +87,7 @@ std::string opened(const PlotLabels& labels) {
 void append_axes(std::string& out, const PlotFrame& frame, const PlotLabels& labels) {
   for (const Tick& tick : frame.y().ticks()) {
     const double at = frame.up(tick.value);
-    append_line(out, frame.left(), at, kWidth - kRight, at, "grid");
+    append_line(out, frame.left(), at, kPlotWidth - kRight, at, "grid");
     append_text(out, frame.left() - 7, at + 4, "end", tick.label);
   }
   for (const Tick& tick : frame.x().ticks()) {
@@ -97,8 +95,8 @@ void append_axes(std::string& out, const PlotFrame& frame, const PlotLabels& lab
     append_line(out, at, kFloor, at, kFloor + 4, "axis");
     append_text(out, at, kFloor + 17, "middle", tick.label);
   }
-  append_line(out, frame.left(), kFloor, kWidth - kRight, kFloor, "axis");
-  append_text(out, frame.middle(), kHeight - 8, "middle", labels.x, " class=\"label\"");
+  append_line(out, frame.left(), kFloor, kPlotWidth - kRight, kFloor, "axis");
+  append_text(out, frame.middle(), kPlotHeight - 8, "middle", labels.x, " class=\"label\"");
   std::string turned = " class=\"label\" transform=\"rotate(-90 14 ";
   append_coordinate(turned, kMiddle);
   append_text(out, 14, kMiddle, "middle", labels.y, (turned + ")\"").c_str());
@@ -106,8 +104,8 @@ void append_axes(std::string& out, const PlotFrame& frame, const PlotLabels& lab
 
 std::string empty_plot(const PlotLabels& labels) {
   std::string out = opened(labels);
-  append_line(out, kRight, kFloor, kWidth - kRight, kFloor, "axis");
-  append_text(out, kWidth / 2, kMiddle, "middle", "nothing to show", " class=\"label\"");
+  append_line(out, kRight, kFloor, kPlotWidth - kRight, kFloor, "axis");
+  append_text(out, kPlotWidth / 2, kMiddle, "middle", "nothing to show", " class=\"label\"");
   return out + "</svg>";
 }
 

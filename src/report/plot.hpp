@@ -13,6 +13,10 @@
 
 namespace tetloft::internal::report {
 
+/// Of every plot, in its own units.
+inline constexpr int kPlotWidth = 420;
+inline constexpr int kPlotHeight = 236;
+
 /// Plain texts.
 struct PlotLabels {
   std::string title;  ///< for those who do not see it

@@ -1,5 +1,6 @@
 #include "slab/slab.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/guard.hpp"
@@ -56,6 +57,9 @@ void Slab::classify_tets() {
 
 TetKind Slab::classify_type1(TetId t, bool above) {
   const TriangleId triangle = this->triangle(t);
+  for (const PlaneVertexId v : section(above).triangulation.triangles[triangle]) {
+    TETLOFT_CHECK(mesh_.index_in(t, mesh_vertex(numbering_.in_slab(above, v))) >= 0);
+  }
   TetId& slot = tet_on_[above ? 1 : 0][triangle];
   TETLOFT_CHECK(!slot.valid());
   slot = t;
@@ -63,8 +67,16 @@ TetKind Slab::classify_type1(TetId t, bool above) {
 }
 
 TetKind Slab::classify_type2(TetId t) const {
-  const EdgeKind below = lower_->edges[base_edge(false, t)].kind;
-  const EdgeKind above = upper_->edges[base_edge(true, t)].kind;
+  const ConformingSection::Edge& lower = lower_->edges[base_edge(false, t)];
+  const ConformingSection::Edge& upper = upper_->edges[base_edge(true, t)];
+  // Canonical: lower vertices first, and the two of a section in order but for the last.
+  const TetVertices& v = mesh_.vertices(t);
+  TETLOFT_CHECK(v[0] == mesh_vertex(numbering_.in_slab(false, lower.a)) &&
+                v[1] == mesh_vertex(numbering_.in_slab(false, lower.b)));
+  TETLOFT_CHECK(std::min(v[2], v[3]) == mesh_vertex(numbering_.in_slab(true, upper.a)) &&
+                std::max(v[2], v[3]) == mesh_vertex(numbering_.in_slab(true, upper.b)));
+  const EdgeKind below = lower.kind;
+  const EdgeKind above = upper.kind;
   // By the kinds in the order of EdgeKind: internal, external, contour.
   static constexpr std::array<std::array<TetKind, 3>, 3> kKinds{
       {{TetKind::ii, TetKind::ie, TetKind::ic},

@@ -130,7 +130,7 @@ class BoxTree2 {
     }
   }
   /// The same for boxes near p: by the distance to it, which is off by four units in the last place
-  /// at most. Requires coordinates that can be squared; of those too small for that, 0 is taken.
+  /// at most, and by 2^-536 where squares underflow. Requires coordinates that can be squared.
   template <class Visit, class Within>
   void query_nearest(const Point2& p, Visit visit, Within within) const {
     const auto offset = [&](const Box2& box) {

@@ -36,8 +36,9 @@ inline void insert_sorted(std::span<const Keyed> from, std::span<Keyed> to) {
   }
 }
 
-/// Deals the entries out to buckets over the range of their keys, and these in turn: the range of a
-/// bucket is less than a sixth of the whole one's, so there are fewer than 25 levels.
+/// Deals the entries out to buckets over the range of their keys, and these in turn. Of more than
+/// kFew, at least five bits of the 64 that keys may differ in are settled by each level, so there
+/// are 14 at most.
 inline void deal(std::span<Keyed> entries, std::span<Keyed> buffer) {
   std::uint64_t low = entries.front().key;
   std::uint64_t high = low;
@@ -92,6 +93,16 @@ inline void sort_by_key(std::span<Keyed> entries) {
   sort_detail::deal(entries, buffer);
 }
 
+/// The runs of equal keys in what is sorted by them, of `at_least` entries.
+inline std::vector<std::span<Keyed>> equal_runs(std::span<Keyed> sorted, std::size_t at_least = 2) {
+  std::vector<std::span<Keyed>> runs;
+  for (std::size_t begin = 0, end = 0; begin < sorted.size(); begin = end) {
+    while (end < sorted.size() && sorted[end].key == sorted[begin].key) ++end;
+    if (end - begin >= at_least) runs.push_back(sorted.subspan(begin, end - begin));
+  }
+  return runs;
+}
+
 /// A key that orders doubles as they are ordered; the two zeros are one. Requires no NaN.
 inline std::uint64_t key_of(double value) {
   const auto bits = std::bit_cast<std::uint64_t>(value + 0.0);
@@ -105,10 +116,7 @@ template <class PointOf>
 void sort_canonically(std::span<Keyed> entries, const PointOf& point_of) {
   for (Keyed& entry : entries) entry.key = key_of(point_of(entry.place).x);
   sort_by_key(entries);
-  for (std::size_t begin = 0, end = 0; begin < entries.size(); begin = end) {
-    while (end < entries.size() && entries[end].key == entries[begin].key) ++end;
-    if (end - begin < 2) continue;
-    const std::span<Keyed> run = entries.subspan(begin, end - begin);
+  for (const std::span<Keyed> run : equal_runs(entries)) {
     for (Keyed& entry : run) entry.key = key_of(point_of(entry.place).y);
     sort_by_key(run);
   }

@@ -10,8 +10,6 @@ namespace tetloft::internal {
 
 namespace {
 
-constexpr std::uint8_t kAllFour = 0xF;
-
 // A node of a child: its id and the parent's corners it is the mean of.
 struct Node {
   NodeId id;
@@ -53,9 +51,9 @@ class Subdivider {
   void choose_whole() {
     result_.whole.assign(slab_.tet_count(), 0);
     for (const TetId t : slab_.tets()) {
-      if (complex_.attached[t] != kAllFour || has_external_edge(slab_.kind(t))) continue;
+      if (complex_.attached[t] != kAllCorners || has_external_edge(slab_.kind(t))) continue;
       const ClassId c = classes_.of(slab_.vertex(t, 0));
-      result_.whole[t] = own_corners(slab_, classes_, t, c) == kAllFour ? 1 : 0;
+      result_.whole[t] = own_corners(slab_, classes_, t, c) == kAllCorners ? 1 : 0;
     }
   }
 

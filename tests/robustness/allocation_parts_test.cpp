@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cmath>
 #include <vector>
 
 #include <tetloft/tetloft.hpp>
@@ -33,12 +32,7 @@ std::vector<Point2> corners(const SectionStack& stack) {
 TEST(MemoryEnds, InTriangulations) {
   const std::vector<Point3> space = points_in_space();
   sweep("delaunay3", [&] { return ended(delaunay3(space)); });
-  // Enough for threads to be given parts of.
-  std::vector<Point3> many;
-  for (int i = 0; i < 5000; ++i) {
-    many.push_back({std::fmod(i * 0.6180339887, 1), std::fmod(i * 0.4142135624, 1),
-                    std::fmod(i * 0.7320508076, 1)});
-  }
+  const std::vector<Point3> many = many_points_in_space();
   sweep("delaunay3 on 3", [&] { return ended(delaunay3(many, {.execution = {.threads = 3}})); });
   std::vector<Point3> planes;
   for (const Section& section : tower(2).sections) {

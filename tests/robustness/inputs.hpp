@@ -33,6 +33,16 @@ inline Contour polygon(Point2 centre, double radius, std::size_t corners) {
   return contour;
 }
 
+/// Spread over the unit cube: enough for threads to be given parts of.
+inline std::vector<Point3> many_points_in_space() {
+  std::vector<Point3> points;
+  for (int i = 0; i < 5000; ++i) {
+    points.push_back({std::fmod(i * 0.6180339887, 1), std::fmod(i * 0.4142135624, 1),
+                      std::fmod(i * 0.7320508076, 1)});
+  }
+  return points;
+}
+
 /// Polygons, one in each section, each with a hole.
 inline SectionStack tower(std::size_t sections, std::size_t corners = 8) {
   SectionStack stack;

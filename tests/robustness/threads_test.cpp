@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <ctime>
 #include <numeric>
 #include <thread>
@@ -32,11 +31,7 @@ TEST(Threads, ThatCannotBeMadeAreDoneWithout) {
     }
   }
   const std::size_t tets = delaunay3(planes).value().mesh.tet_count();
-  std::vector<Point3> space;
-  for (int i = 0; i < 5000; ++i) {
-    space.push_back({std::fmod(i * 0.6180339887, 1), std::fmod(i * 0.4142135624, 1),
-                     std::fmod(i * 0.7320508076, 1)});
-  }
+  const std::vector<Point3> space = many_points_in_space();
   const TetMesh in_space = delaunay3(space, {.execution = {.threads = 1}}).value().mesh;
   for (const std::size_t most : {std::size_t{0}, std::size_t{1}, std::size_t{5}}) {
     for (const unsigned threads : {2U, 16U, 1000U}) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <tetloft/predicates.hpp>
 
@@ -86,6 +87,24 @@ TEST(Bisector, IsThePerturbedInsphere) {
     expect_insphere(plane_of(draw(7, prng, tiny)), plane_of(draw(7, prng, tiny)), above);
     expect_insphere(plane_of(draw(7, prng, far)), plane_of(draw(7, prng, far)), above);
     expect_insphere(plane_of(draw(7, prng, wide)), plane_of(draw(7, prng, wide)), above);
+  }
+}
+
+// Bisectors of sites far from centres that are known well, and that they pass nearby: what is lost
+// comes from the sites.
+TEST(Bisector, IsThePerturbedInsphereOfSitesAroundCentres) {
+  Prng prng(63);
+  const auto circle = [&](double radius) {
+    std::vector<Point2> points(7);
+    for (Point2& p : points) {
+      const double angle = prng.between(0, 2 * std::numbers::pi);
+      p = {radius * std::cos(angle), radius * std::sin(angle)};
+    }
+    return points;
+  };
+  for (int round = 0; round < 100; ++round) {
+    const double radius = std::ldexp(1.0, static_cast<int>(prng.below(20)));
+    expect_insphere(plane_of(circle(1)), plane_of(circle(radius)), round % 2 == 0);
   }
 }
 

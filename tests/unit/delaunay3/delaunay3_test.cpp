@@ -1,6 +1,7 @@
 // Points in general position, input errors, dimensions and duplicates.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -46,6 +47,21 @@ TEST(Delaunay3, TwentyThousandPointsAreDelaunay) {
   // A tetrahedrisation of a ball has t = e − n + n_hull − 3 …, about 6.7 for each point.
   EXPECT_GT(d.mesh.tet_count(), 6U * points.size());
   EXPECT_LT(d.mesh.tet_count(), 7U * points.size());
+}
+
+// So many that the order is sorted by several threads, and the mesh made in rounds, after which
+// slots are given back.
+TEST(Delaunay3, SixtyThousandPointsAreTheSameOnSeveralThreads) {
+  Prng prng(5);
+  const Points points = uniform(60000, prng);
+  const Delaunay3 alone = delaunay3(points, {.execution = {.threads = 1}}).value();
+  EXPECT_TRUE(is_canonical(alone, points));
+  EXPECT_TRUE(is_locally_delaunay(alone, points));
+  EXPECT_TRUE(uses_all_points(alone));
+  EXPECT_TRUE(alone.mesh.validate().empty());
+  const Delaunay3 several = delaunay3(points, {.execution = {.threads = 3}}).value();
+  EXPECT_TRUE(std::ranges::equal(several.mesh.tets(), alone.mesh.tets()));
+  EXPECT_TRUE(std::ranges::equal(several.mesh.opposites(), alone.mesh.opposites()));
 }
 
 TEST(Delaunay3, ClusteredPointsAreDelaunay) {

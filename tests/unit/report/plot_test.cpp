@@ -107,9 +107,9 @@ TEST(LinePlot, TakesExtremeAndMissingValues) {
     EXPECT_EQ(svg.all("path", "solid").size(), 1U);
     for (const Element* dot : svg.all("circle")) {
       EXPECT_GE(dot->number("cx"), 0);
-      EXPECT_LE(dot->number("cx"), 420);
+      EXPECT_LE(dot->number("cx"), kPlotWidth);
       EXPECT_GE(dot->number("cy"), 0);
-      EXPECT_LE(dot->number("cy"), 236);
+      EXPECT_LE(dot->number("cy"), kPlotHeight);
     }
     EXPECT_EQ(text.find("nan"), std::string::npos);
     EXPECT_EQ(text.find("inf"), std::string::npos);
