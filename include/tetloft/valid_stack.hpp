@@ -21,22 +21,37 @@ struct ValidStackMaker;
     const SectionStack& stack, const Execution& execution = {});
 
 /// A stack that validate() accepts, and the nesting of its sections, which validation finds on the
-/// way. Nobody changes it: it stays valid.
+/// way. Nobody changes it: it stays valid. One that was moved from has no sections, and is refused
+/// as an empty stack is.
 class TETLOFT_API ValidStack {
  public:
   /// Refused as by validate().
   [[nodiscard]] static Result<ValidStack> of(SectionStack stack, const Execution& execution = {});
 
+  ValidStack(const ValidStack&) = default;
+  ValidStack(ValidStack&& other) noexcept : ValidStack({}, {}) { swap(other); }
+  /// Stack and nestings together, or neither: where memory ends while copying, this stays as it
+  /// was.
+  ValidStack& operator=(ValidStack other) noexcept {
+    swap(other);
+    return *this;
+  }
+  ~ValidStack() = default;
+
   [[nodiscard]] const SectionStack& stack() const { return stack_; }
   /// As by nest().
   [[nodiscard]] const IdVector<SectionId, Nesting>& nestings() const { return nestings_; }
-  /// The stack, to be changed; this is empty then, and not to be used.
-  [[nodiscard]] SectionStack take() && { return std::move(stack_); }
+  /// The stack, to be changed; this one is moved from then.
+  [[nodiscard]] SectionStack take() && { return ValidStack(std::move(*this)).stack_; }
 
  private:
   friend struct internal::sections::ValidStackMaker;
   ValidStack(SectionStack stack, IdVector<SectionId, Nesting> nestings)
       : stack_(std::move(stack)), nestings_(std::move(nestings)) {}
+  void swap(ValidStack& other) noexcept {
+    std::swap(stack_, other.stack_);
+    std::swap(nestings_, other.nestings_);
+  }
 
   SectionStack stack_;
   IdVector<SectionId, Nesting> nestings_;

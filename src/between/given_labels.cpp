@@ -1,19 +1,20 @@
 #include "between/given_labels.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <utility>
 
 #include "between/segment_distance.hpp"
 #include "core/buckets.hpp"
+#include "motion/passed_rows.hpp"
 #include "spatial/box_tree.hpp"
 
 namespace tetloft::internal::between {
 
 namespace {
 
+using motion::first_index;
 using motion::LatticeWindow;
 
 // Parts thinner than this on both sides together have samples all the same.
@@ -22,13 +23,6 @@ constexpr double kThickening = 0.72;
 const Point2& lowest_vertex(const std::vector<Point2>& vertices) {
   return *std::min_element(vertices.begin(), vertices.end(),
                            [](const Point2& a, const Point2& b) { return canonical_less(a, b); });
-}
-
-// The least index of [low, high] that is at least `at`.
-std::int64_t first_index(double at, std::int64_t low, std::int64_t high) {
-  const double k = std::ceil(at);
-  if (!(k > static_cast<double>(low))) return low;
-  return k < static_cast<double>(high) ? static_cast<std::int64_t>(k) : high;
 }
 
 // Adds up the lengths of the runs of each node.
@@ -86,14 +80,9 @@ void GivenLabels::visit_runs(const Visit& visit) const {
     const std::vector<Point2>& vertices = contours_[c].vertices;
     Point2 last = vertices.back();
     for (const Point2& next : vertices) {
-      const bool up = last.y < next.y;
-      const Point2& low = up ? last : next;
-      const Point2& high = up ? next : last;
-      const std::int64_t end = first_index(high.y, w.j0, w.j1);
-      for (std::int64_t j = first_index(low.y, w.j0, w.j1); j < end; ++j) {
-        const double t = (static_cast<double>(j) - low.y) / (high.y - low.y);
-        passages.push_back({j, first_index(low.x + t * (high.x - low.x), w.i0, w.i1), c});
-      }
+      motion::visit_passed(last, next, w, [&](std::int64_t i, std::int64_t j) {
+        passages.push_back({j, i, c});
+      });
       last = next;
     }
   }

@@ -7,13 +7,6 @@
 
 namespace tetloft::internal {
 
-namespace {
-
-// Rounding to 32 bits moves a ratio by less than this, relative to it.
-constexpr double kRatioSlack = 0x1p-31;
-
-}  // namespace
-
 std::vector<OverlappingPair> overlapping_pairs(const SectionRegions& below,
                                                const SectionRegions& above) {
   // Each region is made ready once, if it is near another.
@@ -33,7 +26,7 @@ std::vector<OverlappingPair> overlapping_pairs(const SectionRegions& below,
 }
 
 Sign compare_overlap(const RegionOutline& a, const RegionOutline& b, double tau, double ratio) {
-  if (std::abs(ratio - tau) > kRatioSlack * ratio) {
+  if (std::abs(ratio - tau) > sections::kRatioError * ratio) {
     return ratio > tau ? Sign::positive : Sign::negative;
   }
   return tetloft::compare_overlap(a, b, tau);

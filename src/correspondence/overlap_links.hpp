@@ -19,10 +19,6 @@ struct OverlappingPair {
 [[nodiscard]] Sign compare_overlap(const RegionOutline& a, const RegionOutline& b, double tau,
                                    double ratio);
 
-/// Is it at least tau?
-[[nodiscard]] bool reaches(const RegionOutline& a, const RegionOutline& b, double ratio,
-                           double tau);
-
 /// All pairs that overlap: those that the rule takes, and the others.
 [[nodiscard]] SlabCandidates overlap_links(SlabId slab, const SectionRegions& below,
                                            const SectionRegions& above, double tau);

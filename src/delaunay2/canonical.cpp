@@ -1,8 +1,9 @@
 #include "delaunay2/canonical.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
+
+#include "core/sort_few.hpp"
 
 namespace tetloft::internal::delaunay2_detail {
 
@@ -15,19 +16,7 @@ struct Named {
 };
 
 void sort_by_second(std::span<Named> same_lowest) {
-  constexpr std::size_t kFew = 16;
-  if (same_lowest.size() > kFew) {
-    std::sort(same_lowest.begin(), same_lowest.end(),
-              [](const Named& a, const Named& b) { return a.second < b.second; });
-    return;
-  }
-  for (std::size_t i = 1; i < same_lowest.size(); ++i) {
-    const Named moved = same_lowest[i];
-    std::size_t k = i;
-    for (; k > 0 && moved.second < same_lowest[k - 1].second; --k)
-      same_lowest[k] = same_lowest[k - 1];
-    same_lowest[k] = moved;
-  }
+  sort_few(same_lowest, [](const Named& a, const Named& b) { return a.second < b.second; });
 }
 
 /// The vertices of a triangle by name, and the corner of the lowest.

@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <functional>
 #include <tuple>
 #include <utility>
 
 #include "core/pages.hpp"
 #include "core/parallel.hpp"
 #include "core/prefetch.hpp"
+#include "core/sort_few.hpp"
 
 namespace tetloft::internal::delaunay3_detail {
 
@@ -23,7 +25,7 @@ constexpr std::size_t kMostStretches = 1024;
 constexpr std::size_t kTetsOfGroup = 4096;
 constexpr std::size_t kMostGroups = 2048;
 // Fewer are sorted by insertion: in a uniform set a vertex is the lowest of seven tets.
-constexpr std::ptrdiff_t kFewTets = 24;
+constexpr std::size_t kFewTets = 24;
 
 // By the engine's places of the vertices of lowest, second, third and highest rank, two bits each
 // from the lowest on: the canonical place of the engine's vertex k, at bits 2 k and 2 k + 1; and at
@@ -94,19 +96,6 @@ UpperRanks upper_ranks(const TetSlot& slot, std::uint32_t number) {
   const std::uint32_t fourth = renamed::rank(slot, 3);
   return {(std::uint64_t{renamed::rank(slot, 1)} << 32) | std::min(third, fourth),
           std::max(third, fourth), number};
-}
-
-void sort_few(std::span<UpperRanks> tets) {
-  if (std::ssize(tets) > kFewTets) {
-    std::sort(tets.begin(), tets.end());
-    return;
-  }
-  for (std::size_t i = 1; i < tets.size(); ++i) {
-    const UpperRanks moving = tets[i];
-    std::size_t k = i;
-    for (; k > 0 && moving < tets[k - 1]; --k) tets[k] = tets[k - 1];
-    tets[k] = moving;
-  }
 }
 
 // Names the tets, group after group: group g has those whose lowest rank is g << shift_ or more.
@@ -210,7 +199,7 @@ class Naming {
       const std::uint32_t begin = begin_[r] - first;
       const std::uint32_t end =
           r + 1 < high ? begin_[r + 1] - first : static_cast<std::uint32_t>(count);
-      sort_few(std::span(scratch.sorted).subspan(begin, end - begin));
+      sort_few(std::span(scratch.sorted).subspan(begin, end - begin), std::less<>(), kFewTets);
     }
     for (std::size_t i = 0; i < count; ++i) {
       VertexId& lowest = built_[scratch.sorted[i].slot].vertices[0];

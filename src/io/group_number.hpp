@@ -12,8 +12,7 @@
 
 namespace tetloft::internal::io {
 
-/// component_tag(); `of_none` of a tet that is of no component. Requires a well formed
-/// model.
+/// component_tag(); `of_none` of a tet that is of no component. Requires a well formed model.
 [[nodiscard]] inline std::int64_t group_number(const Model& model, TetId tet,
                                                std::int64_t of_none = 0) {
   const ComponentId component = component_at(model, tet);

@@ -6,6 +6,7 @@
 
 #include "core/buckets.hpp"
 #include "motion/nearest_region.hpp"
+#include "motion/passed_rows.hpp"
 
 namespace tetloft::internal::motion {
 
@@ -16,13 +17,6 @@ using Edge = LatticeEdges::Edge;
 // Edges are looked at a little farther than distances are followed: a sample beyond that along x or
 // y is farther in rounded arithmetic, too (coordinates below 2^40 have ulps of 2^-13 at most).
 constexpr double kSlack = 0x1p-10;
-
-// The least index of [low, high] that is at least `at`.
-std::int64_t first_index(double at, std::int64_t low, std::int64_t high) {
-  const double k = std::ceil(at);
-  if (!(k > static_cast<double>(low))) return low;
-  return k < static_cast<double>(high) ? static_cast<std::int64_t>(k) : high;
-}
 
 // The samples within `reach` of the edge along both axes.
 LatticeWindow near_edge(const Edge& e, const LatticeWindow& w, double reach) {
@@ -145,19 +139,6 @@ class Squares {
   std::size_t tiles_;
 };
 
-// Calls visit(i, j) for the rows that an edge passes: all samples from i on change sides.
-template <class Visit>
-void visit_passed(const Edge& e, const LatticeWindow& w, const Visit& visit) {
-  const bool up = e.a.y < e.b.y;
-  const Point2& low = up ? e.a : e.b;
-  const Point2& high = up ? e.b : e.a;
-  const std::int64_t end = first_index(high.y, w.j0, w.j1);
-  for (std::int64_t j = first_index(low.y, w.j0, w.j1); j < end; ++j) {
-    const double t = (static_cast<double>(j) - low.y) / (high.y - low.y);
-    visit(first_index(low.x + t * (high.x - low.x), w.i0, w.i1), j);
-  }
-}
-
 // Calls visit(i, j) for the samples at distance 0, or one that vanishes in doubles.
 template <class Visit>
 void visit_on(const Edge& e, const LatticeWindow& w, const Visit& visit) {
@@ -256,7 +237,9 @@ DistanceSamples sample_distances(const LatticeEdges& edges, const LatticeWindow&
     } else {
       squares.measure(e, reach);
     }
-    visit_passed(e, window, [&](std::int64_t i, std::int64_t j) { passed.push_back({i, j}); });
+    visit_passed(e.a, e.b, window, [&](std::int64_t i, std::int64_t j) {
+      passed.push_back({i, j});
+    });
   });
   squares.take_roots();
   const ByRow by_row(passed, window);
@@ -277,7 +260,9 @@ InsideSamples::InsideSamples(const LatticeEdges& edges, const LatticeWindow& win
   std::vector<Sample> passed;
   std::vector<Sample> on_edges;
   edges.visit_near(window, kSlack, [&](const Edge& e) {
-    visit_passed(e, window, [&](std::int64_t i, std::int64_t j) { passed.push_back({i, j}); });
+    visit_passed(e.a, e.b, window, [&](std::int64_t i, std::int64_t j) {
+      passed.push_back({i, j});
+    });
     visit_on(e, window, [&](std::int64_t i, std::int64_t j) { on_edges.push_back({i, j}); });
   });
   const ByRow starts(passed, window);

@@ -12,8 +12,8 @@ namespace {
 // placed to some u · 2¹² only), and is M long. So it is nearer, in squares by M² / 4 = 2⁻¹⁸. The
 // nearest edge of all is never left out; and squares are measured with errors below 2⁻²²:
 // coordinates relative to an end are at most 2¹³, the foot is off by some 16 u of that, and the
-// square by 2 · 2¹³ times as much. Hence what e would measure is no less than what the nearest edge
-// does.
+// square by 2 · 2¹³ times as much; where the square of an edge's length vanishes, the foot is off
+// by the edge at most. Hence what e would measure is no less than what the nearest edge does.
 constexpr double kPast = 0x1p-8;
 // Lines are never steeper: the difference is far below what matters.
 constexpr double kSteepest = 0x1p-60;

@@ -32,10 +32,10 @@ struct IndexRange {
 /// Rows and columns are counted from the first of the window on.
 class NearestRegion {
  public:
-  /// What an edge may be nearest to if edges and `reach` together are no longer, along each axis.
+  /// Edges and `reach` together may be as long, along each axis: the proof counts on it.
   static constexpr double kLongest = 0x1p11;
 
-  /// Of the samples of the window.
+  /// Among the samples of the window, which are within reach of the edge along each axis.
   NearestRegion(const LatticeEdges::Edge& edge, const LatticeWindow& window);
 
   /// The rows that have samples of the region; maybe some more.

@@ -41,8 +41,7 @@ struct BuiltStack {
                                              const ReconstructOptions& options, WatchedWork& work);
 
 /// The model, in the unit given; the parts and the triangulations of sections are given up. Nothing
-/// where it is none there: a
-/// coordinate would lose a bit.
+/// where it is none there: a coordinate would lose a bit.
 [[nodiscard]] std::optional<Model> take_model(BuiltStack& built);
 
 /// make(unit, options) -> Result<std::optional<T>>, in the unit of the stack, or, where nothing

@@ -74,7 +74,8 @@ class Conforming {
 
 Result<IdVector<SectionId, Nesting>> nestings_of(const GivenStack& given,
                                                  const Execution& execution) {
-  if (given.nestings != nullptr) return *given.nestings;
+  // A valid stack that was moved from is empty, and is refused.
+  if (given.nestings != nullptr && !given.nestings->empty()) return *given.nestings;
   const Execution alone = untold(execution);
   WatchedWork work(alone, 0);
   return sections::nest_if_valid(*given.stack, work);

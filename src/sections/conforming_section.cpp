@@ -9,6 +9,7 @@
 
 #include "core/entry.hpp"
 #include "core/guard.hpp"
+#include "core/sort_few.hpp"
 #include "delaunay2/canonical.hpp"
 #include "spatial/sort_by_key.hpp"
 
@@ -63,18 +64,7 @@ IdVector<TriangleId, PlaneTriangleVertices> canonical_triangles(
 }
 
 void sort_sides(std::span<EdgeSide> of_vertex) {
-  constexpr std::size_t kFew = 16;
-  if (of_vertex.size() > kFew) {
-    std::sort(of_vertex.begin(), of_vertex.end(),
-              [](const EdgeSide& s, const EdgeSide& t) { return s.order < t.order; });
-    return;
-  }
-  for (std::size_t i = 1; i < of_vertex.size(); ++i) {
-    const EdgeSide moved = of_vertex[i];
-    std::size_t k = i;
-    for (; k > 0 && moved.order < of_vertex[k - 1].order; --k) of_vertex[k] = of_vertex[k - 1];
-    of_vertex[k] = moved;
-  }
+  sort_few(of_vertex, [](const EdgeSide& s, const EdgeSide& t) { return s.order < t.order; });
 }
 
 // All sides by the lower ends of their edges, those at v up to end[v], sorted: by edge, the left

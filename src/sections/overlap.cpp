@@ -27,15 +27,20 @@ namespace {
 using sections::OverlapRegion;
 using sections::SlopedEdge;
 
-// An interval that holds two rounded ratios is resolved exactly, up to this many pairs of
-// edges (a second or so). More have contours of thousands of vertices folded hundreds of
-// times, where intervals are wide and a ratio without the last of its bits must do.
+// An interval that holds two rounded ratios is resolved exactly, up to this many pairs of edges (a
+// second or so). More have contours of thousands of vertices folded hundreds of times, where
+// intervals are wide and their middle must do, if that is right to kRatioError: the last of its
+// bits are those of the bounds, not of the exact ratio. They depend on the two outlines alone:
+// terms are added in the order of their places, each rounded as written, so the bits are the same
+// in every build and at any number of threads. Other bounds may change them, and with them which of
+// two links comes first by evidence that is as near; no threshold: within kRatioError of one
+// compare_overlap() is asked.
 constexpr std::size_t kMostExactPairs = 1'000'000;
 
 constexpr double kHalfUlp = 0x1p-53;  // u: relative, of one rounding
 
 // ∫ 2 min(p (1 − t) + q t, 0) dt over 0 ≤ t ≤ 1, rounded three times at most; it changes by no more
-// than twice what p and q change by.
+// than p and q change by, together.
 double integral_below(double p, double q) {
   if (p <= 0 && q <= 0) return p + q;
   if (p >= 0 && q >= 0) return 0;
@@ -193,7 +198,7 @@ double sections::overlap_ratio(const OverlapRegion& a, const OverlapRegion& b) {
     const Interval ratio = quotient(areas.overlap, areas.smaller);
     const double rounded = sections::to_reported_bits(ratio.lo);
     if (ratio.lo > 0 && rounded == sections::to_reported_bits(ratio.hi)) return rounded;
-    if (areas.pairs > kMostExactPairs) {
+    if (areas.pairs > kMostExactPairs && ratio.hi - ratio.lo <= kRatioError / 2 * ratio.lo) {
       return std::min(sections::to_reported_bits(ratio.lo + (ratio.hi - ratio.lo) / 2), 1.0);
     }
   }

@@ -52,5 +52,7 @@ class OverlapRegion {
 [[nodiscard]] std::array<Sign, 2> compare_overlap(const OverlapRegion& a, const OverlapRegion& b,
                                                   const std::array<double, 2>& taus);
 [[nodiscard]] double overlap_ratio(const OverlapRegion& a, const OverlapRegion& b);
+/// The exact ratio differs from overlap_ratio() by less than this part of it.
+inline constexpr double kRatioError = 0x1p-20;
 
 }  // namespace tetloft::internal::sections

@@ -42,7 +42,6 @@ TEST(FittedNumber, IsExactWhereItFitsAndHasAPoint) {
   EXPECT_EQ(io::fitted_number(123456.789012345678, 12), "123456.78901");
 }
 
-// Against the nearest by another way: the C library's, with as many digits as leave the field full.
 // Also where float32, of few digits, has no such difference.
 TEST(FittedCoordinates, TellTheLargestDifference) {
   for (const double scale : {1.0, 1e300, 1e-100}) {
@@ -60,6 +59,7 @@ TEST(FittedCoordinates, TellTheLargestDifference) {
   }
 }
 
+// Against the nearest by another way: the C library's, with as many digits as leave the field full.
 TEST(FittedNumber, IsTheNearestOfTheField) {
   std::vector<double> values = test::hard_doubles();
   values.insert(values.end(), {0x1.fffffffffffffp1023, 9.9999999999999982, 0.0099999999999999985,

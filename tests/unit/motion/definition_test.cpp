@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "unit/motion/distance_oracle.hpp"
 #include "unit/motion/motion_stacks.hpp"
 
 namespace tetloft::testing {
@@ -18,26 +19,7 @@ using namespace internal;
 namespace {
 
 double distance_at(const Section& section, double step, double x, double y) {
-  double least = 16;
-  int passed = 0;
-  for (const Contour& contour : section.contours) {
-    for (std::size_t v = 0; v < contour.vertices.size(); ++v) {
-      const Point2& p = contour.vertices[v];
-      const Point2& q = contour.vertices[(v + 1) % contour.vertices.size()];
-      Point2 a{p.x / step, p.y / step};
-      Point2 b{q.x / step, q.y / step};
-      if (a == b) continue;
-      if (canonical_less(b, a)) std::swap(a, b);
-      const Point2 d{b.x - a.x, b.y - a.y};
-      const Point2 to{x - a.x, y - a.y};
-      const double t = std::clamp((to.x * d.x + to.y * d.y) / (d.x * d.x + d.y * d.y), 0.0, 1.0);
-      const Point2 e{to.x - t * d.x, to.y - t * d.y};
-      least = std::min(least, e.x * e.x + e.y * e.y);
-      if (a.y > b.y) std::swap(a, b);
-      if (a.y <= y && y < b.y && a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x) <= x) ++passed;
-    }
-  }
-  return passed % 2 == 0 ? std::sqrt(least) : -std::sqrt(least);
+  return distance_by_all_edges(section, step, {x, y}, 4);
 }
 
 double interpolated(const Section& section, double step, double x, double y) {

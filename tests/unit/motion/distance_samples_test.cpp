@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <utility>
 
 #include "core/prng.hpp"
+#include "unit/motion/distance_oracle.hpp"
 #include "unit/motion/motion_stacks.hpp"
 
 namespace tetloft::testing {
@@ -64,35 +64,6 @@ TEST(DistanceSamples, OfNothingAreFarOutside) {
   EXPECT_EQ(samples.value, std::vector<double>(6, motion::kFarthest));
 }
 
-// As the README defines D, edge by edge, for comparison bit by bit.
-double by_all_edges(const Section& section, double step, std::int64_t i, std::int64_t j,
-                    double farthest) {
-  const Point2 at{static_cast<double>(i), static_cast<double>(j)};
-  double least = farthest * farthest;
-  bool inside = false;
-  for (const Contour& contour : section.contours) {
-    for (std::size_t v = 0; v < contour.vertices.size(); ++v) {
-      const Point2& p = contour.vertices[v];
-      const Point2& q = contour.vertices[(v + 1) % contour.vertices.size()];
-      Point2 a{p.x / step, p.y / step};
-      Point2 b{q.x / step, q.y / step};
-      if (a == b) continue;
-      if (canonical_less(b, a)) std::swap(a, b);
-      const Point2 d{b.x - a.x, b.y - a.y};
-      const Point2 from{at.x - a.x, at.y - a.y};
-      const double t =
-          std::clamp((from.x * d.x + from.y * d.y) / (d.x * d.x + d.y * d.y), 0.0, 1.0);
-      const Point2 e{from.x - t * d.x, from.y - t * d.y};
-      least = std::min(least, e.x * e.x + e.y * e.y);
-      const auto [l, h] = a.y < b.y ? std::pair(a, b) : std::pair(b, a);
-      if (l.y <= at.y && at.y < h.y && l.x + (at.y - l.y) / (h.y - l.y) * (h.x - l.x) <= at.x) {
-        inside = !inside;
-      }
-    }
-  }
-  return inside ? -std::sqrt(least) : std::sqrt(least);
-}
-
 // A star-shaped polygon, jagged or smooth; or with its vertices on a lattice.
 Contour star(Prng& prng, std::size_t vertices, double lattice) {
   const bool smooth = prng.chance(0.5);
@@ -118,7 +89,9 @@ void expect_by_all_edges(const Section& section, double step, double farthest) {
   for (std::int64_t j = window.j0; j < window.j1; ++j) {
     std::int64_t count = 0;
     for (std::int64_t i = window.i0; i < window.i1; ++i) {
-      ASSERT_EQ(*samples.at(i, j), by_all_edges(section, step, i, j, farthest)) << i << ' ' << j;
+      const Point2 at{static_cast<double>(i), static_cast<double>(j)};
+      ASSERT_EQ(*samples.at(i, j), distance_by_all_edges(section, step, at, farthest))
+          << i << ' ' << j;
       const auto runs = inside.row(j);
       const auto in_runs = std::count_if(
           runs.begin(), runs.end(), [&](const auto& run) { return run.first <= i && i < run.end; });
@@ -127,10 +100,14 @@ void expect_by_all_edges(const Section& section, double step, double farthest) {
     }
     for (std::int64_t i = window.i0; i < window.i1; ++i) {
       constexpr auto kTile = static_cast<std::int64_t>(DistanceSamples::kTile);
-      const auto tile = static_cast<std::size_t>((j - window.j0) / kTile) * samples.tiles_in_row() +
-                        static_cast<std::size_t>((i - window.i0) / kTile);
-      const bool is_near = std::abs(*samples.at(i, j)) < farthest;
-      ASSERT_TRUE(!is_near || samples.near[tile] != 0) << i << ' ' << j;
+      const std::int64_t row = (j - window.j0) / kTile;
+      const std::int64_t column = (i - window.i0) / kTile;
+      const auto tile =
+          static_cast<std::size_t>(row) * samples.tiles_in_row() + static_cast<std::size_t>(column);
+      if (samples.near[tile] != 0) continue;
+      ASSERT_EQ(std::abs(*samples.at(i, j)), farthest) << i << ' ' << j;
+      const double* const first = samples.at(window.i0 + kTile * column, window.j0 + kTile * row);
+      ASSERT_EQ(*samples.at(i, j), *first) << i << ' ' << j;
     }
     std::int64_t length = 0;
     for (const auto& run : inside.row(j)) length += run.end - run.first;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/slabs/cases.hpp"
@@ -93,6 +94,26 @@ TEST(Refinement, OfContoursChangesNeitherComponentsNorGenus) {
     EXPECT_EQ(coarse->report.genus, genus);
     EXPECT_EQ(fine->report.genus, genus);
   }
+}
+
+TEST(Reconstruct, OfAValidStackGivesTheModelOfTheStack) {
+  const SectionStack stack = sample("torus.cnt");
+  const auto valid = ValidStack::of(stack);
+  ASSERT_TRUE(valid.ok());
+  const auto result = reconstruct(*valid);
+  const auto expected = reconstruct(stack);
+  ASSERT_TRUE(result.ok() && expected.ok());
+  EXPECT_EQ(result->model.points.raw(), expected->model.points.raw());
+  EXPECT_EQ(result->model.tets.raw(), expected->model.tets.raw());
+}
+
+TEST(Reconstruct, RefusesWhatIsLeftOfAValidStack) {
+  auto valid = ValidStack::of(sample("torus.cnt"));
+  ASSERT_TRUE(valid.ok());
+  EXPECT_FALSE((*std::move(valid)).take().sections.empty());
+  const auto result = reconstruct(*valid);
+  ASSERT_FALSE(result.ok());
+  EXPECT_EQ(to_string(result.error()), to_string(reconstruct(SectionStack()).error()));
 }
 
 TEST(Report, CountsWhatTheModelHolds) {

@@ -313,6 +313,22 @@ TEST(ValidStack, HoldsWhatValidateAcceptsAndItsNestings) {
   }
 }
 
+TEST(ValidStack, IsEmptyOnceItIsMovedFrom) {
+  const SectionStack given = generate(all_kinds().front(), 3).stack;
+  ValidStack first = *ValidStack::of(given);
+  ValidStack second = std::move(first);
+  EXPECT_TRUE(first.stack().sections.empty());
+  EXPECT_TRUE(first.nestings().empty());
+  first = second;
+  EXPECT_EQ(first.nestings().size(), given.sections.size());
+  second = std::move(first);
+  EXPECT_TRUE(first.stack().sections.empty());
+  EXPECT_TRUE(first.nestings().empty());
+  EXPECT_EQ(std::move(second).take().sections.size(), given.sections.size());
+  EXPECT_TRUE(second.stack().sections.empty());
+  EXPECT_TRUE(second.nestings().empty());
+}
+
 TEST(ValidStack, IsRefusedAsByValidate) {
   SectionStack broken = generate(all_kinds().front(), 3).stack;
   std::vector<Point2>& vertices = broken.sections[SectionId(0)].contours[ContourId(0)].vertices;
