@@ -26,7 +26,7 @@ constexpr std::size_t kTetsOfPart = std::size_t{1} << 13;
 constexpr std::size_t kPartsOfRound = 32;
 
 // Short enough to stay in cache, twice, while its slots are sorted.
-constexpr std::size_t kSlotsOfStretch = std::size_t{1} << 14;
+constexpr std::size_t kSlotsOfStretch = std::size_t{1} << 15;
 constexpr std::size_t kMostStretches = 1024;
 // So many slots before one is renumbered what is asked of its neighbours is fetched.
 constexpr std::size_t kSlotsAhead = 16;
