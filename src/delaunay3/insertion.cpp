@@ -74,46 +74,60 @@ TetId Inserter::walk(const Point3& p, const Use& use) {
   }
 }
 
+// In waves: all tets that joined the zone in the last one show their neighbours, then these are
+// decided, two at a time. Whether a tet is in conflict is a coin toss for the processor, and so is
+// whether a neighbour was seen before: each is written where the next of its kind goes, and the
+// counts, not branches, tell which ones stay.
 template <class Use>
 bool Inserter::collect_conflict_zone(const Point3& p, TetId start, const Use& use) {
-  // Whether a tet is in conflict is a coin toss for the processor: both outcomes are written
-  // where the next of their kind goes, and the counts, not a branch, tell which one stays.
   conflict_.resize(kRoom);
   horizon_.resize(kRoom);
-  std::size_t in_zone = 1;
-  std::size_t on_horizon = 0;
+  seen_.resize(kRoom);
   conflict_[0] = start;
   mark(start) = Mark::in_conflict;
-  // The zone is its own queue: tets before `next` have all their neighbours decided.
-  for (std::size_t next = 0; next < in_zone; ++next) {
-    if (in_zone + 4 > conflict_.size()) conflict_.resize(2 * conflict_.size());
-    if (on_horizon + 4 > horizon_.size()) horizon_.resize(2 * horizon_.size());
-    const TetId t = conflict_[next];
-    if (!use.owns(*tets_, t)) {
-      conflict_.resize(in_zone);
-      horizon_.resize(on_horizon);
-      unmark_zone();
-      return false;
-    }
-    for (std::size_t i = 0; i < 4; ++i) {
-      const HalfFaceId across = tets_->slot(t).opposite[i];
-      const TetId neighbour = TetMesh::tet_of(across);
-      const Mark known = mark(neighbour);
-      if (known == Mark::in_conflict) continue;
-      horizon_[on_horizon] = {across, half_face(t, i), TetId()};
-      if (known == Mark::outside) {
-        ++on_horizon;
-        continue;
+  std::size_t in_zone = 1;
+  std::size_t facets = 0;
+  for (std::size_t next = 0; next < in_zone;) {
+    std::size_t seen = 0;
+    for (; next < in_zone; ++next) {
+      if (facets + 4 > horizon_.size()) horizon_.resize(2 * horizon_.size());
+      if (seen + 4 > seen_.size()) seen_.resize(2 * seen_.size());
+      const TetId t = conflict_[next];
+      if (!use.owns(*tets_, t)) {
+        conflict_.resize(in_zone);
+        horizon_.resize(facets);
+        unmark_zone();
+        return false;
       }
-      const auto in = static_cast<std::size_t>(in_conflict(neighbour, p));
-      mark(neighbour) = static_cast<Mark>(2 - in);
-      conflict_[in_zone] = neighbour;
-      fetch_neighbours(neighbour);
-      in_zone += in;
-      on_horizon += 1 - in;
+      for (std::size_t i = 0; i < 4; ++i) {
+        const HalfFaceId across = tets_->slot(t).opposite[i];
+        const TetId neighbour = TetMesh::tet_of(across);
+        Mark& known = mark(neighbour);
+        const std::size_t inside{known == Mark::in_conflict};
+        const std::size_t unvisited{known == Mark::unvisited};
+        known = static_cast<Mark>(2 - inside);
+        horizon_[facets] = {across, half_face(t, i), TetId()};
+        seen_[seen] = neighbour;
+        facets += 1 - inside;
+        seen += unvisited;
+      }
+    }
+    if (in_zone + seen > conflict_.size()) conflict_.resize(2 * (in_zone + seen));
+    for (std::size_t k = 0; k < seen; k += 2) {
+      const bool two = k + 1 < seen;
+      const std::array<TetId, 2> pair{seen_[k], seen_[two ? k + 1 : k]};
+      const std::array<bool, 2> in = in_conflict(pair, p);
+      add_to_zone(pair[0], in[0], in_zone);
+      if (two) add_to_zone(pair[1], in[1], in_zone);
     }
   }
   conflict_.resize(in_zone);
+  // Whose outer tet joined the zone later is none.
+  std::size_t on_horizon = 0;
+  for (std::size_t k = 0; k < facets; ++k) {
+    horizon_[on_horizon] = horizon_[k];
+    on_horizon += mark(TetMesh::tet_of(horizon_[k].outer)) == Mark::outside ? 1U : 0U;
+  }
   horizon_.resize(on_horizon);
   return true;
 }
@@ -129,6 +143,28 @@ void Inserter::fetch_neighbours(TetId t) const {
     core::prefetch(&tets_->slot(TetMesh::tet_of(across)));
     core::prefetch(&tets_->mark(TetMesh::tet_of(across)));
   }
+}
+
+void Inserter::add_to_zone(TetId t, bool in, std::size_t& in_zone) {
+  const std::size_t more{in};
+  mark(t) = static_cast<Mark>(2 - more);
+  conflict_[in_zone] = t;
+  fetch_neighbours(t);
+  in_zone += more;
+}
+
+std::array<bool, 2> Inserter::in_conflict(const std::array<TetId, 2>& pair, const Point3& p) const {
+  if (is_ghost(pair[0]) || is_ghost(pair[1])) {
+    return {in_conflict(pair[0], p), in_conflict(pair[1], p)};
+  }
+  const TetVertices& s = tet(pair[0]);
+  const TetVertices& t = tet(pair[1]);
+  const std::array<int, 2> sign =
+      tets_->filter().insphere({&point(s[0]), &point(s[1]), &point(s[2]), &point(s[3])},
+                               {&point(t[0]), &point(t[1]), &point(t[2]), &point(t[3])}, p);
+  if (sign[0] != 0 && sign[1] != 0) return {sign[0] > 0, sign[1] > 0};
+  return {sign[0] != 0 ? sign[0] > 0 : in_doubtful_sphere(s, p),
+          sign[1] != 0 ? sign[1] > 0 : in_doubtful_sphere(t, p)};
 }
 
 bool Inserter::in_conflict(TetId t, const Point3& p) const {
@@ -152,6 +188,14 @@ bool Inserter::in_sphere(const TetVertices& tet, const Point3& p) const {
   const Point3& c = point(tet[2]);
   const Point3& d = point(tet[3]);
   if (const int s = tets_->filter().insphere(a, b, c, d, p); s != 0) return s > 0;
+  return in_doubtful_sphere(tet, p);
+}
+
+bool Inserter::in_doubtful_sphere(const TetVertices& tet, const Point3& p) const {
+  const Point3& a = point(tet[0]);
+  const Point3& b = point(tet[1]);
+  const Point3& c = point(tet[2]);
+  const Point3& d = point(tet[3]);
   if (tets_->filter().is_exact()) {
     return predicates::perturbed_insphere_of_cospherical(tets_->filter(), a, b, c, d, p) ==
            Sign::positive;

@@ -117,9 +117,14 @@ class Inserter {
   // Returns one of them, finite.
   TetId star_cavity(VertexId v);
 
+  void add_to_zone(TetId t, bool in, std::size_t& in_zone);
+  [[nodiscard]] std::array<bool, 2> in_conflict(const std::array<TetId, 2>& pair,
+                                                const Point3& p) const;
   [[nodiscard]] bool in_conflict(TetId t, const Point3& p) const;
   [[nodiscard]] bool in_ghost_conflict(TetId t, const Point3& p) const;
   [[nodiscard]] bool in_sphere(const TetVertices& tet, const Point3& p) const;
+  // Where the first filter does not tell.
+  [[nodiscard]] bool in_doubtful_sphere(const TetVertices& tet, const Point3& p) const;
   // As orient3d; for points of the set only.
   [[nodiscard]] Sign orientation(const Point3& a, const Point3& b, const Point3& c,
                                  const Point3& d) const {
@@ -175,6 +180,7 @@ class Inserter {
   // Scratch of one insertion.
   std::vector<TetId> conflict_;
   std::vector<HorizonFacet> horizon_;
+  std::vector<TetId> seen_;
   // The vertices of the horizon by number, the ghost apart.
   std::array<VertexId, kTableSide> horizon_vertices_;
   std::size_t horizon_vertex_count_ = 0;

@@ -6,6 +6,8 @@
 // included, is final.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <span>
 
 #include <tetloft/point.hpp>
@@ -13,6 +15,7 @@
 
 #include "predicates/determinants.hpp"
 #include "predicates/filter.hpp"
+#include "predicates/two_doubles.hpp"
 
 namespace tetloft::internal::predicates {
 
@@ -39,6 +42,19 @@ class SetFilter {
         insphere_determinant(a.x - e.x, a.y - e.y, a.z - e.z, b.x - e.x, b.y - e.y, b.z - e.z,
                              c.x - e.x, c.y - e.y, c.z - e.z, d.x - e.x, d.y - e.y, d.z - e.z),
         insphere_bound_);
+  }
+
+  /// The same of two simplices and one point.
+  [[nodiscard]] std::array<int, 2> insphere(const std::array<const Point3*, 4>& s,
+                                            const std::array<const Point3*, 4>& t,
+                                            const Point3& e) const {
+    const auto x = [&](std::size_t i) { return TwoDoubles(s[i]->x, t[i]->x) - TwoDoubles(e.x, e.x); };
+    const auto y = [&](std::size_t i) { return TwoDoubles(s[i]->y, t[i]->y) - TwoDoubles(e.y, e.y); };
+    const auto z = [&](std::size_t i) { return TwoDoubles(s[i]->z, t[i]->z) - TwoDoubles(e.z, e.z); };
+    const TwoDoubles both = insphere_determinant(x(0), y(0), z(0), x(1), y(1), z(1), x(2), y(2),
+                                                 z(2), x(3), y(3), z(3));
+    return {certain_sign(both.first(), insphere_bound_),
+            certain_sign(both.second(), insphere_bound_)};
   }
 
  private:
