@@ -25,7 +25,8 @@ constexpr std::size_t kTetsOfPart = std::size_t{1} << 13;
 // Parts that the mesh grows by at a time, after which the slots they were read from are given back.
 constexpr std::size_t kPartsOfRound = 32;
 
-// Short enough to stay in cache, twice, while its slots are sorted.
+// Short enough for its slots to stay in cache while they are sorted, long enough for what is left
+// of a page where they are given back not to matter.
 constexpr std::size_t kSlotsOfStretch = std::size_t{1} << 15;
 constexpr std::size_t kMostStretches = 1024;
 // So many slots before one is renumbered what is asked of its neighbours is fetched.
@@ -98,8 +99,8 @@ class Renumbering {
       if (!across.valid()) continue;
       const std::size_t neighbour = across.index() >> 2;
       if (canonical_.name[neighbour] == CanonicalNames::kNone) continue;  // the face is on the hull
-      result.opposite[canonical_.place(t, face)] =
-          HalfFaceId(4 * canonical_.name[neighbour] + canonical_.place(neighbour, across.index() & 3U));
+      result.opposite[canonical_.place(t, face)] = HalfFaceId(
+          4 * canonical_.name[neighbour] + canonical_.place(neighbour, across.index() & 3U));
     }
     return result;
   }
@@ -142,10 +143,9 @@ class Renumbering {
       const std::uint32_t* begin = &part_begin_[k * (parts_ + 1) + part];
       for (const TetSlot& slot : built_.subspan(begin[0], begin[1] - begin[0])) {
         const std::uint32_t name = slot.vertices[0].value();
-        tets_[name] = {names_.input_of[lowest[name % kTetsOfPart]],
-                       names_.input_of[slot.vertices[1].index()],
-                       names_.input_of[slot.vertices[2].index()],
-                       names_.input_of[slot.vertices[3].index()]};
+        tets_[name] = {
+            names_.input_of[lowest[name % kTetsOfPart]], names_.input_of[slot.vertices[1].index()],
+            names_.input_of[slot.vertices[2].index()], names_.input_of[slot.vertices[3].index()]};
         std::copy(slot.opposite.begin(), slot.opposite.end(),
                   opposite_.begin() + std::ptrdiff_t{4} * name);
       }

@@ -1,8 +1,8 @@
 // See canonical_names.hpp.
 //
-// Tets are named vertex by vertex: each belongs to its vertex of lowest rank, in a list. The tets of
-// a vertex are near each other in the engine's order, and so are those of the engine's next vertex,
-// while those of the next rank are far away.
+// Tets are named vertex by vertex: each belongs to its vertex of lowest rank, in a list. The tets
+// of a vertex are near each other in the engine's order, and so are those of the engine's next
+// vertex, while those of the next rank are far away.
 #include "delaunay3/canonical_names.hpp"
 
 #include <algorithm>
@@ -122,17 +122,22 @@ class Naming {
       std::array<std::uint32_t, 4> rank;
       for (std::size_t k = 0; k < 4; ++k) rank[k] = rank_of_[tet[k].index()];
       names_.places[t] = places_of(rank);
-      const TetVertices engines = tet;
-      VertexId lowest;
-      std::array<VertexId, 4> by_place;
-      for (std::size_t k = 0; k < 4; ++k) {
-        tet[names_.place(t, k)] = VertexId(rank[k]);
-        by_place[names_.place(t, k)] = engines[k];
-      }
-      lowest = by_place[0];
+      const VertexId lowest = put_in_order(tet, rank, t);
       count(names_.begin[tet[0].index()]);
       names_.name[t] = put_first(latest_[lowest.index()], static_cast<std::uint32_t>(t));
     }
+  }
+
+  // The ranks to their places; returns the vertex of the lowest.
+  VertexId put_in_order(TetVertices& tet, const std::array<std::uint32_t, 4>& rank, std::size_t t) {
+    TetVertices vertex;
+    TetVertices ranked;
+    for (std::size_t k = 0; k < 4; ++k) {
+      vertex[names_.place(t, k)] = tet[k];
+      ranked[names_.place(t, k)] = VertexId(rank[k]);
+    }
+    tet = ranked;
+    return vertex[0];
   }
 
   // Another thread may do the same to the same items: the lists' order does not matter.
@@ -219,8 +224,8 @@ class Naming {
   std::span<const std::uint32_t> rank_of_;
   unsigned threads_;
   bool alone_;
-  // The tets of lowest vertex v: slot latest_[v], and after slot t slot names_.name[t], where it has
-  // no name yet.
+  // The tets of lowest vertex v: slot latest_[v], and after slot t slot names_.name[t], where it
+  // has no name yet.
   std::vector<std::uint32_t> latest_;
   CanonicalNames names_;
 };

@@ -149,7 +149,7 @@ std::vector<std::uint32_t> identity(std::size_t n) {
 // The most tets an engine may make: as many as their half-faces have numbers for, and as
 // canonical_mesh() has names for, or fewer.
 std::size_t bound_on_tets(std::size_t most_tets) {
-  constexpr std::size_t kMaxTets = delaunay3_detail::kMostTets;
+  constexpr std::size_t kMaxTets = delaunay3_detail::kMostNamedTets;
   return most_tets == 0 ? kMaxTets : std::min(kMaxTets, most_tets);
 }
 

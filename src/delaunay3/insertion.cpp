@@ -74,10 +74,10 @@ TetId Inserter::walk(const Point3& p, const Use& use) {
   }
 }
 
-// In waves: all tets that joined the zone in the last one show their neighbours, then these are
-// decided, two at a time. Whether a tet is in conflict is a coin toss for the processor, and so is
-// whether a neighbour was seen before: each is written where the next of its kind goes, and the
-// counts, not branches, tell which ones stay.
+// In waves: all tets that joined the zone in the last one show their neighbours, then those that
+// were not seen before are decided, two at a time. Whether a tet was seen, or is in conflict, is a
+// coin toss for the processor: each is written where the next of its kind goes, and the counts, not
+// a branch, tell which ones stay.
 template <class Use>
 bool Inserter::collect_conflict_zone(const Point3& p, TetId start, const Use& use) {
   conflict_.resize(kRoom);
@@ -85,51 +85,72 @@ bool Inserter::collect_conflict_zone(const Point3& p, TetId start, const Use& us
   seen_.resize(kRoom);
   conflict_[0] = start;
   mark(start) = Mark::in_conflict;
-  std::size_t in_zone = 1;
-  std::size_t facets = 0;
-  for (std::size_t next = 0; next < in_zone;) {
-    std::size_t seen = 0;
-    for (; next < in_zone; ++next) {
-      if (facets + 4 > horizon_.size()) horizon_.resize(2 * horizon_.size());
-      if (seen + 4 > seen_.size()) seen_.resize(2 * seen_.size());
-      const TetId t = conflict_[next];
-      if (!use.owns(*tets_, t)) {
-        conflict_.resize(in_zone);
-        horizon_.resize(facets);
-        unmark_zone();
-        return false;
-      }
-      for (std::size_t i = 0; i < 4; ++i) {
-        const HalfFaceId across = tets_->slot(t).opposite[i];
-        const TetId neighbour = TetMesh::tet_of(across);
-        Mark& known = mark(neighbour);
-        const std::size_t inside{known == Mark::in_conflict};
-        const std::size_t unvisited{known == Mark::unvisited};
-        known = static_cast<Mark>(2 - inside);
-        horizon_[facets] = {across, half_face(t, i), TetId()};
-        seen_[seen] = neighbour;
-        facets += 1 - inside;
-        seen += unvisited;
-      }
+  Counts count{.in_zone = 1};
+  bool usable = true;
+  for (std::size_t next = 0; usable && next < count.in_zone;) {
+    count.seen = 0;
+    for (; usable && next < count.in_zone; ++next) {
+      usable = use.owns(*tets_, conflict_[next]);
+      if (usable) show_neighbours(conflict_[next], count);
     }
-    if (in_zone + seen > conflict_.size()) conflict_.resize(2 * (in_zone + seen));
-    for (std::size_t k = 0; k < seen; k += 2) {
-      const bool two = k + 1 < seen;
-      const std::array<TetId, 2> pair{seen_[k], seen_[two ? k + 1 : k]};
-      const std::array<bool, 2> in = in_conflict(pair, p);
-      add_to_zone(pair[0], in[0], in_zone);
-      if (two) add_to_zone(pair[1], in[1], in_zone);
-    }
+    if (usable) decide_seen(p, count);
   }
-  conflict_.resize(in_zone);
-  // Whose outer tet joined the zone later is none.
-  std::size_t on_horizon = 0;
-  for (std::size_t k = 0; k < facets; ++k) {
-    horizon_[on_horizon] = horizon_[k];
-    on_horizon += mark(TetMesh::tet_of(horizon_[k].outer)) == Mark::outside ? 1U : 0U;
+  conflict_.resize(count.in_zone);
+  horizon_.resize(count.facets);
+  if (usable) {
+    drop_inner_facets();
+  } else {
+    unmark_zone();
   }
-  horizon_.resize(on_horizon);
-  return true;
+  return usable;
+}
+
+void Inserter::show_neighbours(TetId t, Counts& count) {
+  if (count.facets + 4 > horizon_.size()) horizon_.resize(2 * horizon_.size());
+  if (count.seen + 4 > seen_.size()) seen_.resize(2 * seen_.size());
+  for (std::size_t i = 0; i < 4; ++i) {
+    const HalfFaceId across = tets_->slot(t).opposite[i];
+    const TetId neighbour = TetMesh::tet_of(across);
+    Mark& known = mark(neighbour);
+    const std::size_t inside{known == Mark::in_conflict};
+    const std::size_t unvisited{known == Mark::unvisited};
+    known = static_cast<Mark>(2 - inside);
+    horizon_[count.facets] = {across, half_face(t, i), TetId()};
+    seen_[count.seen] = neighbour;
+    count.facets += 1 - inside;
+    count.seen += unvisited;
+  }
+}
+
+void Inserter::decide_seen(const Point3& p, Counts& count) {
+  const std::size_t most = count.in_zone + count.seen;
+  if (most > conflict_.size()) conflict_.resize(2 * most);
+  const auto decide = [&](TetId t, bool in) {
+    const std::size_t more{in};
+    mark(t) = static_cast<Mark>(2 - more);
+    conflict_[count.in_zone] = t;
+    fetch_neighbours(t);
+    count.in_zone += more;
+  };
+  for (std::size_t k = 0; k + 1 < count.seen; k += 2) {
+    const std::array<bool, 2> in = are_in_conflict(seen_[k], seen_[k + 1], p);
+    decide(seen_[k], in[0]);
+    decide(seen_[k + 1], in[1]);
+  }
+  if (count.seen % 2 != 0) {
+    const TetId last = seen_[count.seen - 1];
+    decide(last, is_in_conflict(last, p));
+  }
+}
+
+// Those whose outer tet joined the zone after the inner one.
+void Inserter::drop_inner_facets() {
+  std::size_t kept = 0;
+  for (const HorizonFacet& facet : horizon_) {
+    horizon_[kept] = facet;
+    kept += std::size_t{mark(TetMesh::tet_of(facet.outer)) == Mark::outside};
+  }
+  horizon_.resize(kept);
 }
 
 void Inserter::unmark_zone() {
@@ -145,30 +166,19 @@ void Inserter::fetch_neighbours(TetId t) const {
   }
 }
 
-void Inserter::add_to_zone(TetId t, bool in, std::size_t& in_zone) {
-  const std::size_t more{in};
-  mark(t) = static_cast<Mark>(2 - more);
-  conflict_[in_zone] = t;
-  fetch_neighbours(t);
-  in_zone += more;
-}
-
-std::array<bool, 2> Inserter::in_conflict(const std::array<TetId, 2>& pair, const Point3& p) const {
-  if (is_ghost(pair[0]) || is_ghost(pair[1])) {
-    return {in_conflict(pair[0], p), in_conflict(pair[1], p)};
-  }
-  const TetVertices& s = tet(pair[0]);
-  const TetVertices& t = tet(pair[1]);
-  const std::array<int, 2> sign =
-      tets_->filter().insphere({&point(s[0]), &point(s[1]), &point(s[2]), &point(s[3])},
-                               {&point(t[0]), &point(t[1]), &point(t[2]), &point(t[3])}, p);
-  if (sign[0] != 0 && sign[1] != 0) return {sign[0] > 0, sign[1] > 0};
-  return {sign[0] != 0 ? sign[0] > 0 : in_doubtful_sphere(s, p),
-          sign[1] != 0 ? sign[1] > 0 : in_doubtful_sphere(t, p)};
-}
-
-bool Inserter::in_conflict(TetId t, const Point3& p) const {
+bool Inserter::is_in_conflict(TetId t, const Point3& p) const {
   return is_ghost(t) ? in_ghost_conflict(t, p) : in_sphere(tet(t), p);
+}
+
+std::array<bool, 2> Inserter::are_in_conflict(TetId s, TetId t, const Point3& p) const {
+  if (is_ghost(s) || is_ghost(t)) return {is_in_conflict(s, p), is_in_conflict(t, p)};
+  const auto corners = [&](const TetVertices& tet) {
+    return std::array{&point(tet[0]), &point(tet[1]), &point(tet[2]), &point(tet[3])};
+  };
+  const std::array<int, 2> sign = tets_->filter().insphere(corners(tet(s)), corners(tet(t)), p);
+  if (sign[0] != 0 && sign[1] != 0) return {sign[0] > 0, sign[1] > 0};
+  return {sign[0] != 0 ? sign[0] > 0 : in_doubtful_sphere(tet(s), p),
+          sign[1] != 0 ? sign[1] > 0 : in_doubtful_sphere(tet(t), p)};
 }
 
 bool Inserter::in_ghost_conflict(TetId t, const Point3& p) const {

@@ -111,16 +111,26 @@ class Inserter {
   // has tets that are not to be used.
   template <class Use>
   bool collect_conflict_zone(const Point3& p, TetId start, const Use& use);
+  // How far the scratch arrays are filled.
+  struct Counts {
+    std::size_t in_zone = 0;
+    std::size_t facets = 0;
+    std::size_t seen = 0;
+  };
+  // Lists the neighbours of t, of the zone, that were not seen before, and the facets across which
+  // no tet of the zone is known.
+  void show_neighbours(TetId t, Counts& count);
+  // Which of them are in conflict.
+  void decide_seen(const Point3& p, Counts& count);
+  void drop_inner_facets();
   void fetch_neighbours(TetId t) const;
   void unmark_zone();
   // Replaces the conflict zone by the tets that join the horizon to v, whose slots are taken.
   // Returns one of them, finite.
   TetId star_cavity(VertexId v);
 
-  void add_to_zone(TetId t, bool in, std::size_t& in_zone);
-  [[nodiscard]] std::array<bool, 2> in_conflict(const std::array<TetId, 2>& pair,
-                                                const Point3& p) const;
-  [[nodiscard]] bool in_conflict(TetId t, const Point3& p) const;
+  [[nodiscard]] bool is_in_conflict(TetId t, const Point3& p) const;
+  [[nodiscard]] std::array<bool, 2> are_in_conflict(TetId s, TetId t, const Point3& p) const;
   [[nodiscard]] bool in_ghost_conflict(TetId t, const Point3& p) const;
   [[nodiscard]] bool in_sphere(const TetVertices& tet, const Point3& p) const;
   // Where the first filter does not tell.
@@ -180,7 +190,7 @@ class Inserter {
   // Scratch of one insertion.
   std::vector<TetId> conflict_;
   std::vector<HorizonFacet> horizon_;
-  std::vector<TetId> seen_;
+  std::vector<TetId> seen_;  // in one wave, and not decided yet
   // The vertices of the horizon by number, the ghost apart.
   std::array<VertexId, kTableSide> horizon_vertices_;
   std::size_t horizon_vertex_count_ = 0;

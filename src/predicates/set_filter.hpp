@@ -48,9 +48,15 @@ class SetFilter {
   [[nodiscard]] std::array<int, 2> insphere(const std::array<const Point3*, 4>& s,
                                             const std::array<const Point3*, 4>& t,
                                             const Point3& e) const {
-    const auto x = [&](std::size_t i) { return TwoDoubles(s[i]->x, t[i]->x) - TwoDoubles(e.x, e.x); };
-    const auto y = [&](std::size_t i) { return TwoDoubles(s[i]->y, t[i]->y) - TwoDoubles(e.y, e.y); };
-    const auto z = [&](std::size_t i) { return TwoDoubles(s[i]->z, t[i]->z) - TwoDoubles(e.z, e.z); };
+    const auto x = [&](std::size_t i) {
+      return TwoDoubles(s[i]->x, t[i]->x) - TwoDoubles(e.x, e.x);
+    };
+    const auto y = [&](std::size_t i) {
+      return TwoDoubles(s[i]->y, t[i]->y) - TwoDoubles(e.y, e.y);
+    };
+    const auto z = [&](std::size_t i) {
+      return TwoDoubles(s[i]->z, t[i]->z) - TwoDoubles(e.z, e.z);
+    };
     const TwoDoubles both = insphere_determinant(x(0), y(0), z(0), x(1), y(1), z(1), x(2), y(2),
                                                  z(2), x(3), y(3), z(3));
     return {certain_sign(both.first(), insphere_bound_),
