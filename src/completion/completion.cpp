@@ -4,6 +4,7 @@
 #include <bit>
 #include <functional>
 
+#include "completion/link_discs.hpp"
 #include "core/guard.hpp"
 
 namespace tetloft::internal {
@@ -19,15 +20,9 @@ Completion::Completion(const Slab& slab, const SlabClasses& classes,
       parts_(classes.regions().size()),
       changed_(slab.vertex_count(), 0),
       queued_(slab.vertex_count(), 0),
-      sectors_(slab.vertex_count()),
       seen_(slab.tet_count(), 0),
       spoke_of_(slab.tet_count(), kHull),
-      link_vertex_(slab.vertex_count()) {
-  for (const ClassId c : IdRange<ClassId>(classes.class_count())) {
-    part_count_.push_back(classes.regions(c).size());
-  }
-  find_sectors();
-}
+      link_vertex_(slab.vertex_count()) {}
 
 std::vector<LeftApart> Completion::run() {
   settle_all();
@@ -49,20 +44,36 @@ void Completion::keep(TetId t, ClassId c) {
   for (int i = 0; i < 4; ++i) {
     if (!has_corner(mask, i)) continue;
     enqueue(slab_.vertex(t, i));
+    disc_[slab_.vertex(t, i)] = 0;
     note_change(slab_.vertex(t, i));
   }
 }
 
 // Every vertex of an active class, and what the rules want besides: as if all had been enqueued.
+// Where the link is a disc already, and nothing more is kept, there is nothing to settle.
 void Completion::settle_all() {
+  disc_ = link_discs(slab_, complex_.kept);
+  work_ += slab_.tet_count();
   for (const SlabVertexId v : slab_.vertices()) queued_[v] = active_[classes_.of(v)];
   for (const SlabVertexId v : slab_.vertices()) {
     if (queued_[v] == 0) continue;
     while (!heap_.empty() && heap_.front() < v) settle_lowest();
-    settle(v);
+    if (disc_[v] == 0) settle(v);
     queued_[v] = 0;
   }
   settle_queue();
+  attach_discs();
+}
+
+// All that is kept at the vertices nobody had to settle.
+void Completion::attach_discs() {
+  for (const TetId t : slab_.tets()) {
+    const std::uint8_t kept = complex_.kept[t];
+    if (kept == 0) continue;
+    unsigned discs = 0;
+    for (int i = 0; i < 4; ++i) discs |= static_cast<unsigned>(disc_[slab_.vertex(t, i)]) << i;
+    complex_.attached[t] = static_cast<std::uint8_t>(complex_.attached[t] | (kept & discs));
+  }
 }
 
 void Completion::settle_queue() {
@@ -77,38 +88,33 @@ void Completion::settle_lowest() {
   queued_[v] = 0;
 }
 
-void Completion::find_sectors() {
-  for (const bool upper : {false, true}) {
-    const ConformingSection& section = slab_.section(upper);
-    for (const TriangleId triangle : section.internal.ids()) {
-      if (section.internal[triangle] == 0) continue;
-      for (const PlaneVertexId v : section.triangulation.triangles[triangle]) {
-        Sector& sector = sectors_[slab_.numbering().in_slab(upper, v)];
-        if (sector.count++ == 0) sector.first = slab_.tet_on(upper, triangle);
-      }
-    }
-  }
+// Those of a vertex hang together over its internal edges, whose rings are kept: one of them leads
+// to all.
+TetId Completion::tet_on_internal_triangle(SlabVertexId p) const {
+  const bool upper = slab_.is_upper(p);
+  const ConformingSection& section = slab_.section(upper);
+  const PlaneVertexId v = slab_.in_section(p);
+  TETLOFT_CHECK(section.next[v].valid());
+  const ConformingSection::Edge& edge = section.edges[section.find_edge(v, section.next[v])];
+  const bool left = edge.left.valid() && section.internal[edge.left] != 0;
+  return slab_.tet_on(upper, left ? edge.left : edge.right);
 }
 
 // Floods the sheet at p that holds its internal triangles, and measures it on the way; the rest of
 // the star is not looked at.
 bool Completion::attach_disc(SlabVertexId p) {
-  const Sector& sector = sectors_[p];
-  if (sector.count == 0) return false;
-  const bool upper = slab_.is_upper(p);
   ++epoch_;
   LinkCount link;
-  std::uint32_t own_triangles = 0;
   sheet_.clear();
   const auto reach = [&](TetId t, int corner) {
     seen_[t] = epoch_;
     sheet_.push_back(TetMesh::half_face(t, corner));
   };
-  reach(sector.first, slab_.index_in(sector.first, p));
+  const TetId first = tet_on_internal_triangle(p);
+  reach(first, slab_.index_in(first, p));
   for (std::size_t at = 0; at < sheet_.size(); ++at) {
     const TetId t = TetMesh::tet_of(sheet_[at]);
     const int corner = TetMesh::face_of(sheet_[at]);
-    if (slab_.kind(t) == TetKind::t1_internal && slab_.has_triangle(t, upper)) ++own_triangles;
     std::array<bool, 4> edge{};
     for (int i = 0; i < 4; ++i) {
       if (i == corner) continue;
@@ -124,7 +130,7 @@ bool Completion::attach_disc(SlabVertexId p) {
     add_to_link(t, corner, edge, link);
   }
   work_ += sheet_.size();
-  if (own_triangles != sector.count || link.pinched || !link.is_euler_disc()) return false;
+  if (link.pinched || !link.is_euler_disc()) return false;
   for (const HalfFaceId at : sheet_) attach(TetMesh::tet_of(at), TetMesh::face_of(at));
   return true;
 }
@@ -154,8 +160,7 @@ void Completion::find_star(SlabVertexId p) {
     seen_[t] = epoch_;
     star_.push_back(TetMesh::half_face(t, slab_.index_in(t, p)));
   };
-  TETLOFT_CHECK(sectors_[p].count > 0);
-  reach(sectors_[p].first);
+  reach(tet_on_internal_triangle(p));
   for (std::size_t at = 0; at < star_.size(); ++at) {
     const TetId t = TetMesh::tet_of(star_[at]);
     for (int i = 0; i < 4; ++i) {

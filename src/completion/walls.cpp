@@ -17,11 +17,7 @@ void Completion::build(const std::vector<Wall>& walls) {
   }
 }
 
-void Completion::adopt(Completion&& trial) {
-  complex_ = std::move(trial.complex_);
-  parts_ = std::move(trial.parts_);
-  part_count_ = std::move(trial.part_count_);
-}
+void Completion::adopt(Completion&& trial) { complex_ = std::move(trial.complex_); }
 
 // The shortest way of tets in the star of p from t to its primary sheet; ties by the order of
 // spokes. A star is connected.
