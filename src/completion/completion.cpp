@@ -1,7 +1,6 @@
 #include "completion/completion.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <functional>
 
 #include "completion/link_discs.hpp"
@@ -21,8 +20,8 @@ Completion::Completion(const Slab& slab, const SlabClasses& classes,
       changed_(slab.vertex_count(), 0),
       queued_(slab.vertex_count(), 0),
       seen_(slab.tet_count(), 0),
-      spoke_of_(slab.tet_count(), kHull),
-      link_vertex_(slab.vertex_count()) {}
+      boundary_(slab.vertex_count()),
+      spoke_of_(slab.tet_count(), kHull) {}
 
 std::vector<LeftApart> Completion::run() {
   settle_all();
@@ -100,11 +99,11 @@ TetId Completion::tet_on_internal_triangle(SlabVertexId p) const {
   return slab_.tet_on(upper, left ? edge.left : edge.right);
 }
 
-// Floods the sheet at p that holds its internal triangles, and measures it on the way; the rest of
-// the star is not looked at.
-bool Completion::attach_disc(SlabVertexId p) {
+// Floods the primary sheet at p, and notes its boundary in the link; the rest of the star is not
+// looked at.
+Completion::LinkShape Completion::flood_sheet(SlabVertexId p) {
   ++epoch_;
-  LinkCount link;
+  boundary_.clear();
   sheet_.clear();
   const auto reach = [&](TetId t, int corner) {
     seen_[t] = epoch_;
@@ -115,40 +114,34 @@ bool Completion::attach_disc(SlabVertexId p) {
   for (std::size_t at = 0; at < sheet_.size(); ++at) {
     const TetId t = TetMesh::tet_of(sheet_[at]);
     const int corner = TetMesh::face_of(sheet_[at]);
-    std::array<bool, 4> edge{};
     for (int i = 0; i < 4; ++i) {
       if (i == corner) continue;
       const TetId across = slab_.mesh().neighbour(t, i);
-      if (across.valid() && seen_[across] == epoch_) continue;
-      const int there = across.valid() ? slab_.index_in(across, p) : 0;
-      if (across.valid() && complex_.keeps(across, there)) {
-        reach(across, there);
-      } else {
-        edge[static_cast<std::size_t>(i)] = true;
+      if (across.valid()) {
+        if (in_sheet(across)) continue;
+        const int there = slab_.index_in(across, p);
+        if (complex_.keeps(across, there)) {
+          reach(across, there);
+          continue;
+        }
       }
+      const LinkEdge& edge = link_edge(corner, i);
+      boundary_.add(slab_.vertex(t, edge.from), slab_.vertex(t, edge.to));
     }
-    add_to_link(t, corner, edge, link);
   }
   work_ += sheet_.size();
-  if (link.pinched || !link.is_euler_disc()) return false;
-  for (const HalfFaceId at : sheet_) attach(TetMesh::tet_of(at), TetMesh::face_of(at));
-  return true;
+  if (boundary_.is_pinched()) return LinkShape::pinched;
+  return boundary_.is_simple_cycle() ? LinkShape::disc : LinkShape::holed;
 }
 
 void Completion::settle(SlabVertexId p) {
-  if (attach_disc(p)) return;
-  gather_star(p);
   for (;;) {
-    find_primary_sheet();
-    const LinkShape shape = link_shape();
+    const LinkShape shape = flood_sheet(p);
     if (shape == LinkShape::disc) break;
     if (shape == LinkShape::pinched && fill_rings(p)) continue;
     if (!fill_holes(p)) break;
   }
-
-  for (std::size_t k = 0; k < spokes_.size(); ++k) {
-    if (primary_[k] != 0) attach(spokes_[k].tet, spokes_[k].corner);
-  }
+  for (const HalfFaceId c : sheet_) attach(TetMesh::tet_of(c), TetMesh::face_of(c));
 }
 
 // The corners of p by tet, over the faces at it: few stars are gathered, and lists of corners for
@@ -190,25 +183,11 @@ void Completion::gather_star(SlabVertexId p) {
   }
 }
 
-// Floods from the type-1 tets on the vertex's own internal triangles.
-void Completion::find_primary_sheet() {
+void Completion::find_primary_sheet(SlabVertexId p) {
   primary_.assign(spokes_.size(), 0);
-  sheets_ = 0;
-  for (std::size_t k = 0; k < spokes_.size(); ++k) {
-    const Spoke& spoke = spokes_[k];
-    if (slab_.kind(spoke.tet) != TetKind::t1_internal) continue;
-    const std::uint8_t upper = slab_.upper_corners(spoke.tet);
-    const bool triangle_above = std::popcount(upper) == 3;
-    if (has_corner(upper, spoke.corner) != triangle_above) continue;  // p is the apex
-    if (primary_[k] != 0) continue;
-    ++sheets_;
-    flood_primary(k);
-  }
-}
-
-void Completion::flood_primary(std::size_t start) {
+  const auto start = static_cast<std::uint32_t>(spoke_of_[tet_on_internal_triangle(p)]);
   primary_[start] = 1;
-  stack_.assign(1, static_cast<std::uint32_t>(start));
+  stack_.assign(1, start);
   while (!stack_.empty()) {
     const Spoke& spoke = spokes_[stack_.back()];
     stack_.pop_back();
@@ -223,48 +202,10 @@ void Completion::flood_primary(std::size_t start) {
   }
 }
 
-// In the link the primary sheet is a set of triangles. A link vertex is pinched iff more
-// than two of the set's boundary edges end there: two for one run of tets, also for one gap
-// in a cycle, four and more for several. A connected set without pinch is a disc iff χ = 1.
-Completion::LinkShape Completion::link_shape() {
-  ++epoch_;
-  LinkCount link;
-  for (std::size_t k = 0; k < spokes_.size(); ++k) {
-    if (primary_[k] == 0) continue;
-    const Spoke& spoke = spokes_[k];
-    std::array<bool, 4> edge{};
-    for (std::size_t i = 0; i < 4; ++i) {
-      if (i == static_cast<std::size_t>(spoke.corner)) continue;
-      const std::int32_t next = spoke.next[i];
-      edge[i] = next == kHull || primary_[static_cast<std::size_t>(next)] == 0;
-    }
-    add_to_link(spoke.tet, spoke.corner, edge, link);
-  }
-  if (link.pinched) return LinkShape::pinched;
-  return sheets_ == 1 && link.is_euler_disc() ? LinkShape::disc : LinkShape::holed;
-}
-
-// Adds the triangle that t is in the link of its corner; edge[i]: whether the one opposite corner i
-// is on the boundary.
-void Completion::add_to_link(TetId t, int corner, const std::array<bool, 4>& edge,
-                             LinkCount& link) {
-  const auto edges = static_cast<std::uint32_t>(edge[0] + edge[1] + edge[2] + edge[3]);
-  ++link.triangles;
-  link.boundary_edges += edges;
-  for (int i = 0; i < 4; ++i) {
-    if (i == corner) continue;
-    LinkVertex& vertex = link_vertex_[slab_.vertex(t, i)];
-    if (vertex.epoch != epoch_) {
-      vertex = {epoch_, 0};
-      ++link.vertices;
-    }
-    vertex.boundary_edges += edges - (edge[static_cast<std::size_t>(i)] ? 1U : 0U);
-    link.pinched = link.pinched || vertex.boundary_edges > 2;
-  }
-}
-
 // Fills the complements of the primary sheet in the star that touch no hull facet.
 bool Completion::fill_holes(SlabVertexId p) {
+  gather_star(p);
+  find_primary_sheet(p);
   std::vector<std::uint8_t> visited = primary_;
   to_keep_.clear();
   for (std::size_t start = 0; start < spokes_.size(); ++start) {

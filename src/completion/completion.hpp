@@ -30,6 +30,7 @@
 #include <vector>
 
 #include "completion/complex.hpp"
+#include "completion/link_boundary.hpp"
 #include "core/union_find.hpp"
 
 namespace tetloft::internal {
@@ -80,22 +81,6 @@ class Completion {
 
   // The primary sheet as it appears in the link of its vertex.
   enum class LinkShape : std::uint8_t { disc, pinched, holed };
-  struct LinkVertex {
-    std::uint32_t epoch = 0;
-    std::uint32_t boundary_edges = 0;  // of the primary sheet, that end there
-  };
-
-  // What was counted in the link of a vertex.
-  struct LinkCount {
-    std::size_t triangles = 0;
-    std::size_t vertices = 0;
-    std::size_t boundary_edges = 0;
-    bool pinched = false;
-    // V − E + F = 1 with E = (3 F + B) / 2.
-    [[nodiscard]] bool is_euler_disc() const {
-      return 2 * vertices == 2 + triangles + boundary_edges;
-    }
-  };
 
   // A detached sheet and the shortest way to its vertex's primary one.
   struct Merge {
@@ -141,24 +126,17 @@ class Completion {
   void attach_discs();
   void settle_queue();
   void settle_lowest();
-  // Attaches the primary sheet at p if it is a disc in its link as it is; false, with nothing done,
-  // if it is not.
-  [[nodiscard]] bool attach_disc(SlabVertexId p);
+  [[nodiscard]] LinkShape flood_sheet(SlabVertexId p);
 
   void find_star(SlabVertexId p);  // of a region
   void gather_star(SlabVertexId p);
-  void find_primary_sheet();
-  void flood_primary(std::size_t start);
-  [[nodiscard]] LinkShape link_shape();
-  void add_to_link(TetId t, int corner, const std::array<bool, 4>& edge, LinkCount& link);
+  void find_primary_sheet(SlabVertexId p);  // of the star gathered
   bool fill_rings(SlabVertexId p);
   void fill_run(SlabVertexId p, SlabVertexId q);
   void fill_gaps();
   bool fill_holes(SlabVertexId p);
   void settle(SlabVertexId p);
-  [[nodiscard]] bool in_primary(TetId t) const {
-    return primary_[static_cast<std::size_t>(spoke_of_[t])] != 0;
-  }
+  [[nodiscard]] bool in_sheet(TetId t) const { return seen_[t] == epoch_; }
   [[nodiscard]] bool spoke_kept(std::size_t k) const {
     return complex_.keeps(spokes_[k].tet, spokes_[k].corner);
   }
@@ -211,10 +189,12 @@ class Completion {
 
   // While all are settled, where the kept tets are a disc in the link, and were so from the start.
   IdVector<SlabVertexId, std::uint8_t> disc_;
-  // What attach_disc() has come to: its corners in the order of the flood, and by tet the epoch.
+  // The primary sheet of the vertex that is settled: its corners in the order of the flood, by tet
+  // the epoch, and its boundary in the link.
   std::vector<HalfFaceId> sheet_;
   std::vector<HalfFaceId> star_;
   IdVector<TetId, std::uint32_t> seen_;
+  LinkBoundary boundary_;
 
   // The star of the current vertex, and its spokes by tet (meaningful for its tets only).
   std::vector<Spoke> spokes_;
@@ -223,9 +203,6 @@ class Completion {
   std::vector<std::uint32_t> stack_;
   std::vector<TetId> ring_;
   std::vector<TetId> to_keep_;
-  std::size_t sheets_ = 0;  // connected parts of primary_
-  // Of the vertices in the current star's link, those with the current epoch.
-  IdVector<SlabVertexId, LinkVertex> link_vertex_;
   std::uint32_t epoch_ = 0;
   // What convex filling knows of a tet, while it lasts: at first the number of its faces that are
   // in the complex. Rejected ones were no expansion when last looked at.

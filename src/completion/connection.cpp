@@ -48,13 +48,17 @@ bool Completion::unite_parts() {
   }
   for (const TetId t : slab_.tets()) {
     if (divided == 0) return true;
-    for (const auto& [i, j] : kEdgeVertex) {
-      if (!complex_.is_attached(t, i) || !complex_.is_attached(t, j)) continue;
+    for (int i = 0; i < 4; ++i) {
+      if (!complex_.is_attached(t, i)) continue;
       const SlabRegionId a = classes_.region(slab_.vertex(t, i));
-      const SlabRegionId b = classes_.region(slab_.vertex(t, j));
       const ClassId c = classes_.of_region(a);
-      if (a == b || classes_.of_region(b) != c) continue;
-      if (parts_.unite(a.index(), b.index()) && --parts[c] == 1) --divided;
+      if (parts[c] == 1) continue;
+      for (int j = i + 1; j < 4; ++j) {
+        if (!complex_.is_attached(t, j)) continue;
+        const SlabRegionId b = classes_.region(slab_.vertex(t, j));
+        if (a == b || classes_.of_region(b) != c) continue;
+        if (parts_.unite(a.index(), b.index()) && --parts[c] == 1) --divided;
+      }
     }
   }
   return divided == 0;
@@ -149,7 +153,7 @@ std::optional<Completion::Merge> Completion::offered_merge(SlabVertexId p) {
   });
   if (!detached) return best;
   gather_star(p);
-  find_primary_sheet();
+  find_primary_sheet(p);
   const Ways ways = ways_from_primary();
   std::vector<std::uint8_t> visited = primary_;
   for (std::size_t start = 0; start < spokes_.size(); ++start) {

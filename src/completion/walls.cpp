@@ -23,7 +23,7 @@ void Completion::adopt(Completion&& trial) { complex_ = std::move(trial.complex_
 // spokes. A star is connected.
 std::vector<TetId> Completion::way_to_primary(TetId t, SlabVertexId p) {
   gather_star(p);
-  find_primary_sheet();
+  find_primary_sheet(p);
   std::vector<std::uint32_t> from(spokes_.size(), kUnreached);
   std::vector<std::uint32_t> order{static_cast<std::uint32_t>(spoke_of_[t])};
   from[order.front()] = order.front();
