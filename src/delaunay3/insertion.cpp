@@ -212,7 +212,7 @@ bool Inserter::in_doubtful_sphere(const TetVertices& tet, const Point3& p) const
   }
   // The bound of the whole set can be far above that of five near points.
   if (const int s = predicates::insphere_filter(a, b, c, d, p); s != 0) return s > 0;
-  return insphere_perturbed(a, b, c, d, p) == Sign::positive;
+  return predicates::perturbed_insphere_beyond_filter(a, b, c, d, p) == Sign::positive;
 }
 
 TetId Inserter::star_cavity(VertexId v) {

@@ -162,6 +162,11 @@ Sign insphere_perturbed(const Point3& a, const Point3& b, const Point3& c, const
     count_answer(&PredicateCounters::insphere, &Stages::filter);
     return static_cast<Sign>(s);
   }
+  return predicates::perturbed_insphere_beyond_filter(a, b, c, d, e);
+}
+
+Sign predicates::perturbed_insphere_beyond_filter(const Point3& a, const Point3& b, const Point3& c,
+                                                  const Point3& d, const Point3& e) {
   const Answer exact = predicates::exact_insphere(a, b, c, d, e);
   if (exact.sign != Sign::zero) {
     count_answer(&PredicateCounters::insphere, exact.stage);

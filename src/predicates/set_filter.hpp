@@ -69,6 +69,11 @@ class SetFilter {
   bool exact_ = false;
 };
 
+/// insphere_perturbed where insphere_filter does not answer.
+[[nodiscard]] Sign perturbed_insphere_beyond_filter(const Point3& a, const Point3& b,
+                                                    const Point3& c, const Point3& d,
+                                                    const Point3& e);
+
 /// insphere_perturbed where insphere is known to be zero.
 [[nodiscard]] Sign perturbed_insphere_of_cospherical(const Point3& a, const Point3& b,
                                                      const Point3& c, const Point3& d,
