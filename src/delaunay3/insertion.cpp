@@ -17,7 +17,7 @@ static_assert(kFaceVertex[1][0] == 0 && kFaceVertex[2][0] == 0 && kFaceVertex[3]
 
 bool Inserter::insert(VertexId v, std::size_t most_tets) {
   const Point3 p = point(v);
-  collect_conflict_zone(p, walk(p, Alone{}), Alone{});
+  collect_conflict_zone(v, walk(p, Alone{}), Alone{});
   if (tets_->taken() + horizon_.size() > most_tets) {
     unmark_zone();
     return false;
@@ -32,7 +32,7 @@ Inserter::Outcome Inserter::insert_within(VertexId v, Part part) {
   const Point3 p = point(v);
   const WithinPart use{part};
   const TetId start = walk(p, use);
-  if (!start.valid() || !collect_conflict_zone(p, start, use)) return Outcome::given_up;
+  if (!start.valid() || !collect_conflict_zone(v, start, use)) return Outcome::given_up;
   if (!provide_slots()) {
     unmark_zone();
     return Outcome::no_room;
@@ -79,7 +79,7 @@ TetId Inserter::walk(const Point3& p, const Use& use) {
 // coin toss for the processor: each is written where the next of its kind goes, and the counts, not
 // a branch, tell which ones stay.
 template <class Use>
-bool Inserter::collect_conflict_zone(const Point3& p, TetId start, const Use& use) {
+bool Inserter::collect_conflict_zone(VertexId v, TetId start, const Use& use) {
   conflict_.resize(kRoom);
   horizon_.resize(kRoom);
   seen_.resize(kRoom);
@@ -93,7 +93,7 @@ bool Inserter::collect_conflict_zone(const Point3& p, TetId start, const Use& us
       usable = use.owns(*tets_, conflict_[next]);
       if (usable) show_neighbours(conflict_[next], count);
     }
-    if (usable) decide_seen(p, count);
+    if (usable) decide_seen(v, count);
   }
   conflict_.resize(count.in_zone);
   horizon_.resize(count.facets);
@@ -122,7 +122,7 @@ void Inserter::show_neighbours(TetId t, Counts& count) {
   }
 }
 
-void Inserter::decide_seen(const Point3& p, Counts& count) {
+void Inserter::decide_seen(VertexId v, Counts& count) {
   const std::size_t most = count.in_zone + count.seen;
   if (most > conflict_.size()) conflict_.resize(2 * most);
   const auto decide = [&](TetId t, bool in) {
@@ -133,13 +133,13 @@ void Inserter::decide_seen(const Point3& p, Counts& count) {
     count.in_zone += more;
   };
   for (std::size_t k = 0; k + 1 < count.seen; k += 2) {
-    const std::array<bool, 2> in = are_in_conflict(seen_[k], seen_[k + 1], p);
+    const std::array<bool, 2> in = are_in_conflict(seen_[k], seen_[k + 1], v);
     decide(seen_[k], in[0]);
     decide(seen_[k + 1], in[1]);
   }
   if (count.seen % 2 != 0) {
     const TetId last = seen_[count.seen - 1];
-    decide(last, is_in_conflict(last, p));
+    decide(last, is_in_conflict(last, v));
   }
 }
 
@@ -166,53 +166,55 @@ void Inserter::fetch_neighbours(TetId t) const {
   }
 }
 
-bool Inserter::is_in_conflict(TetId t, const Point3& p) const {
-  return is_ghost(t) ? in_ghost_conflict(t, p) : in_sphere(tet(t), p);
+bool Inserter::is_in_conflict(TetId t, VertexId v) const {
+  return is_ghost(t) ? in_ghost_conflict(t, v) : in_sphere(tet(t), v);
 }
 
-std::array<bool, 2> Inserter::are_in_conflict(TetId s, TetId t, const Point3& p) const {
-  if (is_ghost(s) || is_ghost(t)) return {is_in_conflict(s, p), is_in_conflict(t, p)};
+std::array<bool, 2> Inserter::are_in_conflict(TetId s, TetId t, VertexId v) const {
+  if (is_ghost(s) || is_ghost(t)) return {is_in_conflict(s, v), is_in_conflict(t, v)};
   const auto corners = [&](const TetVertices& tet) {
     return std::array{&point(tet[0]), &point(tet[1]), &point(tet[2]), &point(tet[3])};
   };
-  const std::array<int, 2> sign = tets_->filter().insphere(corners(tet(s)), corners(tet(t)), p);
+  const std::array<int, 2> sign =
+      tets_->filter().insphere(corners(tet(s)), corners(tet(t)), point(v));
   if (sign[0] != 0 && sign[1] != 0) return {sign[0] > 0, sign[1] > 0};
-  return {sign[0] != 0 ? sign[0] > 0 : in_doubtful_sphere(tet(s), p),
-          sign[1] != 0 ? sign[1] > 0 : in_doubtful_sphere(tet(t), p)};
+  return {sign[0] != 0 ? sign[0] > 0 : in_doubtful_sphere(tet(s), v),
+          sign[1] != 0 ? sign[1] > 0 : in_doubtful_sphere(tet(t), v)};
 }
 
-bool Inserter::in_ghost_conflict(TetId t, const Point3& p) const {
+bool Inserter::in_ghost_conflict(TetId t, VertexId v) const {
   // The sphere of a ghost tet is the half-space beyond its hull facet …
   const TetVertices& ghost = tet(t);
-  const Sign side = orientation(p, point(ghost[1]), point(ghost[2]), point(ghost[3]));
+  const Sign side = orientation(point(v), point(ghost[1]), point(ghost[2]), point(ghost[3]));
   if (side != Sign::zero) return side == Sign::positive;
   // … and on its rim, the plane of the facet, the perturbed circle of the facet decides.
-  // That is where the sphere of the finite neighbour meets the plane: for a coplanar p
+  // That is where the sphere of the finite neighbour meets the plane: for a coplanar v
   // the neighbour's fourth vertex has no weight in the perturbed determinant.
-  return in_sphere(tet(TetMesh::tet_of(tets_->opposite(half_face(t, 0)))), p);
+  return in_sphere(tet(TetMesh::tet_of(tets_->opposite(half_face(t, 0)))), v);
 }
 
-bool Inserter::in_sphere(const TetVertices& tet, const Point3& p) const {
-  const Point3& a = point(tet[0]);
-  const Point3& b = point(tet[1]);
-  const Point3& c = point(tet[2]);
-  const Point3& d = point(tet[3]);
-  if (const int s = tets_->filter().insphere(a, b, c, d, p); s != 0) return s > 0;
-  return in_doubtful_sphere(tet, p);
+bool Inserter::in_sphere(const TetVertices& tet, VertexId v) const {
+  const int s = tets_->filter().insphere(point(tet[0]), point(tet[1]), point(tet[2]), point(tet[3]),
+                                         point(v));
+  return s != 0 ? s > 0 : in_doubtful_sphere(tet, v);
 }
 
-bool Inserter::in_doubtful_sphere(const TetVertices& tet, const Point3& p) const {
-  const Point3& a = point(tet[0]);
-  const Point3& b = point(tet[1]);
-  const Point3& c = point(tet[2]);
-  const Point3& d = point(tet[3]);
+bool Inserter::in_doubtful_sphere(const TetVertices& tet, VertexId v) const {
+  const auto record = [&](VertexId u) -> const GrowingTets::Vertex& { return tets_->vertex(u); };
+  const GrowingTets::Vertex &a = record(tet[0]), &b = record(tet[1]), &c = record(tet[2]),
+                            &d = record(tet[3]), &e = record(v);
   if (tets_->filter().is_exact()) {
-    return predicates::perturbed_insphere_of_cospherical(tets_->filter(), a, b, c, d, p) ==
-           Sign::positive;
+    return predicates::perturbed_insphere_of_cospherical(
+               tets_->filter(), {&a.point, &b.point, &c.point, &d.point, &e.point},
+               {a.rank, b.rank, c.rank, d.rank, e.rank}) == Sign::positive;
   }
   // The bound of the whole set can be far above that of five near points.
-  if (const int s = predicates::insphere_filter(a, b, c, d, p); s != 0) return s > 0;
-  return predicates::perturbed_insphere_beyond_filter(a, b, c, d, p) == Sign::positive;
+  if (const int s = predicates::insphere_filter(a.point, b.point, c.point, d.point, e.point);
+      s != 0) {
+    return s > 0;
+  }
+  return predicates::perturbed_insphere_beyond_filter(a.point, b.point, c.point, d.point,
+                                                      e.point) == Sign::positive;
 }
 
 TetId Inserter::star_cavity(VertexId v) {
@@ -251,13 +253,13 @@ void Inserter::create_fillers(VertexId v) {
 std::size_t Inserter::number_on_horizon(VertexId v) {
   // The ghost has no record to keep a number in; its place is the last of the table.
   if (v == kGhost) return kTableSide - 1;
-  std::uint32_t& number = tets_->vertex(v).on_horizon;
+  std::uint8_t& number = tets_->vertex(v).on_horizon;
   if (number < horizon_vertex_count_ && horizon_vertices_[number] == v) return number;
   if (horizon_vertex_count_ == kTableSide - 1) {
     table_is_full_ = true;
     return 0;
   }
-  number = static_cast<std::uint32_t>(horizon_vertex_count_++);
+  number = static_cast<std::uint8_t>(horizon_vertex_count_++);
   horizon_vertices_[number] = v;
   return number;
 }

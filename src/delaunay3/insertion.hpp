@@ -110,7 +110,7 @@ class Inserter {
   // Fills conflict_ and horizon_, and marks their tets. False, with nothing marked, where the zone
   // has tets that are not to be used.
   template <class Use>
-  bool collect_conflict_zone(const Point3& p, TetId start, const Use& use);
+  bool collect_conflict_zone(VertexId v, TetId start, const Use& use);
   // How far the scratch arrays are filled.
   struct Counts {
     std::size_t in_zone = 0;
@@ -121,7 +121,7 @@ class Inserter {
   // no tet of the zone is known.
   void show_neighbours(TetId t, Counts& count);
   // Which of them are in conflict.
-  void decide_seen(const Point3& p, Counts& count);
+  void decide_seen(VertexId v, Counts& count);
   void drop_inner_facets();
   void fetch_neighbours(TetId t) const;
   void unmark_zone();
@@ -129,12 +129,12 @@ class Inserter {
   // Returns one of them, finite.
   TetId star_cavity(VertexId v);
 
-  [[nodiscard]] bool is_in_conflict(TetId t, const Point3& p) const;
-  [[nodiscard]] std::array<bool, 2> are_in_conflict(TetId s, TetId t, const Point3& p) const;
-  [[nodiscard]] bool in_ghost_conflict(TetId t, const Point3& p) const;
-  [[nodiscard]] bool in_sphere(const TetVertices& tet, const Point3& p) const;
+  [[nodiscard]] bool is_in_conflict(TetId t, VertexId v) const;
+  [[nodiscard]] std::array<bool, 2> are_in_conflict(TetId s, TetId t, VertexId v) const;
+  [[nodiscard]] bool in_ghost_conflict(TetId t, VertexId v) const;
+  [[nodiscard]] bool in_sphere(const TetVertices& tet, VertexId v) const;
   // Where the first filter does not tell.
-  [[nodiscard]] bool in_doubtful_sphere(const TetVertices& tet, const Point3& p) const;
+  [[nodiscard]] bool in_doubtful_sphere(const TetVertices& tet, VertexId v) const;
   // As orient3d; for points of the set only.
   [[nodiscard]] Sign orientation(const Point3& a, const Point3& b, const Point3& c,
                                  const Point3& d) const {

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 #include <tetloft/point.hpp>
@@ -79,9 +80,10 @@ class SetFilter {
                                                      const Point3& c, const Point3& d,
                                                      const Point3& e);
 
-/// The same for distinct points of a set whose filter is exact: that tells orientations, too.
-[[nodiscard]] Sign perturbed_insphere_of_cospherical(const SetFilter& filter, const Point3& a,
-                                                     const Point3& b, const Point3& c,
-                                                     const Point3& d, const Point3& e);
+/// The same for distinct points of a set whose filter is exact, which tells orientations, too.
+/// rank[i] is the place of p[i] in the canonical order of the set.
+[[nodiscard]] Sign perturbed_insphere_of_cospherical(const SetFilter& filter,
+                                                     const std::array<const Point3*, 5>& p,
+                                                     std::array<std::uint32_t, 5> rank);
 
 }  // namespace tetloft::internal::predicates

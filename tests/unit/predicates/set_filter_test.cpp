@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include <tetloft/predicates.hpp>
@@ -55,7 +57,11 @@ Tally expect_agreement(const std::vector<Point3>& points, Prng& prng) {
       for (std::size_t k = 0; k < i; ++k) distinct = distinct && *all[i] != *all[k];
     }
     if (s == 0 && filter.is_exact() && distinct) {
-      EXPECT_EQ(predicates::perturbed_insphere_of_cospherical(filter, a, b, c, d, e),
+      std::array<std::uint32_t, 5> rank{};
+      for (std::size_t i = 0; i < 5; ++i) {
+        for (const Point3* other : all) rank[i] += canonical_less(*other, *all[i]) ? 1U : 0U;
+      }
+      EXPECT_EQ(predicates::perturbed_insphere_of_cospherical(filter, all, rank),
                 insphere_perturbed(a, b, c, d, e));
       ++tally.perturbed;
     }
