@@ -251,8 +251,7 @@ void Inserter::create_fillers(VertexId v) {
 }
 
 std::size_t Inserter::number_on_horizon(VertexId v) {
-  // The ghost has no record to keep a number in; its place is the last of the table.
-  if (v == kGhost) return kTableSide - 1;
+  if (v == kGhost) return known_number(v);
   std::uint8_t& number = tets_->vertex(v).on_horizon;
   if (number < horizon_vertex_count_ && horizon_vertices_[number] == v) return number;
   if (horizon_vertex_count_ == kTableSide - 1) {
@@ -275,9 +274,9 @@ void Inserter::glue_fillers() {
 void Inserter::glue_fillers_by_table() {
   for (const HorizonFacet& facet : horizon_) {
     TetSlot& slot = tets_->slot(facet.filler);
-    const std::size_t a = number_on_horizon(slot.vertices[0]);
-    const std::size_t b = number_on_horizon(slot.vertices[1]);
-    const std::size_t c = number_on_horizon(slot.vertices[2]);
+    const std::size_t a = known_number(slot.vertices[0]);
+    const std::size_t b = known_number(slot.vertices[1]);
+    const std::size_t c = known_number(slot.vertices[2]);
     // The neighbour has the edge in the other direction.
     slot.opposite[0] = edge_table_[kTableSide * c + b];
     slot.opposite[1] = edge_table_[kTableSide * a + c];

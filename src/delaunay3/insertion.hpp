@@ -153,6 +153,11 @@ class Inserter {
   // The number of vertex v of the horizon, a new one where it has none. Sets table_is_full_
   // where there is none left.
   std::size_t number_on_horizon(VertexId v);
+  // Of one that has it. The ghost has no record to keep a number in; its place is the last of the
+  // table.
+  [[nodiscard]] std::size_t known_number(VertexId v) const {
+    return v == kGhost ? kTableSide - 1 : tets_->vertex(v).on_horizon;
+  }
   // Glues each two fillers that share an edge of the horizon: by looking edges up in the
   // table that create_fillers() filled, or, where the horizon has too many vertices for it,
   // by turning around the edges through the conflict zone.
