@@ -25,6 +25,8 @@ constexpr std::size_t kSlotsOrdered = std::size_t{1} << 15;
 constexpr std::size_t kVerticesNamed = 1024;
 // So many slots before one is worked on it is fetched, or what it leads to.
 constexpr std::size_t kNamedAhead = 16;
+// Tets that are ordered before the first of them joins its list.
+constexpr std::size_t kOrderedAtATime = 32;
 // Fewer are sorted by counting: in a uniform set a vertex is the lowest of seven tets.
 constexpr std::size_t kFewTets = 24;
 
@@ -98,7 +100,7 @@ class Naming {
   CanonicalNames run() {
     const Stretches slots = Stretches::of(built_.size(), kSlotsOrdered, built_.size());
     parallel_for(slots.count, threads_,
-                 [&](std::size_t k) { order_vertices(slots.begin(k), slots.end(k)); });
+                 [&](std::size_t k) { order_tets(slots.begin(k), slots.end(k)); });
     std::uint32_t sum = 0;
     for (std::uint32_t& begin : names_.begin) sum += std::exchange(begin, sum);
     const Stretches vertices = Stretches::of(rank_of_.size(), kVerticesNamed, rank_of_.size());
@@ -108,40 +110,58 @@ class Naming {
   }
 
  private:
-  // Puts the ranks of the vertices of each tet into canonical order, the tet into the list of its
-  // lowest, and counts it.
-  void order_vertices(std::size_t first, std::size_t end) {
-    for (std::size_t t = first; t < end; ++t) {
-      TetVertices& tet = built_[t].vertices;
-      if (t + kNamedAhead < end) {
-        for (const VertexId v : built_[t + kNamedAhead].vertices)
-          core::prefetch(rank_of_.data() + v.index());
+  // The vertex of lowest rank of a tet.
+  struct Lowest {
+    std::uint32_t slot;
+    std::uint32_t vertex;
+    std::uint32_t rank;
+  };
+
+  // Orders some tets, and puts each into the list of its lowest vertex. Which list that is, and
+  // where its tets are counted, is known long enough before for both to be fetched.
+  void order_tets(std::size_t first, std::size_t end) {
+    std::array<Lowest, kOrderedAtATime> lowest;
+    for (std::size_t t = first; t < end;) {
+      std::size_t count = 0;
+      for (; t < end && count < lowest.size(); ++t) {
+        if (t + kNamedAhead < end) fetch_ranks(built_[t + kNamedAhead].vertices);
+        names_.name[t] = CanonicalNames::kNone;
+        if (built_[t].vertices[0].index() >= rank_of_.size()) continue;
+        lowest[count++] = ordered(t);
       }
-      names_.name[t] = CanonicalNames::kNone;
-      if (tet[0].index() >= rank_of_.size()) continue;
-      std::array<std::uint32_t, 4> rank;
-      for (std::size_t k = 0; k < 4; ++k) rank[k] = rank_of_[tet[k].index()];
-      names_.places[t] = places_of(rank);
-      const VertexId lowest = put_in_order(tet, rank, t);
-      count(names_.begin[tet[0].index()]);
-      names_.name[t] = put_first(latest_[lowest.index()], static_cast<std::uint32_t>(t));
+      for (const Lowest& one : std::span(lowest).first(count)) {
+        add(names_.begin[one.rank]);
+        names_.name[one.slot] = put_first(latest_[one.vertex], one.slot);
+      }
     }
   }
 
-  // The ranks to their places; returns the vertex of the lowest.
-  VertexId put_in_order(TetVertices& tet, const std::array<std::uint32_t, 4>& rank, std::size_t t) {
+  void fetch_ranks(const TetVertices& tet) const {
+    for (const VertexId v : tet) core::prefetch(rank_of_.data() + v.index());
+  }
+
+  // Puts the ranks of a tet's vertices into canonical order.
+  Lowest ordered(std::size_t t) {
+    TetVertices& tet = built_[t].vertices;
+    std::array<std::uint32_t, 4> rank;
+    for (std::size_t k = 0; k < 4; ++k) rank[k] = rank_of_[tet[k].index()];
+    const std::uint32_t places = places_of(rank);
+    names_.places[t] = static_cast<std::uint8_t>(places);
     TetVertices vertex;
-    TetVertices ranked;
+    TetVertices ranks;
     for (std::size_t k = 0; k < 4; ++k) {
-      vertex[names_.place(t, k)] = tet[k];
-      ranked[names_.place(t, k)] = VertexId(rank[k]);
+      const std::size_t place = (places >> (2 * k)) & 3U;
+      vertex[place] = tet[k];
+      ranks[place] = VertexId(rank[k]);
     }
-    tet = ranked;
-    return vertex[0];
+    tet = ranks;
+    core::prefetch(&names_.begin[ranks[0].index()]);
+    core::prefetch(&latest_[vertex[0].index()]);
+    return {static_cast<std::uint32_t>(t), vertex[0].value(), ranks[0].value()};
   }
 
   // Another thread may do the same to the same items: the lists' order does not matter.
-  void count(std::uint32_t& number) const {
+  void add(std::uint32_t& number) const {
     if (alone_) {
       ++number;
     } else {
@@ -153,41 +173,56 @@ class Naming {
     return std::atomic_ref(latest).exchange(slot, std::memory_order_relaxed);
   }
 
+  // The tets of a vertex: their first name, and where they begin among those collected.
+  struct Own {
+    std::uint32_t name;
+    std::uint32_t begin;
+  };
+
   // Of some vertices.
   void name_tets_of(std::size_t first, std::size_t end) {
-    const std::vector<std::uint32_t> slots = collected(first, end);
+    const std::vector<Own> own = own_of(first, end);
+    const std::vector<std::uint32_t> slots = collected(first, own);
     std::vector<UpperRanks> tets(slots.size());
     for (std::size_t i = 0; i < slots.size(); ++i) {
       if (i + kNamedAhead < slots.size()) core::prefetch(&built_[slots[i + kNamedAhead]]);
       tets[i] = upper_ranks(built_[slots[i]].vertices, slots[i]);
     }
-    std::size_t i = 0;
-    for (std::size_t v = first; v < end; ++v) {
-      give_names(std::span(tets).subspan(i, tets_of(v)), names_.begin[rank_of_[v]]);
-      i += tets_of(v);
+    for (std::size_t i = 0; i + 1 < own.size(); ++i) {
+      give_names(std::span(tets).subspan(own[i].begin, own[i + 1].begin - own[i].begin),
+                 own[i].name);
     }
   }
 
-  [[nodiscard]] std::uint32_t tets_of(std::size_t v) const {
-    return names_.begin[rank_of_[v] + 1] - names_.begin[rank_of_[v]];
+  // And their end.
+  [[nodiscard]] std::vector<Own> own_of(std::size_t first, std::size_t end) const {
+    std::vector<Own> own;
+    own.reserve(end - first + 1);
+    std::uint32_t sum = 0;
+    for (std::size_t v = first; v < end; ++v) {
+      if (v + kNamedAhead < end) core::prefetch(&names_.begin[rank_of_[v + kNamedAhead]]);
+      const std::uint32_t* const begin = &names_.begin[rank_of_[v]];
+      own.push_back({begin[0], sum});
+      sum += begin[1] - begin[0];
+    }
+    own.push_back({0, sum});
+    return own;
   }
 
   // The slots of their lists, vertex after vertex. All lists are followed at a time: where one goes
   // on is known only when memory has answered.
-  [[nodiscard]] std::vector<std::uint32_t> collected(std::size_t first, std::size_t end) const {
+  [[nodiscard]] std::vector<std::uint32_t> collected(std::size_t first,
+                                                     std::span<const Own> own) const {
     struct Following {
       std::uint32_t slot;
       std::uint32_t place;
     };
     std::vector<Following> lists;
-    lists.reserve(end - first);
-    std::uint32_t sum = 0;
-    for (std::size_t v = first; v < end; ++v) {
-      if (latest_[v] == CanonicalNames::kNone) continue;
-      lists.push_back({latest_[v], sum});
-      sum += tets_of(v);
+    lists.reserve(own.size());
+    for (std::size_t i = 0; i + 1 < own.size(); ++i) {
+      if (own[i].begin < own[i + 1].begin) lists.push_back({latest_[first + i], own[i].begin});
     }
-    std::vector<std::uint32_t> slots(sum);
+    std::vector<std::uint32_t> slots(own.back().begin);
     for (std::size_t count = lists.size(); count > 0;) {
       const std::size_t followed = std::exchange(count, 0);
       for (std::size_t i = 0; i < followed; ++i) {
