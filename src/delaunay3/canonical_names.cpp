@@ -185,7 +185,6 @@ class Naming {
     const std::vector<std::uint32_t> slots = collected(first, own);
     std::vector<UpperRanks> tets(slots.size());
     for (std::size_t i = 0; i < slots.size(); ++i) {
-      if (i + kNamedAhead < slots.size()) core::prefetch(&built_[slots[i + kNamedAhead]]);
       tets[i] = upper_ranks(built_[slots[i]].vertices, slots[i]);
     }
     for (std::size_t i = 0; i + 1 < own.size(); ++i) {
@@ -228,7 +227,9 @@ class Naming {
       for (std::size_t i = 0; i < followed; ++i) {
         const Following at = lists[i];
         slots[at.place] = at.slot;
+        core::prefetch(&built_[at.slot]);
         const std::uint32_t next = names_.name[at.slot];
+        core::prefetch(names_.name.data() + next);
         lists[count] = {next, at.place + 1};
         count += next != CanonicalNames::kNone ? 1U : 0U;
       }
