@@ -1,63 +1,47 @@
 // Two doubles at a time, where the processor can: each as if alone.
 #pragma once
 
-#if defined(__SSE2__)
-#include <emmintrin.h>
-#endif
+#include <cstddef>
 
 namespace tetloft::internal::predicates {
 
-/// A ring for determinants.hpp: that of two sets of points at once, rounded as they would be one
-/// after the other.
-#if defined(__SSE2__)
-
+/// A ring for determinants.hpp: that of two sets of points at once, each rounded as if alone.
 class TwoDoubles {
  public:
-  TwoDoubles(double first, double second) : both_(_mm_set_pd(second, first)) {}
+  TwoDoubles(double first, double second) : both_{first, second} {}
 
-  [[nodiscard]] double first() const { return _mm_cvtsd_f64(both_); }
-  [[nodiscard]] double second() const { return _mm_cvtsd_f64(_mm_unpackhi_pd(both_, both_)); }
+  [[nodiscard]] double first() const { return both_[0]; }
+  [[nodiscard]] double second() const { return both_[1]; }
 
   friend TwoDoubles operator+(const TwoDoubles& a, const TwoDoubles& b) {
-    return TwoDoubles(_mm_add_pd(a.both_, b.both_));
+    return TwoDoubles(a.both_ + b.both_);
   }
   friend TwoDoubles operator-(const TwoDoubles& a, const TwoDoubles& b) {
-    return TwoDoubles(_mm_sub_pd(a.both_, b.both_));
+    return TwoDoubles(a.both_ - b.both_);
   }
   friend TwoDoubles operator*(const TwoDoubles& a, const TwoDoubles& b) {
-    return TwoDoubles(_mm_mul_pd(a.both_, b.both_));
+    return TwoDoubles(a.both_ * b.both_);
   }
 
  private:
-  explicit TwoDoubles(__m128d both) : both_(both) {}
-
-  __m128d both_;
-};
-
+#if defined(__GNUC__)
+  // What gcc and clang hold in one register of the processor, if it has such, and compute with one
+  // instruction.
+  using Both = double __attribute__((vector_size(2 * sizeof(double))));
 #else
+  struct Both {
+    double value[2];
 
-class TwoDoubles {
- public:
-  TwoDoubles(double first, double second) : first_(first), second_(second) {}
-
-  [[nodiscard]] double first() const { return first_; }
-  [[nodiscard]] double second() const { return second_; }
-
-  friend TwoDoubles operator+(const TwoDoubles& a, const TwoDoubles& b) {
-    return {a.first_ + b.first_, a.second_ + b.second_};
-  }
-  friend TwoDoubles operator-(const TwoDoubles& a, const TwoDoubles& b) {
-    return {a.first_ - b.first_, a.second_ - b.second_};
-  }
-  friend TwoDoubles operator*(const TwoDoubles& a, const TwoDoubles& b) {
-    return {a.first_ * b.first_, a.second_ * b.second_};
-  }
-
- private:
-  double first_;
-  double second_;
-};
-
+    double operator[](std::size_t i) const { return value[i]; }
+    friend Both operator+(const Both& a, const Both& b) { return {a[0] + b[0], a[1] + b[1]}; }
+    friend Both operator-(const Both& a, const Both& b) { return {a[0] - b[0], a[1] - b[1]}; }
+    friend Both operator*(const Both& a, const Both& b) { return {a[0] * b[0], a[1] * b[1]}; }
+  };
 #endif
+
+  explicit TwoDoubles(const Both& both) : both_(both) {}
+
+  Both both_;
+};
 
 }  // namespace tetloft::internal::predicates
