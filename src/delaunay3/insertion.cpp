@@ -85,7 +85,8 @@ bool Inserter::collect_conflict_zone(VertexId v, TetId start, const Use& use) {
   seen_.resize(kRoom);
   conflict_[0] = start;
   mark(start) = Mark::in_conflict;
-  Counts count{.in_zone = 1};
+  Counts count;
+  count.in_zone = 1;
   bool usable = true;
   for (std::size_t next = 0; usable && next < count.in_zone;) {
     count.seen = 0;
