@@ -253,7 +253,7 @@ Result<void> check_flat_points(const Triangulation2& plane) {
   return {};
 }
 
-// Ids in range, and neighbours mutual: what the overlay walks along.
+// Ids in range, triangles in canonical order, and neighbours mutual: what the overlay walks along.
 Result<void> check_triangles(const Triangulation2& plane) {
   const auto refused = [](std::size_t t, const char* why) {
     return Error{ErrorCode::invalid_input, "triangle " + std::to_string(t) + why, {}};
@@ -263,6 +263,8 @@ Result<void> check_triangles(const Triangulation2& plane) {
     for (std::size_t i = 0; i < 3; ++i) {
       if (v[i].index() >= plane.points.size()) return refused(t, " has a corner that is no point");
     }
+    if (v[0] > v[1] || v[0] > v[2]) return refused(t, " does not start at its lowest vertex");
+    if (t > 0 && v < plane.triangles[TriangleId(t - 1)]) return refused(t, " is out of order");
     for (std::size_t i = 0; i < 3; ++i) {
       const TriangleId n = plane.neighbours[TriangleId(t)][i];
       if (!n.valid()) continue;
