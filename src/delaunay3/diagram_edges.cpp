@@ -35,12 +35,16 @@ DiagramEdges::DiagramEdges(const PlaneDiagram& diagram, const Triangulation2& tr
   const std::size_t hull = diagram.triangle_count() - triangles.size();
   const std::size_t count = (3 * triangles.size() + hull) / 2;
   half_edge_.reserve(count);
+  const auto add = [&](HalfEdgeId upward) {
+    TETLOFT_CHECK(!edge_[upward].valid());
+    edge_[upward] = edge_[diagram.opposite(upward)] = half_edge_.push_back(upward);
+  };
   std::size_t begin = 0;
   for (const PlaneVertexId v : triangulation.points.ids()) {
     std::size_t end = begin;
     while (end < triangles.size() && triangles[TriangleId(end)][0] == v) ++end;
     if (begin == end) {
-      if (lone[v].valid()) add(diagram, lone[v]);
+      if (lone[v].valid()) add(lone[v]);
       continue;
     }
     // The last triangle of the fan has no other behind its third side.
@@ -49,23 +53,16 @@ DiagramEdges::DiagramEdges(const PlaneDiagram& diagram, const Triangulation2& tr
       const std::size_t behind = triangulation.neighbours[TriangleId(k)][1].index();
       if (behind < begin || behind >= end) last = TriangleId(k);
     }
-    const PlaneVertexId third = triangles[last][2];
-    std::size_t k = begin;
-    for (; k < end && triangles[TriangleId(k)][1] < third; ++k) {
-      add(diagram, PlaneDiagram::half_edge(diagram.place_of(TriangleId(k)), 2));
-    }
-    add(diagram, diagram.opposite(PlaneDiagram::half_edge(diagram.place_of(last), 1)));
-    for (; k < end; ++k) {
-      add(diagram, PlaneDiagram::half_edge(diagram.place_of(TriangleId(k)), 2));
+    std::size_t place = begin;
+    while (place < end && triangles[TriangleId(place)][1] < triangles[last][2]) ++place;
+    for (std::size_t k = begin; k <= end; ++k) {
+      add(k == place
+              ? diagram.opposite(PlaneDiagram::half_edge(diagram.place_of(last), 1))
+              : PlaneDiagram::half_edge(diagram.place_of(TriangleId(k < place ? k : k - 1)), 2));
     }
     begin = end;
   }
   TETLOFT_CHECK(half_edge_.size() == count);
-}
-
-void DiagramEdges::add(const PlaneDiagram& diagram, HalfEdgeId upward) {
-  TETLOFT_CHECK(!edge_[upward].valid());
-  edge_[upward] = edge_[diagram.opposite(upward)] = half_edge_.push_back(upward);
 }
 
 }  // namespace tetloft::internal::delaunay3_detail

@@ -29,8 +29,6 @@ class DiagramEdges {
   [[nodiscard]] HalfEdgeId half_edge(EdgeId e) const { return half_edge_[e]; }
 
  private:
-  void add(const PlaneDiagram& diagram, HalfEdgeId upward);
-
   IdVector<HalfEdgeId, EdgeId> edge_;
   IdVector<EdgeId, HalfEdgeId> half_edge_;
 };
