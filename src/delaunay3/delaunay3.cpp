@@ -166,7 +166,7 @@ Result<bool> overlay_planes(const RankedPoints& ranked, const Delaunay3Options& 
   if (below < 3 || points.size() - below < 3) return false;
   Result<Triangulation2> lower = Triangulation2{};
   Result<Triangulation2> upper = Triangulation2{};
-  WatchedWork work(options.execution, 3);
+  WatchedWork work(options.execution, 4);
   const Execution planes = untold(options.execution);
   parallel_for(2, planes.threads, [&](std::size_t plane) {
     if (plane == 0) lower = triangulate_plane(points.first(below), planes);
@@ -317,7 +317,6 @@ Result<TetMesh> triangulate_slab(const Triangulation2& lower, const Triangulatio
       lower, upper, {.input_of = {}, .input_count = lower.points.size() + upper.points.size()},
       work, bound_on_tets(most_tets));
   if (!mesh) return too_many_tets(most_tets);
-  work.step_done();
   return *std::move(mesh);
 }
 

@@ -332,11 +332,12 @@ EdgesOfSides edges_of_sides(const PlaneDiagram& plane, const DiagramEdges& edges
 }  // namespace
 
 std::optional<TetMesh> slab_overlay(const Triangulation2& lower, const Triangulation2& upper,
-                                    const SlabVertexNames& names, const WatchedWork& work,
+                                    const SlabVertexNames& names, WatchedWork& work,
                                     std::size_t most_tets) {
   const SlabDiagrams planes(lower, upper);
   std::optional<UpperTrace> trace = trace_upper_edges(planes, work, most_tets);
   if (!trace) return std::nullopt;
+  work.step_done_go_on();
   SlabOverlay overlay(planes, *std::move(trace), names);
   overlay.run();
   return overlay.take_mesh();
