@@ -12,8 +12,7 @@ namespace {
 class Gluing {
  public:
   Gluing(const IdVector<SectionId, ConformingSection>& sections, const RegionComponents& component)
-      : component_(component) {
-    for (const SectionId s : sections.ids()) add_section(s, sections[s]);
+      : sections_(sections), component_(component) {
     for (const auto& section : component) {
       for (const ComponentId c : section) {
         model_.component_count = std::max(model_.component_count, c.index() + 1);
@@ -23,6 +22,7 @@ class Gluing {
 
   Model run(std::vector<Part> parts) {
     reserve(parts);
+    for (const SectionId s : sections_.ids()) add_section(s, sections_[s]);
     for (Part& part : parts) {
       add(part);
       core::release(part.solid.pieces);
@@ -43,7 +43,8 @@ class Gluing {
 
   void reserve(const std::vector<Part>& parts) {
     std::size_t tets = 0;
-    std::size_t points = model_.points.size();
+    std::size_t points = 0;
+    for (const ConformingSection& section : sections_) points += section.vertex_count();
     for (const Part& part : parts) {
       tets += part.solid.pieces.size();
       points += part.solid.constructed.size();
@@ -106,6 +107,7 @@ class Gluing {
     return vertex;
   }
 
+  const IdVector<SectionId, ConformingSection>& sections_;
   const RegionComponents& component_;
   StackVertices vertices_;
   Model model_;
