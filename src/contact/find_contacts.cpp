@@ -119,7 +119,7 @@ void test_fans(std::span<const Point3> points, std::span<const TriangleVertices>
       directions.push_back({contact_detail::directions_of(points, apex, triangles[i]), i});
       box.extend(contact_detail::box_of(points, triangles[i]));
     }
-    const TriangleTree fan(points, triangles, directions);
+    TriangleTree fan(points, triangles, directions);
     fan.for_each_pair([&](std::uint32_t i, std::uint32_t j) { tester.test(i, j); });
     everything.for_each_meeting(box, [&](std::uint32_t j) {
       if (fans.fan_of[j] != Fans::kNone && fans.fan_of[j] <= f) return;
@@ -139,13 +139,12 @@ void test_rest(std::span<const Point3> points, std::span<const TriangleVertices>
                std::span<const std::uint32_t> rest, std::span<const std::uint8_t> active,
                Tester& tester) {
   if (rest.empty()) return;
-  const TriangleTree tree(points, triangles, rest);
+  TriangleTree tree(points, triangles, rest);
   tree.for_each_pair([&](std::uint32_t i, std::uint32_t j) { tester.test(i, j); });
   // One by one: most meet nothing there.
   for (std::uint32_t j = 0; j < active.size(); ++j) {
     if (active[j] != 0) continue;
-    tree.for_each_meeting(contact_detail::box_of(points, triangles[j]),
-                          [&](std::uint32_t i) { tester.test(i, j); });
+    tree.for_each_near(triangles[j], [&](std::uint32_t i) { tester.test(i, j); });
   }
 }
 

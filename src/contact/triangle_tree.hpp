@@ -4,18 +4,23 @@
 // kind that are near in space besides; both want a binary tree whose nodes are runs of triangles.
 //
 // Each node halves its triangles at the median of their box centres along the longest
-// extent of these. Everything but exact box comparisons is a matter of speed, not of truth.
+// extent of these. Everything but exact box comparisons, and what sheets tell, is a matter of
+// speed, not of truth.
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include <tetloft/point.hpp>
 #include <tetloft/tet_mesh.hpp>
+
+#include "contact/sheet.hpp"
 
 namespace tetloft::internal::contact_detail {
 
@@ -79,9 +84,14 @@ class TriangleTree {
                const std::vector<Item>& items);
 
   /// Calls visit(i, j) once for each unordered pair of members, i != j, whose closed boxes
-  /// meet. The order depends on the input alone.
+  /// meet, but for some whose sheets have no common point. The order depends on the input alone.
   template <class Visit>
-  void for_each_pair(Visit&& visit) const;
+  void for_each_pair(Visit&& visit);
+
+  /// Calls visit(i) for every member i whose closed box meets that of a triangle that is none, but
+  /// for some whose sheets have no common point with it. The order depends on the input alone.
+  template <class Visit>
+  void for_each_near(const TriangleVertices& triangle, Visit&& visit);
 
   /// Calls visit(i) for every member i whose closed box meets `box`. The order depends on
   /// the input alone.
@@ -93,13 +103,23 @@ class TriangleTree {
   void for_each_meeting(const Box& box, const Box& around, Visit&& visit) const;
 
  private:
+  // Measured: 4 to 12 are equally fast; fewer nodes take less memory. The pairs of two leaves are
+  // the bits of a mask.
+  static constexpr std::uint32_t kLeafSize = 8;
+  // Pairs, and triangles near one, that are as soon told apart one by one as by sheets.
+  static constexpr int kFewPairs = 8;
+  static constexpr int kFewMembers = 2;
+  static constexpr std::uint32_t kNoSheets = 0xFFFFFFFFU;
+
   /// Triangles items_[begin … end − 1], one at least. A leaf iff left is 0, else the
-  /// children are left and left + 1.
+  /// children are left and left + 1. Of a leaf sheets_[sheets] is about all its triangles, and
+  /// those of each follow.
   struct Node {
     Box box{{}, {}};
     std::uint32_t begin = 0;
     std::uint32_t end = 0;
     std::uint32_t left = 0;
+    std::uint32_t sheets = kNoSheets;
   };
   struct Centre {
     float at[3];
@@ -110,16 +130,27 @@ class TriangleTree {
   void build(std::vector<Centre>& centres);
   void fit_boxes();
 
+  [[nodiscard]] std::uint64_t meeting_pairs(const Node& a, const Node& b) const;
+  [[nodiscard]] std::uint32_t meeting_members(const Node& leaf, const Box& box) const;
+  [[nodiscard]] std::uint64_t sifted(Node& a, Node& b, std::uint64_t pairs);
+  [[nodiscard]] std::uint32_t sifted(Node& leaf, const Sheet& sheet, std::uint32_t members);
+  void need_sheets(Node& leaf);
+
   template <class Enters, class Visit>
   void for_each_meeting_where(const Box& box, const Enters& enters, Visit& visit) const;
+  template <class Enters, class Visit>
+  void for_each_leaf(const Box& box, const Enters& enters, const Visit& visit) const;
   template <class Visit>
   void visit_leaf(const Node& a, Visit& visit) const;
   template <class Visit>
-  void visit_leaves(const Node& a, const Node& b, Visit& visit) const;
+  void visit_leaves(Node& a, Node& b, Visit& visit);
 
-  std::vector<Node> nodes_;  // root first, children after their parent
-  std::vector<Item> items_;  // the triangles in the order of the leaves
-  std::vector<Box> around_;  // by node, in space, where the boxes are of another kind
+  std::span<const Point3> points_;
+  std::span<const TriangleVertices> triangles_;
+  std::vector<Node> nodes_;    // root first, children after their parent
+  std::vector<Item> items_;    // the triangles in the order of the leaves
+  std::vector<Box> around_;    // by node, in space, where the boxes are of another kind
+  std::vector<Sheet> sheets_;  // of leaves that have needed theirs
 };
 
 template <class Visit>
@@ -134,19 +165,15 @@ void TriangleTree::visit_leaf(const Node& a, Visit& visit) const {
 }
 
 template <class Visit>
-void TriangleTree::visit_leaves(const Node& a, const Node& b, Visit& visit) const {
-  for (std::uint32_t i = a.begin; i < a.end; ++i) {
-    const Item& p = items_[i];
-    if (!p.box.meets(b.box)) continue;
-    for (std::uint32_t j = b.begin; j < b.end; ++j) {
-      const Item& q = items_[j];
-      if (p.box.meets(q.box)) visit(p.triangle, q.triangle);
-    }
+void TriangleTree::visit_leaves(Node& a, Node& b, Visit& visit) {
+  for (std::uint64_t pairs = sifted(a, b, meeting_pairs(a, b)); pairs != 0; pairs &= pairs - 1) {
+    const auto k = static_cast<std::uint32_t>(std::countr_zero(pairs));
+    visit(items_[a.begin + k / kLeafSize].triangle, items_[b.begin + k % kLeafSize].triangle);
   }
 }
 
 template <class Visit>
-void TriangleTree::for_each_pair(Visit&& visit) const {
+void TriangleTree::for_each_pair(Visit&& visit) {
   if (nodes_.empty()) return;
   struct Pair {
     std::uint32_t a, b;
@@ -155,8 +182,8 @@ void TriangleTree::for_each_pair(Visit&& visit) const {
   while (!stack.empty()) {
     const Pair pair = stack.back();
     stack.pop_back();
-    const Node& a = nodes_[pair.a];
-    const Node& b = nodes_[pair.b];
+    Node& a = nodes_[pair.a];
+    Node& b = nodes_[pair.b];
     if (pair.a == pair.b) {
       if (a.left == 0) {
         visit_leaf(a, visit);
@@ -181,6 +208,27 @@ void TriangleTree::for_each_pair(Visit&& visit) const {
 }
 
 template <class Visit>
+void TriangleTree::for_each_near(const TriangleVertices& triangle, Visit&& visit) {
+  const Box box = box_of(points_, triangle);
+  const Triangle3 own = corners(points_, triangle);
+  std::optional<Sheet> sheet;
+  for_each_leaf(
+      box, [](std::uint32_t) { return true; },
+      [&](std::uint32_t k) {
+        Node& leaf = nodes_[k];
+        std::uint32_t members = meeting_members(leaf, box);
+        if (std::popcount(members) > kFewMembers) {
+          if (!sheet) sheet.emplace(std::span(&own, 1));
+          members = sifted(leaf, *sheet, members);
+        }
+        for (; members != 0; members &= members - 1) {
+          visit(
+              items_[leaf.begin + static_cast<std::uint32_t>(std::countr_zero(members))].triangle);
+        }
+      });
+}
+
+template <class Visit>
 void TriangleTree::for_each_meeting(const Box& box, Visit&& visit) const {
   for_each_meeting_where(
       box, [](std::uint32_t) { return true; }, visit);
@@ -195,6 +243,15 @@ void TriangleTree::for_each_meeting(const Box& box, const Box& around, Visit&& v
 template <class Enters, class Visit>
 void TriangleTree::for_each_meeting_where(const Box& box, const Enters& enters,
                                           Visit& visit) const {
+  for_each_leaf(box, enters, [&](std::uint32_t k) {
+    for (std::uint32_t i = nodes_[k].begin; i < nodes_[k].end; ++i) {
+      if (items_[i].box.meets(box)) visit(items_[i].triangle);
+    }
+  });
+}
+
+template <class Enters, class Visit>
+void TriangleTree::for_each_leaf(const Box& box, const Enters& enters, const Visit& visit) const {
   if (nodes_.empty()) return;
   // Depth first: at most one sibling waits at each of fewer than 32 levels.
   std::array<std::uint32_t, 33> stack;
@@ -204,14 +261,12 @@ void TriangleTree::for_each_meeting_where(const Box& box, const Enters& enters,
     const std::uint32_t k = stack[--waiting];
     const Node& node = nodes_[k];
     if (!node.box.meets(box) || !enters(k)) continue;
-    if (node.left != 0) {
-      stack[waiting++] = node.left + 1;
-      stack[waiting++] = node.left;
+    if (node.left == 0) {
+      visit(k);
       continue;
     }
-    for (std::uint32_t i = node.begin; i < node.end; ++i) {
-      if (items_[i].box.meets(box)) visit(items_[i].triangle);
-    }
+    stack[waiting++] = node.left + 1;
+    stack[waiting++] = node.left;
   }
 }
 
