@@ -5,8 +5,10 @@
 
 #include <sys/mman.h>  // POSIX, as files are; what is asked for is Linux's
 #include <unistd.h>
+
 #if defined(__GLIBC__)
-#include <malloc.h>
+// Its header, which others lack, is not worth a condition.
+extern "C" int malloc_trim(std::size_t) noexcept;
 #endif
 
 namespace tetloft::internal::core {
