@@ -1,6 +1,7 @@
 // Options of reading.
 #include "cli/read_options.hpp"
 
+#include "cli/engine_option.hpp"
 #include "cli/file_formats.hpp"
 #include "core/option_rules.hpp"
 #include "io/numbers.hpp"
@@ -73,6 +74,9 @@ Result<ReadOptions> read_options(const Arguments& arguments) {
                        io::in_quotes(*arguments.text("--plane-tolerance")) + " is not above 0");
   }
   options.plane_tolerance = *tolerance;
+  const auto threads = threads_option(arguments);
+  if (!threads) return threads.error();
+  options.execution.threads = *threads;
   options.close_on_frame = arguments.has("--close-on-frame");
   return options;
 }

@@ -90,6 +90,7 @@ class AllStructures {
   Result<void> reconstruct_one(const Structure& structure, Outcome& outcome, Console& console) {
     Preparation preparation = request_.preparation;
     preparation.read.structure = structure.asked;
+    preparation.read.execution.threads = threads_each_;
     const auto input = read_stack_input(request_.input, preparation, console);
     if (!input) return input.error();
     ReconstructOptions options = request_.options;

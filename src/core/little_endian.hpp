@@ -23,11 +23,17 @@ template <class T>
   return value;
 }
 
+/// Writes the sizeof(T) bytes at `bytes`.
+template <class T>
+void store_little(char* bytes, T value) {
+  std::memcpy(bytes, &value, sizeof(T));
+  if constexpr (std::endian::native == std::endian::big) std::reverse(bytes, bytes + sizeof(T));
+}
+
 template <class T>
 void append_little(std::string& text, T value) {
   char copy[sizeof(T)];
-  std::memcpy(copy, &value, sizeof(T));
-  if constexpr (std::endian::native == std::endian::big) std::reverse(copy, copy + sizeof(T));
+  store_little(copy, value);
   text.append(copy, sizeof(T));
 }
 

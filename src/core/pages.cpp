@@ -5,8 +5,10 @@
 
 #include <sys/mman.h>  // POSIX, as files are; what is asked for is Linux's
 #include <unistd.h>
+
 #if defined(__GLIBC__)
-#include <malloc.h>
+// Its header, which others lack, is not worth a condition.
+extern "C" int malloc_trim(std::size_t) noexcept;
 #endif
 
 namespace tetloft::internal::core {
@@ -18,7 +20,7 @@ namespace {
 // The part of `bytes` that is made of whole pages, as what else is on a page belongs to others;
 // empty where it has few.
 std::span<std::byte> whole_pages(std::span<std::byte> bytes) {
-  constexpr std::size_t kFew = std::size_t{1} << 16;  // not worth the call
+  constexpr std::size_t kFew = std::size_t{1} << 14;  // not worth the call
   const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
   const std::size_t before = (page - reinterpret_cast<std::uintptr_t>(bytes.data()) % page) % page;
   if (bytes.size() < before + kFew) return {};

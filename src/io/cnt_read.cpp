@@ -15,6 +15,7 @@
 #include <tetloft/repair.hpp>
 #include <tetloft/valid_stack.hpp>
 
+#include "core/watched_work.hpp"
 #include "io/cnt_contents.hpp"
 #include "io/cursor.hpp"
 #include "io/numbers.hpp"
@@ -47,7 +48,7 @@ class CntReader {
     sum_up();
     IdVector<SectionId, Nesting> nestings;
     if (options.validity == Validity::required) {
-      auto nested = nest_if_valid(contents_.stack, {.threads = 1});
+      auto nested = nest_if_valid(contents_.stack, untold(options.execution));
       if (!nested) return refusal(nested.error());
       nestings = *std::move(nested);
     }

@@ -3,6 +3,7 @@
 // ones would mislead a reader, or packed by zlib in blocks.
 #pragma once
 
+#include <algorithm>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -62,12 +63,16 @@ VtkArray vtk_array(std::string name, std::size_t components, std::size_t n, Get 
     pieces.finish();
   };
   array.append_bytes = [n, get](Sink& sink) {
-    Pieces pieces(sink);
-    for (std::size_t i = 0; i < n; ++i) {
-      append_little<T>(pieces.text(), get(i));
-      pieces.next();
+    constexpr std::size_t kValues = std::size_t{1} << 13;  // of a piece
+    std::string piece;
+    for (std::size_t first = 0; first < n; first += kValues) {
+      const std::size_t count = std::min(n - first, kValues);
+      piece.resize(count * sizeof(T));
+      for (std::size_t k = 0; k < count; ++k) {
+        store_little<T>(piece.data() + k * sizeof(T), get(first + k));
+      }
+      sink.append(piece);
     }
-    pieces.finish();
   };
   return array;
 }

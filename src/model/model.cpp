@@ -1,13 +1,12 @@
-// Names of what a model's tets and points come from, its boundary surface and its volume.
+// Names of what a model's tets and points come from, and its boundary surface.
 #include <tetloft/model.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 #include "core/entry.hpp"
-#include "core/unit_of_length.hpp"
 #include "mesh/face_groups.hpp"
+#include "model/well_formed.hpp"
 
 namespace tetloft {
 
@@ -44,10 +43,6 @@ const char* name_of(PointOrigin origin) {
 namespace {
 
 // Its vertices are the model's.
-bool is_sound(const Model& model, const TetVertices& tet) {
-  return std::all_of(tet.begin(), tet.end(),
-                     [&](VertexId v) { return v.index() < model.points.size(); });
-}
 
 }  // namespace
 
@@ -72,41 +67,6 @@ Surface boundary_surface(const Model& model) {
     surface.tet.push_back(t);
   }
   return surface;
-}
-
-double volume(const Model& model) {
-  IdVector<VertexId, std::uint8_t> used(model.points.size(), 0);
-  for (const TetVertices& tet : model.tets) {
-    if (!is_sound(model, tet)) continue;
-    for (const VertexId v : tet) used[v] = 1;
-  }
-  UnitOfLength unit;
-  for (const VertexId v : used.ids()) {
-    if (used[v] != 0) unit.include(model.points[v]);
-  }
-  const int exponent = unit.largest_to_one();
-  // Neumaier's compensated sum: a stack has many tets far smaller than the whole.
-  double sum = 0;
-  double lost = 0;
-  for (const TetVertices& tet : model.tets) {
-    if (!is_sound(model, tet)) continue;
-    const Point3 d = scaled(model.points[tet[3]], exponent);
-    const auto from_d = [&](int i) {
-      const Point3 p = scaled(model.points[tet[static_cast<std::size_t>(i)]], exponent);
-      return Point3{p.x - d.x, p.y - d.y, p.z - d.z};
-    };
-    const Point3 a = from_d(0);
-    const Point3 b = from_d(1);
-    const Point3 c = from_d(2);
-    // a · (b × c) is minus the orientation determinant of (a, b, c, d).
-    const double term = -(a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) +
-                          a.z * (b.x * c.y - b.y * c.x)) /
-                        6;
-    const double next = sum + term;
-    lost += std::fabs(sum) >= std::fabs(term) ? (sum - next) + term : (term - next) + sum;
-    sum = next;
-  }
-  return std::ldexp(sum + lost, -3 * exponent) * volume_factor(model.frame);
 }
 
 }  // namespace tetloft

@@ -24,7 +24,7 @@ Result<std::optional<LongStack>> between_in(Unit unit, const SectionStack& stack
   LongLayers layers = long_layers(*built);
   Result<CorrespondenceOptions> correspondence = settled(layers, options.execution);
   if (!correspondence) return correspondence.error();
-  const std::optional<Model> model = take_model(*built);
+  const std::optional<Model> model = take_model(*built, options.execution.threads);
   if (!model) return std::optional<LongStack>();
   LongStack result;
   // Given ones are as they were, for their unit costs no bit; inserted ones as in the model.

@@ -79,7 +79,7 @@ std::optional<Error> SlabBuilds::build(const std::vector<SlabId>& slabs) {
       });
 }
 
-// Ends stand on the triangles of the first and the last section.
+// Ends stand on the triangles of the first and the last section; decisions, on those of all.
 void SlabBuilds::release_if_done(SectionId s) {
   const bool has_end = plan_.ends && (s.index() == 0 || s.index() == outcome_.size());
   if (!has_end && !decision_.depends_on_triangulations()) prepared_.release_triangulation(s);

@@ -23,8 +23,11 @@ class SlabBuilds {
              const ReconstructOptions& options, WatchedWork& work);
 
   /// Builds all slabs, each a step of the work, until all are solid. The error of the lowest slab
-  /// that has none.
+  /// that has none. Triangulations of sections are given up as soon as no slab needs them.
   [[nodiscard]] std::optional<Error> run();
+
+  /// Conforms the sections of these slabs as planned, where their triangulations were given up.
+  [[nodiscard]] std::optional<Error> triangulate_again(const std::vector<SlabId>& slabs);
 
   /// The solids of slabs and, as planned, ends, from below; handed out.
   [[nodiscard]] std::vector<Part> take_parts();
@@ -38,9 +41,7 @@ class SlabBuilds {
 
  private:
   [[nodiscard]] std::optional<Error> build(const std::vector<SlabId>& slabs);
-  // Gives up what no slab needs any more, unless one is to be built again; and has it again then.
   void release_if_done(SectionId s);
-  [[nodiscard]] std::optional<Error> triangulate_again(const std::vector<SlabId>& slabs);
   [[nodiscard]] bool is_divided(SlabId slab) const;
   // Takes contours as they are where the slab is refused with divided ones, or a section is; adds
   // the slabs that this touches.

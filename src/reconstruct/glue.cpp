@@ -1,9 +1,11 @@
 #include "reconstruct/glue.hpp"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "core/pages.hpp"
+#include "core/parallel.hpp"
 
 namespace tetloft::internal {
 
@@ -12,8 +14,7 @@ namespace {
 class Gluing {
  public:
   Gluing(const IdVector<SectionId, ConformingSection>& sections, const RegionComponents& component)
-      : component_(component) {
-    for (const SectionId s : sections.ids()) add_section(s, sections[s]);
+      : sections_(sections), component_(component) {
     for (const auto& section : component) {
       for (const ComponentId c : section) {
         model_.component_count = std::max(model_.component_count, c.index() + 1);
@@ -21,12 +22,12 @@ class Gluing {
     }
   }
 
-  Model run(std::vector<Part> parts) {
+  Model run(std::vector<Part> parts, unsigned threads) {
     reserve(parts);
-    for (Part& part : parts) {
-      add(part);
-      core::release(part.solid.pieces);
-      part.solid = SlabSolid();
+    for (const SectionId s : sections_.ids()) add_section(s, sections_[s]);
+    // A batch, whose tets are new memory, is given up before the next one.
+    for (std::size_t first = 0; first < parts.size(); first += kBatch) {
+      add(std::span(parts).subspan(first, std::min(kBatch, parts.size() - first)), threads);
     }
     return std::move(model_);
   }
@@ -41,9 +42,12 @@ class Gluing {
     }
   }
 
+  static constexpr std::size_t kBatch = 16;  // parts: enough for some threads, few beside a stack
+
   void reserve(const std::vector<Part>& parts) {
     std::size_t tets = 0;
-    std::size_t points = model_.points.size();
+    std::size_t points = 0;
+    for (const ConformingSection& section : sections_) points += section.vertex_count();
     for (const Part& part : parts) {
       tets += part.solid.pieces.size();
       points += part.solid.constructed.size();
@@ -58,6 +62,26 @@ class Gluing {
     model_.origin.reserve(points);
   }
 
+  void add(std::span<Part> batch, unsigned threads) {
+    std::vector<IdVector<ConstructedId, VertexId>> constructed;
+    std::vector<std::size_t> first_tet;
+    std::size_t tets = model_.tets.size();
+    for (const Part& part : batch) {
+      constructed.push_back(add_constructed(part.solid));
+      first_tet.push_back(tets);
+      tets += part.solid.pieces.size();
+    }
+    model_.tets.resize(tets);
+    model_.component.resize(tets);
+    model_.slab.resize(tets);
+    model_.kind.resize(tets);
+    parallel_for(batch.size(), threads, [&](std::size_t k) {
+      set_tets(batch[k], constructed[k], TetId(first_tet[k]));
+      core::release(batch[k].solid.pieces);
+      batch[k].solid = SlabSolid();
+    });
+  }
+
   VertexId add_point(const Point3& p, SectionId section, ContourId contour, PointOrigin origin) {
     model_.section.raw().push_back(section);
     model_.contour.raw().push_back(contour);
@@ -70,10 +94,10 @@ class Gluing {
     return component_[regions.is_upper(r) ? part.upper : part.lower][regions.in_section(r)];
   }
 
-  void add(const Part& part) {
+  // From t on.
+  void set_tets(const Part& part, const IdVector<ConstructedId, VertexId>& constructed, TetId t) {
     const SlabSolid& solid = part.solid;
     const Nodes nodes = solid.nodes();
-    const IdVector<ConstructedId, VertexId> constructed = add_constructed(solid);
     const auto model_vertex = [&](NodeId n) {
       if (nodes.is_constructed(n)) return constructed[nodes.constructed(n)];
       const SlabVertexId v = Nodes::slab_vertex(n);
@@ -82,11 +106,11 @@ class Gluing {
     };
     for (const Piece& piece : solid.pieces) {
       const auto& [a, b, c, d] = piece.node;
-      model_.tets.raw().push_back(
-          {model_vertex(a), model_vertex(b), model_vertex(c), model_vertex(d)});
-      model_.component.raw().push_back(component_of(part, piece.region));
-      model_.slab.raw().push_back(part.slab);
-      model_.kind.raw().push_back(piece.kind);
+      model_.tets[t] = {model_vertex(a), model_vertex(b), model_vertex(c), model_vertex(d)};
+      model_.component[t] = component_of(part, piece.region);
+      model_.slab[t] = part.slab;
+      model_.kind[t] = piece.kind;
+      t = TetId(t.value() + 1);
     }
   }
 
@@ -106,6 +130,7 @@ class Gluing {
     return vertex;
   }
 
+  const IdVector<SectionId, ConformingSection>& sections_;
   const RegionComponents& component_;
   StackVertices vertices_;
   Model model_;
@@ -114,8 +139,8 @@ class Gluing {
 }  // namespace
 
 Model glue(const IdVector<SectionId, ConformingSection>& sections,
-           const RegionComponents& component, std::vector<Part> parts) {
-  return Gluing(sections, component).run(std::move(parts));
+           const RegionComponents& component, std::vector<Part> parts, unsigned threads) {
+  return Gluing(sections, component).run(std::move(parts), threads);
 }
 
 }  // namespace tetloft::internal

@@ -27,8 +27,9 @@ using RegionComponents = IdVector<SectionId, IdVector<RegionId, ComponentId>>;
 
 /// The model of all parts, from below; each is given up as soon as it is glued. Vertices are
 /// numbered by section (canonical order in each), then constructed ones by part; those that no tet
-/// uses are left out.
+/// uses are left out. The same at any number of threads.
 [[nodiscard]] Model glue(const IdVector<SectionId, ConformingSection>& sections,
-                         const RegionComponents& component, std::vector<Part> parts);
+                         const RegionComponents& component, std::vector<Part> parts,
+                         unsigned threads = 1);
 
 }  // namespace tetloft::internal

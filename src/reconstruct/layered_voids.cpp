@@ -69,7 +69,8 @@ std::optional<IdVector<SlabId, std::vector<Link>>> LayeredVoids::decide(
     stack.stack.sections.push_back(layer.section);
     stack.nestings.push_back(layer.nesting);
   }
-  const ReconstructOptions by_rule;
+  ReconstructOptions by_rule;
+  by_rule.execution.threads = 1;  // as slabs share the threads
   const WatchedWork work(by_rule.execution, 0);
   Result<std::optional<Correspondence>> voids = VoidDecision(stack, by_rule).make(of_regions, work);
   if (!accepted(voids) || !*voids) return std::nullopt;

@@ -144,7 +144,7 @@ Result<BuiltStack> build_stack(Unit unit, const GivenStack& stack,
   return built;
 }
 
-std::optional<Model> take_model(BuiltStack& built) {
+std::optional<Model> take_model(BuiltStack& built, unsigned threads) {
   StepClock clock(built.seconds);
   Plan& plan = built.plan;
   VoidOutcome of_voids =
@@ -153,7 +153,7 @@ std::optional<Model> take_model(BuiltStack& built) {
   for (const SectionId s : built.prepared.sections.ids()) built.prepared.release_triangulation(s);
   core::give_back_freed();
   Model model =
-      glue(built.prepared.sections, plan.correspondence.component, std::move(built.parts));
+      glue(built.prepared.sections, plan.correspondence.component, std::move(built.parts), threads);
   model.links = region_links(plan.correspondence.candidates, built.prepared.nestings);
   model.motions = plan.motions;
   model.void_links = std::move(of_voids.links);

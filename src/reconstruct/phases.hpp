@@ -42,7 +42,7 @@ struct BuiltStack {
 
 /// The model, in the unit given; the parts and the triangulations of sections are given up. Nothing
 /// where it is none there: a coordinate would lose a bit.
-[[nodiscard]] std::optional<Model> take_model(BuiltStack& built);
+[[nodiscard]] std::optional<Model> take_model(BuiltStack& built, unsigned threads);
 
 /// make(unit, options) -> Result<std::optional<T>>, in the unit of the stack, or, where nothing
 /// came of that, in the one given.

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/guard.hpp"
+#include "core/pages.hpp"
 #include "core/unit_of_length.hpp"
 #include "reconstruct/divide.hpp"
 #include "reconstruct/stack_errors.hpp"
@@ -32,12 +33,16 @@ std::optional<Error> PreparedStack::conform_section(SectionId s,
   return std::nullopt;
 }
 
+// At once: what slabs are built of rarely fits in the holes that are left.
 void PreparedStack::release_triangulation(SectionId s) {
   ConformingSection& section = sections[s];
-  section.triangulation.triangles = {};
-  section.triangulation.neighbours = {};
-  section.edges = {};
+  core::release(section.triangulation.triangles.raw());
+  core::release(section.triangulation.neighbours.raw());
+  core::release(section.edges.raw());
   section.first_edge = {};
+  section.next = {};
+  section.previous = {};
+  section.edge_of = {};
 }
 
 namespace {

@@ -45,8 +45,9 @@ struct PreparedStack {
                                                      const std::vector<Point2>& apart = {},
                                                      const std::vector<EdgeDivision>& divided = {});
 
-  /// Gives up a section's triangles and edges, which take more memory than all else together. The
-  /// vertices, and which triangles were inside, stay.
+  /// Gives up a section's triangles and edges and what leads along contours, which take more memory
+  /// than all else together. The vertices stay, their contours and regions, and which triangles
+  /// were inside.
   void release_triangulation(SectionId s);
   [[nodiscard]] bool is_triangulated(SectionId s) const {
     return sections[s].vertex_count() == 0 || !sections[s].edges.empty();

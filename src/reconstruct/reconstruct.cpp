@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "model/volume.hpp"
 #include "reconstruct/component_names.hpp"
 #include "reconstruct/hints.hpp"
 #include "reconstruct/phases.hpp"
@@ -30,14 +31,15 @@ void add_up(const std::vector<Part>& parts, ReconstructReport& report) {
   }
 }
 
-void describe(const PreparedStack& prepared, const Model& model, ReconstructReport& report) {
+void describe(const PreparedStack& prepared, const Model& model, unsigned threads,
+              ReconstructReport& report) {
   report.slices = prepared.section_count();
   report.contours = prepared.stack.contour_count();
   report.input_vertices = prepared.stack.vertex_count();
   report.vertices = model.points.size();
   report.tets = model.tets.size();
   report.components = model.component_count;
-  report.volume = volume(model);
+  report.volume = volume_of(model, threads);
   report.split_vertices = static_cast<std::size_t>(
       std::count(model.origin.begin(), model.origin.end(), PointOrigin::contour_split));
   report.work += report.split_vertices;
@@ -63,7 +65,7 @@ Result<std::optional<Reconstruction>> reconstruct_in(Unit unit, const GivenStack
   for (const std::vector<EdgeDivision>& section : built->plan.divided) {
     for (const EdgeDivision& edge : section) report.dividing_vertices += edge.parts - 1;
   }
-  std::optional<Model> model = take_model(*built);
+  std::optional<Model> model = take_model(*built, options.execution.threads);
   if (!model) return std::optional<Reconstruction>();
   result.model = std::move(*model);
   result.model.frame = stack.frame;
@@ -73,7 +75,7 @@ Result<std::optional<Reconstruction>> reconstruct_in(Unit unit, const GivenStack
   if (const auto hint = hint_of_many_tets(built->prepared, result.model)) {
     result.warnings.push_back(*hint);
   }
-  describe(built->prepared, result.model, report);
+  describe(built->prepared, result.model, options.execution.threads, report);
   result.partition = std::move(built->plan.correspondence.partition);
   for (std::size_t s = 0; s < kSteps; ++s) report.seconds[s] += built->seconds[s];
   report.seconds_total = std::chrono::duration<double>(Clock::now() - start).count();

@@ -65,7 +65,7 @@ set(public_only_contact mesh)
 
 # Headers beside the C++ standard library: the terminal and the signals of the command line; files
 # without a name, links, permissions, and signals that wait; memory page by page (POSIX).
-set(system_core sys/mman.h)
+set(system_core sys/mman.h unistd.h)
 set(system_cli fcntl.h signal.h unistd.h)
 set(system_io fcntl.h pthread.h signal.h sys/stat.h sys/types.h unistd.h)
 

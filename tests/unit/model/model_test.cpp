@@ -2,11 +2,18 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "core/prng.hpp"
+#include "model/volume.hpp"
+
 namespace tetloft {
+
+using namespace internal;
 namespace {
 
 VertexId v(int i) { return VertexId(i); }
@@ -96,6 +103,39 @@ TEST(Volume, KeepsSmallTetsBesideALargeOne) {
     model.tets.push_back({v(first), v(first + 1), v(first + 2), v(first + 3)});
   }
   EXPECT_DOUBLE_EQ(volume(model), 0x1p60 / 6 + 1024 * 0x1p-3 / 6);
+}
+
+long double volume_in_long_double(const Model& model, const TetVertices& tet) {
+  std::array<std::array<long double, 3>, 3> from_first{};
+  const Point3& o = model.points[tet[0]];
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Point3& p = model.points[tet.at(i + 1)];
+    from_first.at(i) = {static_cast<long double>(p.x) - o.x, static_cast<long double>(p.y) - o.y,
+                        static_cast<long double>(p.z) - o.z};
+  }
+  const auto& [a, b, c] = from_first;
+  return (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+          a[2] * (b[0] * c[1] - b[1] * c[0])) /
+         6;
+}
+
+TEST(Volume, IsTheSameOnAnyNumberOfThreads) {
+  Prng prng(77);
+  Model model;
+  for (int i = 0; i < 1000; ++i) {
+    model.points.push_back({prng.unit() * 1e3, prng.unit(), prng.unit() * 1e-3});
+  }
+  long double expected = 0;
+  for (int i = 0; i < 100'000; ++i) {
+    TetVertices tet;
+    for (VertexId& u : tet) u = VertexId(prng.below(1000));
+    model.tets.push_back(tet);
+    expected += volume_in_long_double(model, tet);
+  }
+  model.tets.push_back({v(0), v(1), v(2), VertexId()});  // adds nothing
+  const double alone = volume_of(model, 1);
+  EXPECT_NEAR(alone, static_cast<double>(expected), 1e-9 * std::abs(alone));
+  for (const unsigned threads : {2U, 3U, 7U}) EXPECT_EQ(volume_of(model, threads), alone);
 }
 
 TEST(Names, AreDistinct) {

@@ -123,6 +123,7 @@ TEST(SlabBuilds, SolidsAreThoseOfTheSectionsAndLinksAsRefined) {
     SCOPED_TRACE(static_cast<int>(criterion));
     Phases phases(shielded_in_the_middle(), labelled(criterion, kShieldedLabels));
     ASSERT_FALSE(phases.builds->run());
+    ASSERT_FALSE(phases.builds->triangulate_again(all_ids<SlabId>(5)));
     for (const Part& part : phases.builds->take_parts()) {
       Result<SlabOutcome> alone = build_slab(
           part.slab, phases.prepared.sections[part.lower], phases.prepared.sections[part.upper],
@@ -140,6 +141,44 @@ TEST(SlabBuilds, SolidsAreThoseOfTheSectionsAndLinksAsRefined) {
     EXPECT_EQ(decided->links, phases.plan.correspondence.links);
     EXPECT_EQ(decided->component, phases.plan.correspondence.component);
   }
+}
+
+TEST(SlabBuilds, GiveUpTriangulationsOnceAndHaveThemAgainAsPlanned) {
+  for (const unsigned threads : {1U, 2U}) {
+    ReconstructOptions options = labelled(Criterion::overlap, kShieldedLabels);
+    options.execution.threads = threads;
+    Phases phases(shielded_in_the_middle(), options);
+    const auto before = phases.prepared.sections;
+    ASSERT_FALSE(phases.builds->run());
+    std::size_t given_up = 0;
+    for (const SectionId s : before.ids()) {
+      EXPECT_EQ(phases.prepared.sections[s].triangulation.points.size(),
+                phases.prepared.sections[s].vertex_count());
+      // Those that were refined, and what is beside them, were needed once more.
+      if (!phases.prepared.is_triangulated(s)) ++given_up;
+    }
+    EXPECT_FALSE(phases.prepared.is_triangulated(SectionId(0)));
+    EXPECT_FALSE(phases.prepared.is_triangulated(SectionId(5)));
+    EXPECT_LT(given_up, 6U);
+    ASSERT_FALSE(phases.builds->triangulate_again(all_ids<SlabId>(5)));
+    for (const SectionId s : before.ids()) {
+      const ConformingSection& again = phases.prepared.sections[s];
+      EXPECT_EQ(again.gabriel, phases.plan.gabriel[s]);
+      if (!again.gabriel.empty()) continue;
+      EXPECT_EQ(again.triangulation.triangles.raw(), before[s].triangulation.triangles.raw());
+      EXPECT_EQ(again.next.raw(), before[s].next.raw());
+      EXPECT_EQ(again.edges.size(), before[s].edges.size());
+    }
+  }
+}
+
+TEST(SlabBuilds, EndsStandOnSectionsThatKeepTheirTriangles) {
+  Phases phases(stack_of_boxes({{box(0, 0, 1, 1)}, {box(0, 0, 1, 1)}, {box(0, 0, 1, 1)}}), {});
+  phases.plan.ends = EndPlanes{-1, 3};
+  ASSERT_FALSE(phases.builds->run());
+  EXPECT_TRUE(phases.prepared.is_triangulated(SectionId(0)));
+  EXPECT_FALSE(phases.prepared.is_triangulated(SectionId(1)));
+  EXPECT_TRUE(phases.prepared.is_triangulated(SectionId(2)));
 }
 
 TEST(SlabBuilds, OnlyContoursOfTheClassAreRefined) {

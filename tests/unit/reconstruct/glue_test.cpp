@@ -76,8 +76,13 @@ std::vector<std::array<Point3, 4>> points_of(const Part& part,
   return result;
 }
 
+// More parts than are glued at once, and one without tets among them.
 TEST_F(Glue, TetsAreThePiecesOfAllPartsInOrderPointByPoint) {
-  std::vector<Part> parts{below(0), above(0), above(1), below(2)};
+  std::vector<Part> parts;
+  for (int i = 0; i < 10; ++i) {
+    parts.insert(parts.end(), {below(0), above(0), above(1), below(2)});
+    if (i == 5) parts.push_back({SlabId(0), SectionId(0), SectionId(1), SlabSolid()});
+  }
   std::vector<std::array<Point3, 4>> expected;
   std::vector<SlabId> slabs;
   for (const Part& part : parts) {
@@ -86,14 +91,16 @@ TEST_F(Glue, TetsAreThePiecesOfAllPartsInOrderPointByPoint) {
       slabs.push_back(part.slab);
     }
   }
-  const Model model = glue(sections_, components_, std::move(parts));
-  ASSERT_EQ(model.tets.size(), expected.size());
-  for (const TetId t : model.tets.ids()) {
-    for (std::size_t i = 0; i < 4; ++i) {
-      EXPECT_EQ(model.points[model.tets[t].at(i)], expected[t.index()].at(i));
+  for (const unsigned threads : {1U, 3U}) {
+    const Model model = glue(sections_, components_, parts, threads);
+    ASSERT_EQ(model.tets.size(), expected.size());
+    for (const TetId t : model.tets.ids()) {
+      for (std::size_t i = 0; i < 4; ++i) {
+        EXPECT_EQ(model.points[model.tets[t].at(i)], expected[t.index()].at(i));
+      }
+      EXPECT_EQ(model.slab[t], slabs[t.index()]);
+      EXPECT_EQ(model.kind[t], TetKind::prism);
     }
-    EXPECT_EQ(model.slab[t], slabs[t.index()]);
-    EXPECT_EQ(model.kind[t], TetKind::prism);
   }
 }
 

@@ -89,6 +89,7 @@ std::optional<Error> plan_into(const Folder& folder, const SectionStack& stack,
   }
   SlabBuilds builds(*prepared, decision, plan, options, work);
   if (auto error = builds.run()) return error;
+  if (auto error = builds.triangulate_again(all_ids<SlabId>(prepared->slab_count()))) return error;
   folder.write("plan", to_record(plan));
   for (const SectionId s : prepared->sections.ids()) {
     folder.write(section_file(s), sections::to_record(prepared->sections[s]));
