@@ -125,7 +125,8 @@ bool Sheet::parted(const Sheet& other, const Point3& normal, const Point3& offse
 bool Sheet::apart(const Sheet& other) const {
   const Point3 offset = difference(other.centre_, centre_);
   return parted(other, axes_[1], offset) || parted(other, other.axes_[1], offset) ||
-         parted(other, cross(axes_[0], other.axes_[0]), offset);
+         parted(other, cross(axes_[0], other.axes_[0]), offset) ||
+         parted(other, axes_[2], offset) || parted(other, other.axes_[2], offset);
 }
 
 }  // namespace tetloft::internal::contact_detail
