@@ -105,7 +105,7 @@ class TriangleTree {
   // the bits of a mask.
   static constexpr std::uint32_t kLeafSize = 8;
   // As many pairs of two leaves are as soon told apart one by one as by sheets.
-  static constexpr int kFewPairs = 8;
+  static constexpr int kFewPairs = 24;
   static constexpr std::uint32_t kNoSheets = 0xFFFFFFFFU;
 
   /// Triangles items_[begin … end − 1], one at least. A leaf iff left is 0, else the
