@@ -69,9 +69,9 @@ Run slab3(std::span<const Point3> points) {
   const auto lower = delaunay2(plane[0]);
   const auto upper = delaunay2(plane[1]);
   WatchedWork work(kUnwatched, 0);
-  const std::vector<delaunay3_detail::TetSlot> slab =
-      delaunay3_detail::slab_overlay(*lower, *upper, work);
-  return {clock.seconds(), slab.size()};
+  const auto slab = delaunay3_detail::slab_overlay(
+      *lower, *upper, {.input_of = {}, .input_count = ranked.size()}, work);
+  return {clock.seconds(), slab->tet_count()};
 }
 
 Run whole_call3(std::span<const Point3> points, unsigned threads) {

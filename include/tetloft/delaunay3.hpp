@@ -31,8 +31,8 @@ struct Delaunay3Options {
   /// Refused (work_limit) while it works, as soon as it would take more tets at a time; 0: no
   /// limit. Of n points some sets have n² / 2 tets: on two skew curves, for instance.
   std::size_t most_tets = 0;
-  /// The incremental engine shares parts of space between all threads, the slab engine the two
-  /// planes, and both the numbering. With most_tets points are inserted on one thread, as how many
+  /// The incremental engine shares parts of space and the numbering between all threads, the slab
+  /// engine the two planes. With most_tets points are inserted on one thread, as how many
   /// tets there are at a time depends on their order.
   Execution execution = {};
 };

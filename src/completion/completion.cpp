@@ -1,9 +1,9 @@
 #include "completion/completion.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <functional>
 
+#include "completion/link_discs.hpp"
 #include "core/guard.hpp"
 
 namespace tetloft::internal {
@@ -19,15 +19,9 @@ Completion::Completion(const Slab& slab, const SlabClasses& classes,
       parts_(classes.regions().size()),
       changed_(slab.vertex_count(), 0),
       queued_(slab.vertex_count(), 0),
-      sectors_(slab.vertex_count()),
       seen_(slab.tet_count(), 0),
-      spoke_of_(slab.tet_count(), kHull),
-      link_vertex_(slab.vertex_count()) {
-  for (const ClassId c : IdRange<ClassId>(classes.class_count())) {
-    part_count_.push_back(classes.regions(c).size());
-  }
-  find_sectors();
-}
+      boundary_(slab.vertex_count()),
+      spoke_of_(slab.tet_count(), kHull) {}
 
 std::vector<LeftApart> Completion::run() {
   settle_all();
@@ -49,20 +43,36 @@ void Completion::keep(TetId t, ClassId c) {
   for (int i = 0; i < 4; ++i) {
     if (!has_corner(mask, i)) continue;
     enqueue(slab_.vertex(t, i));
+    disc_[slab_.vertex(t, i)] = 0;
     note_change(slab_.vertex(t, i));
   }
 }
 
 // Every vertex of an active class, and what the rules want besides: as if all had been enqueued.
+// Where the link is a disc already, and nothing more is kept, there is nothing to settle.
 void Completion::settle_all() {
+  disc_ = link_discs(slab_, complex_.kept);
+  work_ += slab_.tet_count();
   for (const SlabVertexId v : slab_.vertices()) queued_[v] = active_[classes_.of(v)];
   for (const SlabVertexId v : slab_.vertices()) {
     if (queued_[v] == 0) continue;
     while (!heap_.empty() && heap_.front() < v) settle_lowest();
-    settle(v);
+    if (disc_[v] == 0) settle(v);
     queued_[v] = 0;
   }
   settle_queue();
+  attach_discs();
+}
+
+// All that is kept at the vertices nobody had to settle.
+void Completion::attach_discs() {
+  for (const TetId t : slab_.tets()) {
+    const std::uint8_t kept = complex_.kept[t];
+    if (kept == 0) continue;
+    unsigned discs = 0;
+    for (int i = 0; i < 4; ++i) discs |= static_cast<unsigned>(disc_[slab_.vertex(t, i)]) << i;
+    complex_.attached[t] = static_cast<std::uint8_t>(complex_.attached[t] | (kept & discs));
+  }
 }
 
 void Completion::settle_queue() {
@@ -77,72 +87,61 @@ void Completion::settle_lowest() {
   queued_[v] = 0;
 }
 
-void Completion::find_sectors() {
-  for (const bool upper : {false, true}) {
-    const ConformingSection& section = slab_.section(upper);
-    for (const TriangleId triangle : section.internal.ids()) {
-      if (section.internal[triangle] == 0) continue;
-      for (const PlaneVertexId v : section.triangulation.triangles[triangle]) {
-        Sector& sector = sectors_[slab_.numbering().in_slab(upper, v)];
-        if (sector.count++ == 0) sector.first = slab_.tet_on(upper, triangle);
-      }
-    }
-  }
+// Those of a vertex hang together over its internal edges, whose rings are kept: one of them leads
+// to all.
+TetId Completion::tet_on_internal_triangle(SlabVertexId p) const {
+  const bool upper = slab_.is_upper(p);
+  const ConformingSection& section = slab_.section(upper);
+  const PlaneVertexId v = slab_.in_section(p);
+  TETLOFT_CHECK(section.next[v].valid());
+  const ConformingSection::Edge& edge = section.edges[section.find_edge(v, section.next[v])];
+  const bool left = edge.left.valid() && section.internal[edge.left] != 0;
+  return slab_.tet_on(upper, left ? edge.left : edge.right);
 }
 
-// Floods the sheet at p that holds its internal triangles, and measures it on the way; the rest of
-// the star is not looked at.
-bool Completion::attach_disc(SlabVertexId p) {
-  const Sector& sector = sectors_[p];
-  if (sector.count == 0) return false;
-  const bool upper = slab_.is_upper(p);
+// Floods the primary sheet at p, and notes its boundary in the link; the rest of the star is not
+// looked at.
+Completion::LinkShape Completion::flood_sheet(SlabVertexId p) {
   ++epoch_;
-  LinkCount link;
-  std::uint32_t own_triangles = 0;
+  boundary_.clear();
   sheet_.clear();
   const auto reach = [&](TetId t, int corner) {
     seen_[t] = epoch_;
     sheet_.push_back(TetMesh::half_face(t, corner));
   };
-  reach(sector.first, slab_.index_in(sector.first, p));
+  const TetId first = tet_on_internal_triangle(p);
+  reach(first, slab_.index_in(first, p));
   for (std::size_t at = 0; at < sheet_.size(); ++at) {
     const TetId t = TetMesh::tet_of(sheet_[at]);
     const int corner = TetMesh::face_of(sheet_[at]);
-    if (slab_.kind(t) == TetKind::t1_internal && slab_.has_triangle(t, upper)) ++own_triangles;
-    std::array<bool, 4> edge{};
     for (int i = 0; i < 4; ++i) {
       if (i == corner) continue;
       const TetId across = slab_.mesh().neighbour(t, i);
-      if (across.valid() && seen_[across] == epoch_) continue;
-      const int there = across.valid() ? slab_.index_in(across, p) : 0;
-      if (across.valid() && complex_.keeps(across, there)) {
-        reach(across, there);
-      } else {
-        edge[static_cast<std::size_t>(i)] = true;
+      if (across.valid()) {
+        if (in_sheet(across)) continue;
+        const int there = slab_.index_in(across, p);
+        if (complex_.keeps(across, there)) {
+          reach(across, there);
+          continue;
+        }
       }
+      const LinkEdge& edge = link_edge(corner, i);
+      boundary_.add(slab_.vertex(t, edge.from), slab_.vertex(t, edge.to));
     }
-    add_to_link(t, corner, edge, link);
   }
   work_ += sheet_.size();
-  if (own_triangles != sector.count || link.pinched || !link.is_euler_disc()) return false;
-  for (const HalfFaceId at : sheet_) attach(TetMesh::tet_of(at), TetMesh::face_of(at));
-  return true;
+  if (boundary_.is_pinched()) return LinkShape::pinched;
+  return boundary_.is_simple_cycle() ? LinkShape::disc : LinkShape::holed;
 }
 
 void Completion::settle(SlabVertexId p) {
-  if (attach_disc(p)) return;
-  gather_star(p);
   for (;;) {
-    find_primary_sheet();
-    const LinkShape shape = link_shape();
+    const LinkShape shape = flood_sheet(p);
     if (shape == LinkShape::disc) break;
     if (shape == LinkShape::pinched && fill_rings(p)) continue;
     if (!fill_holes(p)) break;
   }
-
-  for (std::size_t k = 0; k < spokes_.size(); ++k) {
-    if (primary_[k] != 0) attach(spokes_[k].tet, spokes_[k].corner);
-  }
+  for (const HalfFaceId c : sheet_) attach(TetMesh::tet_of(c), TetMesh::face_of(c));
 }
 
 // The corners of p by tet, over the faces at it: few stars are gathered, and lists of corners for
@@ -154,8 +153,7 @@ void Completion::find_star(SlabVertexId p) {
     seen_[t] = epoch_;
     star_.push_back(TetMesh::half_face(t, slab_.index_in(t, p)));
   };
-  TETLOFT_CHECK(sectors_[p].count > 0);
-  reach(sectors_[p].first);
+  reach(tet_on_internal_triangle(p));
   for (std::size_t at = 0; at < star_.size(); ++at) {
     const TetId t = TetMesh::tet_of(star_[at]);
     for (int i = 0; i < 4; ++i) {
@@ -185,25 +183,11 @@ void Completion::gather_star(SlabVertexId p) {
   }
 }
 
-// Floods from the type-1 tets on the vertex's own internal triangles.
-void Completion::find_primary_sheet() {
+void Completion::find_primary_sheet(SlabVertexId p) {
   primary_.assign(spokes_.size(), 0);
-  sheets_ = 0;
-  for (std::size_t k = 0; k < spokes_.size(); ++k) {
-    const Spoke& spoke = spokes_[k];
-    if (slab_.kind(spoke.tet) != TetKind::t1_internal) continue;
-    const std::uint8_t upper = slab_.upper_corners(spoke.tet);
-    const bool triangle_above = std::popcount(upper) == 3;
-    if (has_corner(upper, spoke.corner) != triangle_above) continue;  // p is the apex
-    if (primary_[k] != 0) continue;
-    ++sheets_;
-    flood_primary(k);
-  }
-}
-
-void Completion::flood_primary(std::size_t start) {
+  const auto start = static_cast<std::uint32_t>(spoke_of_[tet_on_internal_triangle(p)]);
   primary_[start] = 1;
-  stack_.assign(1, static_cast<std::uint32_t>(start));
+  stack_.assign(1, start);
   while (!stack_.empty()) {
     const Spoke& spoke = spokes_[stack_.back()];
     stack_.pop_back();
@@ -218,48 +202,10 @@ void Completion::flood_primary(std::size_t start) {
   }
 }
 
-// In the link the primary sheet is a set of triangles. A link vertex is pinched iff more
-// than two of the set's boundary edges end there: two for one run of tets, also for one gap
-// in a cycle, four and more for several. A connected set without pinch is a disc iff χ = 1.
-Completion::LinkShape Completion::link_shape() {
-  ++epoch_;
-  LinkCount link;
-  for (std::size_t k = 0; k < spokes_.size(); ++k) {
-    if (primary_[k] == 0) continue;
-    const Spoke& spoke = spokes_[k];
-    std::array<bool, 4> edge{};
-    for (std::size_t i = 0; i < 4; ++i) {
-      if (i == static_cast<std::size_t>(spoke.corner)) continue;
-      const std::int32_t next = spoke.next[i];
-      edge[i] = next == kHull || primary_[static_cast<std::size_t>(next)] == 0;
-    }
-    add_to_link(spoke.tet, spoke.corner, edge, link);
-  }
-  if (link.pinched) return LinkShape::pinched;
-  return sheets_ == 1 && link.is_euler_disc() ? LinkShape::disc : LinkShape::holed;
-}
-
-// Adds the triangle that t is in the link of its corner; edge[i]: whether the one opposite corner i
-// is on the boundary.
-void Completion::add_to_link(TetId t, int corner, const std::array<bool, 4>& edge,
-                             LinkCount& link) {
-  const auto edges = static_cast<std::uint32_t>(edge[0] + edge[1] + edge[2] + edge[3]);
-  ++link.triangles;
-  link.boundary_edges += edges;
-  for (int i = 0; i < 4; ++i) {
-    if (i == corner) continue;
-    LinkVertex& vertex = link_vertex_[slab_.vertex(t, i)];
-    if (vertex.epoch != epoch_) {
-      vertex = {epoch_, 0};
-      ++link.vertices;
-    }
-    vertex.boundary_edges += edges - (edge[static_cast<std::size_t>(i)] ? 1U : 0U);
-    link.pinched = link.pinched || vertex.boundary_edges > 2;
-  }
-}
-
 // Fills the complements of the primary sheet in the star that touch no hull facet.
 bool Completion::fill_holes(SlabVertexId p) {
+  gather_star(p);
+  find_primary_sheet(p);
   std::vector<std::uint8_t> visited = primary_;
   to_keep_.clear();
   for (std::size_t start = 0; start < spokes_.size(); ++start) {

@@ -30,6 +30,7 @@
 #include <vector>
 
 #include "completion/complex.hpp"
+#include "completion/link_boundary.hpp"
 #include "core/union_find.hpp"
 
 namespace tetloft::internal {
@@ -80,22 +81,6 @@ class Completion {
 
   // The primary sheet as it appears in the link of its vertex.
   enum class LinkShape : std::uint8_t { disc, pinched, holed };
-  struct LinkVertex {
-    std::uint32_t epoch = 0;
-    std::uint32_t boundary_edges = 0;  // of the primary sheet, that end there
-  };
-
-  // What was counted in the link of a vertex.
-  struct LinkCount {
-    std::size_t triangles = 0;
-    std::size_t vertices = 0;
-    std::size_t boundary_edges = 0;
-    bool pinched = false;
-    // V − E + F = 1 with E = (3 F + B) / 2.
-    [[nodiscard]] bool is_euler_disc() const {
-      return 2 * vertices == 2 + triangles + boundary_edges;
-    }
-  };
 
   // A detached sheet and the shortest way to its vertex's primary one.
   struct Merge {
@@ -133,49 +118,41 @@ class Completion {
     bool knows_bridges = false;
   };
 
-  // Where the internal triangles at each vertex are.
-  struct Sector {
-    TetId first;              // the type-1 tet on one of them
-    std::uint32_t count = 0;  // of triangles
-  };
-
   void enqueue(SlabVertexId v);
   void keep(TetId t, ClassId c);
-  void find_sectors();
+  // The type-1 tet on an internal triangle at a region's vertex.
+  [[nodiscard]] TetId tet_on_internal_triangle(SlabVertexId p) const;
   void settle_all();
+  void attach_discs();
   void settle_queue();
   void settle_lowest();
-  // Attaches the primary sheet at p if it is a disc in its link as it is; false, with nothing done,
-  // if it is not.
-  [[nodiscard]] bool attach_disc(SlabVertexId p);
+  [[nodiscard]] LinkShape flood_sheet(SlabVertexId p);
 
-  void find_star(SlabVertexId p);  // requires an internal triangle at p
+  void find_star(SlabVertexId p);  // of a region
   void gather_star(SlabVertexId p);
-  void find_primary_sheet();
-  void flood_primary(std::size_t start);
-  [[nodiscard]] LinkShape link_shape();
-  void add_to_link(TetId t, int corner, const std::array<bool, 4>& edge, LinkCount& link);
+  void find_primary_sheet(SlabVertexId p);  // of the star gathered
   bool fill_rings(SlabVertexId p);
   void fill_run(SlabVertexId p, SlabVertexId q);
   void fill_gaps();
   bool fill_holes(SlabVertexId p);
   void settle(SlabVertexId p);
-  [[nodiscard]] bool in_primary(TetId t) const {
-    return primary_[static_cast<std::size_t>(spoke_of_[t])] != 0;
-  }
+  [[nodiscard]] bool in_sheet(TetId t) const { return seen_[t] == epoch_; }
   [[nodiscard]] bool spoke_kept(std::size_t k) const {
     return complex_.keeps(spokes_[k].tet, spokes_[k].corner);
   }
 
   void fill_convex();
-  // Do all four corners belong to one class, which is active?
-  [[nodiscard]] bool is_of_active_class(TetId t) const;
+  // Is it a CC tet not kept yet, all whose corners belong to one class, which is active?
+  [[nodiscard]] bool may_be_redundant(TetId t) const;
   // Does a CC tet lie on the region's side of both its contour edges?
   [[nodiscard]] bool is_inside_contours(TetId t) const;
   [[nodiscard]] bool is_expansion(TetId t);
+  [[nodiscard]] std::vector<TetId> convex_candidates();
   bool fill_where_convex(TetId t);
   void look_again_around(TetId t, std::vector<TetId>& higher, std::vector<TetId>& lower);
 
+  // Unites the regions that attached corners of one tet are of. Is each class one part then?
+  [[nodiscard]] bool unite_parts();
   [[nodiscard]] std::vector<LeftApart> connect_classes();
   bool connect_once(Connecting& connecting);
   [[nodiscard]] std::optional<Merge> best_merge(Connecting& connecting);
@@ -198,9 +175,8 @@ class Completion {
   RuleCounts& rules_;
 
   // Regions united through attached corners: all tets attached at a vertex hang together, and
-  // so do the attached corners of one tet for one class.
+  // so do the attached corners of one tet for one class. Known while classes are connected.
   UnionFind parts_;
-  IdVector<ClassId, std::size_t> part_count_;  // by class: how many its regions are in
   // While classes are connected, the vertices of whose stars something changed; changed_[v]
   // while v is among them.
   bool note_changes_ = false;
@@ -211,11 +187,14 @@ class Completion {
   std::vector<SlabVertexId> heap_;
   IdVector<SlabVertexId, std::uint8_t> queued_;
 
-  IdVector<SlabVertexId, Sector> sectors_;
-  // What attach_disc() has come to: its corners in the order of the flood, and by tet the epoch.
+  // While all are settled, where the kept tets are a disc in the link, and were so from the start.
+  IdVector<SlabVertexId, std::uint8_t> disc_;
+  // The primary sheet of the vertex that is settled: its corners in the order of the flood, by tet
+  // the epoch, and its boundary in the link.
   std::vector<HalfFaceId> sheet_;
   std::vector<HalfFaceId> star_;
   IdVector<TetId, std::uint32_t> seen_;
+  LinkBoundary boundary_;
 
   // The star of the current vertex, and its spokes by tet (meaningful for its tets only).
   std::vector<Spoke> spokes_;
@@ -224,13 +203,10 @@ class Completion {
   std::vector<std::uint32_t> stack_;
   std::vector<TetId> ring_;
   std::vector<TetId> to_keep_;
-  std::size_t sheets_ = 0;  // connected parts of primary_
-  // Of the vertices in the current star's link, those with the current epoch.
-  IdVector<SlabVertexId, LinkVertex> link_vertex_;
   std::uint32_t epoch_ = 0;
-  // What convex filling knows of a tet, while it lasts. Rejected ones were no expansion when last
-  // looked at.
-  enum : std::uint8_t { kNoCandidate, kRejected, kWaiting };
+  // What convex filling knows of a tet, while it lasts: at first the number of its faces that are
+  // in the complex. Rejected ones were no expansion when last looked at.
+  enum : std::uint8_t { kNoFace, kFace, kFaces, kRejected = 8, kWaiting, kNoCandidate };
   IdVector<TetId, std::uint8_t> candidate_;
   std::uint64_t work_ = 0;
 };

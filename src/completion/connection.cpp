@@ -22,26 +22,50 @@ void Completion::note_change(SlabVertexId v) {
 void Completion::attach(TetId t, int corner) {
   if (complex_.is_attached(t, corner)) return;
   complex_.attached[t] = static_cast<std::uint8_t>(complex_.attached[t] | (1U << corner));
-  unite_attached(t, corner);
+  if (note_changes_) unite_attached(t, corner);
 }
 
 // The region of an attached corner with those of other corners attached.
 void Completion::unite_attached(TetId t, int corner) {
   const SlabVertexId p = slab_.vertex(t, corner);
   const ClassId c = classes_.of(p);
-  if (part_count_[c] == 1 && !note_changes_) return;
   const SlabRegionId region = classes_.region(p);
   for (int i = 0; i < 4; ++i) {
-    if (!note_changes_ && !complex_.is_attached(t, i)) continue;
     const SlabVertexId u = slab_.vertex(t, i);
     if (classes_.of(u) != c) continue;
     note_change(u);
     if (!complex_.is_attached(t, i) || classes_.region(u) == region) continue;
-    if (parts_.unite(classes_.region(u).index(), region.index())) --part_count_[c];
+    parts_.unite(classes_.region(u).index(), region.index());
   }
 }
 
+bool Completion::unite_parts() {
+  IdVector<ClassId, std::size_t> parts;
+  std::size_t divided = 0;  // classes of several parts
+  for (const ClassId c : IdRange<ClassId>(classes_.class_count())) {
+    parts.push_back(classes_.regions(c).size());
+    if (active_[c] != 0 && parts[c] > 1) ++divided;
+  }
+  for (const TetId t : slab_.tets()) {
+    if (divided == 0) return true;
+    for (int i = 0; i < 4; ++i) {
+      if (!complex_.is_attached(t, i)) continue;
+      const SlabRegionId a = classes_.region(slab_.vertex(t, i));
+      const ClassId c = classes_.of_region(a);
+      if (parts[c] == 1) continue;
+      for (int j = i + 1; j < 4; ++j) {
+        if (!complex_.is_attached(t, j)) continue;
+        const SlabRegionId b = classes_.region(slab_.vertex(t, j));
+        if (a == b || classes_.of_region(b) != c) continue;
+        if (parts_.unite(a.index(), b.index()) && --parts[c] == 1) --divided;
+      }
+    }
+  }
+  return divided == 0;
+}
+
 std::vector<LeftApart> Completion::connect_classes() {
+  if (unite_parts()) return {};
   std::vector<SlabVertexId> vertices;
   for (const SlabVertexId v : slab_.vertices()) vertices.push_back(v);
   std::stable_sort(vertices.begin(), vertices.end(),
@@ -129,7 +153,7 @@ std::optional<Completion::Merge> Completion::offered_merge(SlabVertexId p) {
   });
   if (!detached) return best;
   gather_star(p);
-  find_primary_sheet();
+  find_primary_sheet(p);
   const Ways ways = ways_from_primary();
   std::vector<std::uint8_t> visited = primary_;
   for (std::size_t start = 0; start < spokes_.size(); ++start) {

@@ -27,7 +27,8 @@ bool tet_on_inner_side(const Slab& slab, SlabVertexId u, SlabVertexId v, SlabVer
 
 }  // namespace
 
-bool Completion::is_of_active_class(TetId t) const {
+bool Completion::may_be_redundant(TetId t) const {
+  if (complex_.kept[t] != 0 || slab_.kind(t) != TetKind::cc) return false;
   const ClassId c = classes_.of(slab_.vertex(t, 0));
   return active_[c] != 0 && own_corners(slab_, classes_, t, c) == kAllCorners;
 }
@@ -85,13 +86,7 @@ bool Completion::is_expansion(TetId t) {
 // a higher one in the same pass, a lower one in the next. Where a tet lies is asked last, and once:
 // few are an expansion at all.
 void Completion::fill_convex() {
-  candidate_.assign(slab_.tet_count(), kNoCandidate);
-  std::vector<TetId> pass;
-  for (const TetId t : slab_.tets()) {
-    if (complex_.kept[t] != 0 || slab_.kind(t) != TetKind::cc || !is_of_active_class(t)) continue;
-    candidate_[t] = kWaiting;
-    pass.push_back(t);
-  }
+  std::vector<TetId> pass = convex_candidates();
   while (!pass.empty()) {
     std::vector<TetId> next;
     std::vector<TetId> higher;  // heap, the lowest first
@@ -110,6 +105,26 @@ void Completion::fill_convex() {
   candidate_ = {};
 }
 
+// By id; no other tet has two faces in the complex, as an expansion has.
+std::vector<TetId> Completion::convex_candidates() {
+  candidate_.assign(slab_.tet_count(), kNoFace);
+  for (const TetId t : slab_.tets()) {
+    if (complex_.kept[t] == 0) continue;
+    for (int i = 0; i < 4; ++i) {
+      const TetId across = slab_.mesh().neighbour(t, i);
+      if (!across.valid() || complex_.kept[across] != 0) continue;
+      if ((complex_.kept[t] & ~(1U << i)) != 0) ++candidate_[across];
+    }
+  }
+  std::vector<TetId> candidates;
+  for (const TetId t : slab_.tets()) {
+    if (candidate_[t] < kFaces || !may_be_redundant(t)) continue;
+    candidate_[t] = kWaiting;
+    candidates.push_back(t);
+  }
+  return candidates;
+}
+
 bool Completion::fill_where_convex(TetId t) {
   candidate_[t] = kRejected;
   if (!is_expansion(t)) return false;
@@ -124,7 +139,8 @@ bool Completion::fill_where_convex(TetId t) {
 void Completion::look_again_around(TetId t, std::vector<TetId>& higher, std::vector<TetId>& lower) {
   for (int i = 0; i < 4; ++i) {
     const TetId across = slab_.mesh().neighbour(t, i);
-    if (!across.valid() || candidate_[across] != kRejected) continue;
+    if (!across.valid() || candidate_[across] > kRejected) continue;
+    if (candidate_[across] != kRejected && !may_be_redundant(across)) continue;
     candidate_[across] = kWaiting;
     if (across < t) {
       lower.push_back(across);

@@ -112,9 +112,9 @@ std::vector<ContourId> Pits::sealed_holes(const Slab& slab, const SlabClasses& c
     parts.unite(edge.left.index(), edge.right.index());
   }
   std::vector<std::uint8_t> open(section.internal.size(), 0);
-  for (const TetId t : slab.tets()) {
-    if (slab.kind(t) != TetKind::t1_external) continue;
-    if (!slab.has_triangle(t, upper)) continue;
+  for (const TriangleId triangle : section.internal.ids()) {
+    if (section.internal[triangle] != 0) continue;
+    const TetId t = slab.tet_on(upper, triangle);
     std::array<SlabVertexId, 3> corner;
     std::size_t corners = 0;
     bool attached = true;
@@ -125,7 +125,7 @@ std::vector<ContourId> Pits::sealed_holes(const Slab& slab, const SlabClasses& c
     }
     const auto& [a, b, c] = corner;
     if (attached && classes.of(a) == classes.of(b) && classes.of(a) == classes.of(c)) continue;
-    open[parts.find(slab.triangle(t).index())] = 1;
+    open[parts.find(triangle.index())] = 1;
   }
   const IdVector<ContourId, PlaneVertexId> first = first_vertices(section);
   std::erase_if(holes, [&](ContourId c) {

@@ -7,34 +7,30 @@ namespace tetloft::internal {
 
 bool Completion::fill_rings(SlabVertexId p) {
   to_keep_.clear();
-  for (std::size_t k = 0; k < spokes_.size(); ++k) {
-    if (primary_[k] == 0) continue;
-    for (int i = 0; i < 4; ++i) {
-      const SlabVertexId q = slab_.vertex(spokes_[k].tet, i);
-      // Each pinched link vertex once.
-      if (i == spokes_[k].corner || link_vertex_[q].boundary_edges <= 2) continue;
-      link_vertex_[q].boundary_edges = 0;
-      if (slab_.ring(p, q, spokes_[k].tet, ring_)) {
+  for (const HalfFaceId c : sheet_) {
+    const TetId t = TetMesh::tet_of(c);
+    for (const SlabVertexId q : slab_.vertices(t)) {
+      if (q == p || !boundary_.take_pinch(q)) continue;
+      if (slab_.ring(p, q, t, ring_)) {
         fill_gaps();
       } else {
         fill_run(p, q);
       }
     }
   }
-  const ClassId c = classes_.of(p);
-  for (const TetId t : to_keep_) keep(t, c);
+  for (const TetId t : to_keep_) keep(t, classes_.of(p));
   return !to_keep_.empty();
 }
 
 // The ring is a path: its attached tets become one run.
 void Completion::fill_run(SlabVertexId p, SlabVertexId q) {
   std::size_t first = 0;
-  while (!in_primary(ring_[first])) ++first;
+  while (!in_sheet(ring_[first])) ++first;
   std::size_t last = ring_.size() - 1;
-  while (!in_primary(ring_[last])) --last;
+  while (!in_sheet(ring_[last])) --last;
   bool whole = true;
   for (std::size_t at = first; at <= last; ++at) {
-    if (in_primary(ring_[at])) continue;
+    if (in_sheet(ring_[at])) continue;
     whole = false;
     to_keep_.push_back(ring_[at]);
   }
@@ -56,8 +52,8 @@ void Completion::fill_gaps() {
   };
   std::vector<Gap> gaps;
   for (std::size_t at = 0; at < ring_.size(); ++at) {
-    if (in_primary(ring_[at])) continue;
-    if (at == 0 || in_primary(ring_[at - 1])) gaps.push_back({at, at, ring_[at]});
+    if (in_sheet(ring_[at])) continue;
+    if (at == 0 || in_sheet(ring_[at - 1])) gaps.push_back({at, at, ring_[at]});
     gaps.back().last = at;
     gaps.back().smallest = std::min(gaps.back().smallest, ring_[at]);
   }

@@ -17,17 +17,13 @@ void Completion::build(const std::vector<Wall>& walls) {
   }
 }
 
-void Completion::adopt(Completion&& trial) {
-  complex_ = std::move(trial.complex_);
-  parts_ = std::move(trial.parts_);
-  part_count_ = std::move(trial.part_count_);
-}
+void Completion::adopt(Completion&& trial) { complex_ = std::move(trial.complex_); }
 
 // The shortest way of tets in the star of p from t to its primary sheet; ties by the order of
 // spokes. A star is connected.
 std::vector<TetId> Completion::way_to_primary(TetId t, SlabVertexId p) {
   gather_star(p);
-  find_primary_sheet();
+  find_primary_sheet(p);
   std::vector<std::uint32_t> from(spokes_.size(), kUnreached);
   std::vector<std::uint32_t> order{static_cast<std::uint32_t>(spoke_of_[t])};
   from[order.front()] = order.front();

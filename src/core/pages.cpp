@@ -4,6 +4,10 @@
 #include <cstdint>
 
 #include <sys/mman.h>  // POSIX, as files are; what is asked for is Linux's
+#include <unistd.h>
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
 
 namespace tetloft::internal::core {
 
@@ -14,12 +18,11 @@ namespace {
 // The part of `bytes` that is made of whole pages, as what else is on a page belongs to others;
 // empty where it has few.
 std::span<std::byte> whole_pages(std::span<std::byte> bytes) {
-  // A multiple of the pages of all systems; less is not worth the call.
-  constexpr std::size_t kPages = std::size_t{1} << 16;
-  const std::size_t before =
-      (kPages - reinterpret_cast<std::uintptr_t>(bytes.data()) % kPages) % kPages;
-  if (bytes.size() < before + kPages) return {};
-  return bytes.subspan(before, (bytes.size() - before) / kPages * kPages);
+  constexpr std::size_t kFew = std::size_t{1} << 16;  // not worth the call
+  const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  const std::size_t before = (page - reinterpret_cast<std::uintptr_t>(bytes.data()) % page) % page;
+  if (bytes.size() < before + kFew) return {};
+  return bytes.subspan(before, (bytes.size() - before) / page * page);
 }
 
 // A refusal changes nothing but time and memory, and is no error.
@@ -37,8 +40,15 @@ void make_pages([[maybe_unused]] std::span<std::byte> bytes) {
 #endif
 }
 
+void give_back_freed() {
+#if defined(__GLIBC__)
+  (void)malloc_trim(0);
+#endif
+}
+
 #else
 
+void give_back_freed() {}
 void give_back_pages(std::span<std::byte>) {}
 void make_pages(std::span<std::byte>) {}
 

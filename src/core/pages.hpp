@@ -28,6 +28,10 @@ void give_back_pages(std::span<T> items) {
   give_back_pages(std::as_writable_bytes(items));
 }
 
+/// Gives memory back that was freed, where the allocator keeps it in many small pieces. Takes some
+/// milliseconds: for once, before much is asked for.
+void give_back_freed();
+
 /// Frees a large vector at once, where an allocator would keep its memory for later.
 template <class T>
 void release(std::vector<T>& items) {

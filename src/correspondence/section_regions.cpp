@@ -33,8 +33,17 @@ SectionRegions::SectionRegions(const Section& section, const Nesting& nesting)
 
 const sections::ContourEdges& SectionRegions::edges(RegionId r) const {
   Edges& edges = *edges_[r];
-  std::call_once(edges.once, [&] { edges.tree.emplace(outline[r]); });
+  const std::lock_guard lock(edges.mutex);
+  if (!edges.tree) edges.tree.emplace(outline[r]);
   return *edges.tree;
+}
+
+void SectionRegions::forget_edges() const {
+  for (const std::unique_ptr<Edges>& edges : edges_) edges->tree.reset();
+}
+
+void forget_edges(const StackSections& sections) {
+  for (const SectionRegions& section : sections) section.forget_edges();
 }
 
 std::optional<double> gaps_apart(const SectionRegions& below, RegionId lower,

@@ -42,10 +42,13 @@ class SectionRegions {
 
   /// The edges of a region, in a tree that is made when it is first asked for. Thread-safe.
   [[nodiscard]] const sections::ContourEdges& edges(RegionId r) const;
+  /// Gives all trees up, which take more memory than the section; to be made again where asked for.
+  /// While nobody uses any.
+  void forget_edges() const;
 
  private:
   struct Edges {
-    std::once_flag once;
+    std::mutex mutex;  // of making the tree
     std::optional<sections::ContourEdges> tree;
   };
   BoxTree2 tree_;
@@ -54,6 +57,7 @@ class SectionRegions {
 
 /// Of a stack, by section.
 using StackSections = IdVector<SectionId, SectionRegions>;
+void forget_edges(const StackSections& sections);
 
 /// d of the rule: the distance of two regions over the gap between their sections; none where it
 /// exceeds `reach`. For regions whose interiors meet it is 0, which needs no asking.

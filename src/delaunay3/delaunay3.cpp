@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -140,13 +140,6 @@ Result<Triangulation2> triangulate_plane(std::span<const Point3> points,
   return delaunay2(flat, execution);
 }
 
-// Names of vertices that are in canonical order already.
-std::vector<std::uint32_t> identity(std::size_t n) {
-  std::vector<std::uint32_t> names(n);
-  std::iota(names.begin(), names.end(), 0U);
-  return names;
-}
-
 // The most tets an engine may make: as many as their half-faces have numbers for, and as
 // canonical_mesh() has names for, or fewer.
 std::size_t bound_on_tets(std::size_t most_tets) {
@@ -173,7 +166,7 @@ Result<bool> overlay_planes(const RankedPoints& ranked, const Delaunay3Options& 
   if (below < 3 || points.size() - below < 3) return false;
   Result<Triangulation2> lower = Triangulation2{};
   Result<Triangulation2> upper = Triangulation2{};
-  WatchedWork work(options.execution, 4);
+  WatchedWork work(options.execution, 3);
   const Execution planes = untold(options.execution);
   parallel_for(2, planes.threads, [&](std::size_t plane) {
     if (plane == 0) lower = triangulate_plane(points.first(below), planes);
@@ -183,14 +176,11 @@ Result<bool> overlay_planes(const RankedPoints& ranked, const Delaunay3Options& 
   if (!lower) return lower.error();
   if (!upper) return upper.error();
   if (lower->triangles.empty() || upper->triangles.empty()) return false;
-  std::vector<delaunay3_detail::TetSlot> slab =
-      delaunay3_detail::slab_overlay(*lower, *upper, work, bound_on_tets(options.most_tets));
-  if (slab.empty()) return too_many_tets(options.most_tets);
-  work.step_done_go_on();
-  const std::vector<std::uint32_t> rank_of = identity(points.size());
-  out.mesh = delaunay3_detail::canonical_mesh(
-      slab, {.rank_of = rank_of, .input_of = ranked.input_of, .input_count = ranked.input_count},
-      options.execution.threads);
+  std::optional<TetMesh> mesh = delaunay3_detail::slab_overlay(
+      *lower, *upper, {.input_of = ranked.input_of, .input_count = ranked.input_count}, work,
+      bound_on_tets(options.most_tets));
+  if (!mesh) return too_many_tets(options.most_tets);
+  out.mesh = *std::move(mesh);
   out.dimension = 3;
   out.engine = DelaunayEngine::slab;
   work.step_done();
@@ -321,16 +311,12 @@ Result<TetMesh> triangulate_slab(const Triangulation2& lower, const Triangulatio
   if (Result<void> checked = fp_self_check(); !checked) return checked.error();
   if (Result<void> checked = check_planes(lower, upper); !checked) return checked.error();
   WatchedWork work(execution, 1);
-  std::vector<delaunay3_detail::TetSlot> slab =
-      delaunay3_detail::slab_overlay(lower, upper, work, bound_on_tets(most_tets));
-  if (slab.empty()) return too_many_tets(most_tets);
-  const std::size_t n = lower.points.size() + upper.points.size();
-  const std::vector<std::uint32_t> rank_of = identity(n);
-  std::vector<VertexId> input_of(n);
-  for (std::size_t i = 0; i < n; ++i) input_of[i] = VertexId(i);
-  work.step_done_go_on();
-  return delaunay3_detail::canonical_mesh(
-      slab, {.rank_of = rank_of, .input_of = input_of, .input_count = n}, execution.threads);
+  std::optional<TetMesh> mesh = delaunay3_detail::slab_overlay(
+      lower, upper, {.input_of = {}, .input_count = lower.points.size() + upper.points.size()},
+      work, bound_on_tets(most_tets));
+  if (!mesh) return too_many_tets(most_tets);
+  work.step_done();
+  return *std::move(mesh);
 }
 
 }  // namespace

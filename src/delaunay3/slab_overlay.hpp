@@ -14,17 +14,22 @@
 // the other and no Voronoi edges overlap, so the overlay has no special cases.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
+#include <optional>
+#include <span>
 
 #include <tetloft/delaunay2.hpp>
 #include <tetloft/ids.hpp>
+#include <tetloft/tet_mesh.hpp>
 
 #include "core/watched_work.hpp"
-#include "delaunay3/tet_slot.hpp"
 
 namespace tetloft::internal::delaunay3_detail {
+
+/// Half-faces are 4 t + i in 32 bits.
+inline constexpr std::size_t kMostSlabTets = (std::size_t{1} << 30) - 1;
 
 /// Side i of triangle t of a Triangulation2, 4 t + i: the edge opposite vertex i.
 using TriangleSideId = Id<struct TriangleSideTag>;
@@ -44,26 +49,39 @@ struct TetBase {
   TriangleSideId upper;
 };
 
-/// Tets as an engine holds them, and what each has in the planes.
+/// By triangle of a plane: the edges opposite its vertices.
+using EdgesOfSides = IdVector<TriangleId, std::array<EdgeId, 3>>;
+
+/// The triangulation of two planes, and what its tets have in these.
 struct SlabTets {
-  std::vector<TetSlot> slots;
-  std::vector<TetBase> bases;  ///< by slot
+  TetMesh mesh;
+  IdVector<TetId, TetBase> base;
+  /// Of the lower plane, of the upper one. Edges are numbered by their lower ends, then by their
+  /// higher ones.
+  std::array<EdgesOfSides, 2> edges;
 };
 
-/// The unique perturbed triangulation of two planes: type 1 below, type 1 above, then type 2.
-/// Vertices are the lower plane's, then the upper's; tets are positive if the upper plane is
-/// above; opposite half-faces are invalid on the hull. Linear in vertices and tets but for turning
-/// around vertices of high degree. Requires two triangulations with triangles, vertices in
-/// canonical order, together fewer than 2^29 vertices. Empty where it would take more than
-/// `most_tets`, of which no more are made; these are fewer than 2^30. Tells no step.
-[[nodiscard]] std::vector<TetSlot> slab_overlay(const Triangulation2& lower,
-                                                const Triangulation2& upper,
-                                                const WatchedWork& work,
-                                                std::size_t most_tets = (std::size_t{1} << 30) - 1);
+/// How vertices are named outside.
+struct SlabVertexNames {
+  /// By vertex, the lower plane's first; empty: their own numbers.
+  std::span<const VertexId> input_of;
+  std::size_t input_count = 0;
+};
 
-/// The same with the bases of all tets.
-[[nodiscard]] SlabTets slab_overlay_with_bases(const Triangulation2& lower,
-                                               const Triangulation2& upper, const WatchedWork& work,
-                                               std::size_t most_tets = (std::size_t{1} << 30) - 1);
+/// The unique perturbed triangulation of two planes, the upper one above, numbered canonically
+/// (struct Delaunay3). Linear in vertices and tets but for turning around vertices of high degree.
+/// Requires two triangulations with triangles, vertices in canonical order, together fewer than
+/// 2^29 vertices. Nothing where it would take more than `most_tets`, of which no more are made;
+/// these are fewer than 2^30. Tells no step.
+[[nodiscard]] std::optional<TetMesh> slab_overlay(const Triangulation2& lower,
+                                                  const Triangulation2& upper,
+                                                  const SlabVertexNames& names,
+                                                  const WatchedWork& work,
+                                                  std::size_t most_tets = kMostSlabTets);
+
+/// The same with the bases of all tets; vertices are the lower plane's, then the upper's.
+[[nodiscard]] std::optional<SlabTets> slab_overlay_with_bases(
+    const Triangulation2& lower, const Triangulation2& upper, const WatchedWork& work,
+    std::size_t most_tets = kMostSlabTets);
 
 }  // namespace tetloft::internal::delaunay3_detail

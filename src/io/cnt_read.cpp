@@ -123,6 +123,7 @@ class CntReader {
       if (!contents_.odd) contents_.odd = {opened, cursor_.line()};
     }
     cursor_.advance();
+    vertices.shrink_to_fit();
     return {};
   }
 

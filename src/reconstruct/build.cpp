@@ -11,6 +11,7 @@
 #include "reconstruct/decide_voids.hpp"
 #include "reconstruct/divide.hpp"
 #include "reconstruct/layered_slab.hpp"
+#include "reconstruct/section_uses.hpp"
 #include "reconstruct/stack_errors.hpp"
 
 namespace tetloft::internal {
@@ -31,6 +32,7 @@ SlabBuilds::SlabBuilds(PreparedStack& prepared, Decision& decision, Plan& plan,
 std::optional<Error> SlabBuilds::run() {
   std::vector<SlabId> to_build = all_ids<SlabId>(outcome_.size());
   for (;;) {
+    if (auto error = triangulate_again(to_build)) return error;
     if (auto error = build(to_build)) return error;
     const auto stuck = std::find_if_not(outcome_.begin(), outcome_.end(), [](const auto& outcome) {
       return std::holds_alternative<SlabSolid>(outcome);
@@ -53,6 +55,7 @@ Result<std::vector<SlabId>> SlabBuilds::mend(SlabId slab) {
 std::optional<Error> SlabBuilds::build(const std::vector<SlabId>& slabs) {
   const bool first_round = built_ == 0;
   built_ += slabs.size();
+  SectionUses uses(prepared_.section_count(), slabs);
   return first_error(
       slabs, options_.execution.threads, work_, [&](SlabId slab) -> std::optional<Error> {
         Result<SlabOutcome> outcome = build_slab_between(
@@ -67,11 +70,30 @@ std::optional<Error> SlabBuilds::build(const std::vector<SlabId>& slabs) {
         } else {
           return outcome.error();
         }
+        // Few are touched again, and these may be several times.
+        if (first_round) uses.done(slab, [&](SectionId s) { release_if_done(s); });
         const auto* refused = std::get_if<Unrepresentable>(&outcome_[slab]);
         if (refused != nullptr && !is_divided(slab)) return refused->error;
         if (first_round) work_.step_done();  // each slab counts once
         return std::nullopt;
       });
+}
+
+// Ends stand on the triangles of the first and the last section.
+void SlabBuilds::release_if_done(SectionId s) {
+  const bool has_end = plan_.ends && (s.index() == 0 || s.index() == outcome_.size());
+  if (!has_end && !decision_.depends_on_triangulations()) prepared_.release_triangulation(s);
+}
+
+std::optional<Error> SlabBuilds::triangulate_again(const std::vector<SlabId>& slabs) {
+  for (const SlabId slab : slabs) {
+    for (const SectionId s : {lower_section(slab), upper_section(slab)}) {
+      if (prepared_.is_triangulated(s)) continue;
+      auto error = prepared_.conform_section(s, plan_.gabriel[s], plan_.apart[s], plan_.divided[s]);
+      if (error) return error;
+    }
+  }
+  return std::nullopt;
 }
 
 bool SlabBuilds::is_divided(SlabId slab) const {

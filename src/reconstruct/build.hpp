@@ -38,6 +38,9 @@ class SlabBuilds {
 
  private:
   [[nodiscard]] std::optional<Error> build(const std::vector<SlabId>& slabs);
+  // Gives up what no slab needs any more, unless one is to be built again; and has it again then.
+  void release_if_done(SectionId s);
+  [[nodiscard]] std::optional<Error> triangulate_again(const std::vector<SlabId>& slabs);
   [[nodiscard]] bool is_divided(SlabId slab) const;
   // Takes contours as they are where the slab is refused with divided ones, or a section is; adds
   // the slabs that this touches.

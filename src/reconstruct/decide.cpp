@@ -8,6 +8,7 @@
 #include "correspondence/moved_links.hpp"
 #include "correspondence/overlap_links.hpp"
 #include "correspondence/reverse_links.hpp"
+#include "reconstruct/section_uses.hpp"
 #include "reconstruct/stack_errors.hpp"
 #include "slab/delaunay.hpp"
 
@@ -25,13 +26,18 @@ Decision::Decision(const PreparedStack& prepared, const ReconstructOptions& opti
 }
 
 Result<Correspondence> Decision::make(const std::vector<SlabId>& slabs, const WatchedWork& work) {
-  auto error = first_error(slabs, options_.execution.threads, work,
-                           [&](SlabId slab) { return find_by_criterion(slab); });
+  SectionUses uses(sections_.size(), slabs);
+  auto error = first_error(slabs, options_.execution.threads, work, [&](SlabId slab) {
+    auto failed = find_by_criterion(slab);
+    uses.done(slab, [&](SectionId s) { sections_[s].forget_edges(); });
+    return failed;
+  });
   candidates_ = by_criterion_;
   const CorrespondenceOptions& rule = options_.correspondence;
   if (rule.criterion != Criterion::reverse) {
     if (!error && rule.chain) error = find_chains(work);
     if (!error && rule.lone) error = find_lone(work);
+    forget_edges(sections_);
   }
   if (error) return *error;
   return decide();

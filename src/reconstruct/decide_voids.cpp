@@ -8,6 +8,7 @@
 #include "correspondence/chain_links.hpp"
 #include "correspondence/link_report.hpp"
 #include "correspondence/void_links.hpp"
+#include "reconstruct/section_uses.hpp"
 #include "reconstruct/stack_errors.hpp"
 #include "sections/complement.hpp"
 #include "sections/face_overlay.hpp"
@@ -87,8 +88,9 @@ std::optional<Error> VoidDecision::find(const IdVector<SlabId, std::vector<Link>
     }
     return regions;
   };
+  const std::vector<SlabId> slabs = all_ids<SlabId>(candidates.size());
   const auto in_each_slab = [&](const auto& body) {
-    return first_error(all_ids<SlabId>(candidates.size()), options_.execution.threads, work,
+    return first_error(slabs, options_.execution.threads, work,
                        [&](SlabId slab) -> std::optional<Error> {
                          const SectionId below = lower_section(slab);
                          const SectionId above = upper_section(slab);
@@ -107,11 +109,15 @@ std::optional<Error> VoidDecision::find(const IdVector<SlabId, std::vector<Link>
   });
   if (error) return error;
   const StackCandidates overlapping = candidates;
+  error = in_each_slab([&](SlabId slab, SectionId, SectionId) {
+    for (const LinkCandidate& link : chain_links(slab, sections_, overlapping, kVoidChains)) {
+      add_candidate(candidates[slab], link);
+    }
+  });
+  if (error) return error;
+  SectionUses uses(sections_.size(), slabs);
   return in_each_slab([&](SlabId slab, SectionId below, SectionId above) {
     SlabCandidates& of_slab = candidates[slab];
-    for (const LinkCandidate& link : chain_links(slab, sections_, overlapping, kVoidChains)) {
-      add_candidate(of_slab, link);
-    }
     const SlabCandidates rims =
         rim_links(slab, sections_[below], sections_[above], of_slab, options_.correspondence.voids);
     for (const LinkCandidate& link : rims) {
@@ -120,6 +126,7 @@ std::optional<Error> VoidDecision::find(const IdVector<SlabId, std::vector<Link>
         add_candidate(of_slab, link);
       }
     }
+    uses.done(slab, [&](SectionId s) { sections_[s].forget_edges(); });
   });
 }
 

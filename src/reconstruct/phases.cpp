@@ -22,16 +22,6 @@ namespace tetloft::internal {
 
 namespace {
 
-// What slabs are built on takes as much memory as a model; gluing asks for vertices alone.
-void release_triangulations(IdVector<SectionId, ConformingSection>& sections) {
-  for (ConformingSection& section : sections) {
-    core::release(section.triangulation.triangles.raw());
-    core::release(section.triangulation.neighbours.raw());
-    core::release(section.edges.raw());
-    core::release(section.first_edge);
-  }
-}
-
 [[nodiscard]] std::optional<Error> check_options(const ReconstructOptions& options) {
   const Result<void> sensible = check_correspondence_options(options.correspondence);
   if (!sensible) return sensible.error();
@@ -72,6 +62,18 @@ void warn(BuiltStack& built, const ReconstructOptions& options) {
   }
 }
 
+[[nodiscard]] std::optional<Error> decide_about_voids(BuiltStack& built,
+                                                      const ReconstructOptions& options,
+                                                      const WatchedWork& work) {
+  const VoidDecision decision(built.prepared, options);
+  Result<std::optional<Correspondence>> voids =
+      decision.make(built.plan.correspondence.links, work);
+  if (!voids) return voids.error();
+  built.plan.voids = std::move(*voids);
+  built.complements = decision.complements();
+  return std::nullopt;
+}
+
 // All but preparing, of a stack prepared.
 [[nodiscard]] std::optional<Error> decide_and_build(BuiltStack& built,
                                                     const ReconstructOptions& options,
@@ -91,11 +93,7 @@ void warn(BuiltStack& built, const ReconstructOptions& options) {
   if (!decided) return decided.error();
   plan.correspondence = std::move(*decided);
   plan.motions = decision.motions();
-  const VoidDecision void_decision(prepared, options);
-  Result<std::optional<Correspondence>> voids = void_decision.make(plan.correspondence.links, work);
-  if (!voids) return voids.error();
-  plan.voids = std::move(*voids);
-  built.complements = void_decision.complements();
+  if (auto error = decide_about_voids(built, options, work)) return error;
   clock.end(Step::correspondence);
   if (auto error =
           decide_between(prepared, options, all_ids<SlabId>(prepared.slab_count()), work, plan)) {
@@ -151,7 +149,9 @@ std::optional<Model> take_model(BuiltStack& built) {
   Plan& plan = built.plan;
   VoidOutcome of_voids =
       void_outcome(built.prepared.sections, plan.voids, built.complements, built.parts);
-  release_triangulations(built.prepared.sections);
+  // What slabs were built on takes as much memory as a model; gluing asks for vertices alone.
+  for (const SectionId s : built.prepared.sections.ids()) built.prepared.release_triangulation(s);
+  core::give_back_freed();
   Model model =
       glue(built.prepared.sections, plan.correspondence.component, std::move(built.parts));
   model.links = region_links(plan.correspondence.candidates, built.prepared.nestings);

@@ -32,6 +32,14 @@ std::optional<Error> PreparedStack::conform_section(SectionId s,
   return std::nullopt;
 }
 
+void PreparedStack::release_triangulation(SectionId s) {
+  ConformingSection& section = sections[s];
+  section.triangulation.triangles = {};
+  section.triangulation.neighbours = {};
+  section.edges = {};
+  section.first_edge = {};
+}
+
 namespace {
 
 // Conforms the sections, coarse contours divided where that can be done.

@@ -44,6 +44,13 @@ struct PreparedStack {
                                                      const IdVector<ContourId, bool>& gabriel = {},
                                                      const std::vector<Point2>& apart = {},
                                                      const std::vector<EdgeDivision>& divided = {});
+
+  /// Gives up a section's triangles and edges, which take more memory than all else together. The
+  /// vertices, and which triangles were inside, stay.
+  void release_triangulation(SectionId s);
+  [[nodiscard]] bool is_triangulated(SectionId s) const {
+    return sections[s].vertex_count() == 0 || !sections[s].edges.empty();
+  }
 };
 
 /// Are the sections needed as conforming ones?

@@ -1,13 +1,14 @@
 #include "slab/delaunay.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/guard.hpp"
 #include "core/watched_work.hpp"
-#include "slab/canonical_slab.hpp"
+#include "slab/bases.hpp"
 #include "slab/work_limit.hpp"
 
 namespace tetloft::internal {
@@ -35,10 +36,10 @@ Error too_much_work(SlabId id, const ConformingSection& lower, const ConformingS
 Result<SlabDelaunay> delaunay_of(const ConformingSection& lower, const ConformingSection& upper,
                                  DelaunayEngine engine, std::size_t most_tets) {
   if (engine != DelaunayEngine::incremental) {
-    const delaunay3_detail::SlabTets tets = delaunay3_detail::slab_overlay_with_bases(
+    std::optional<SlabDelaunay> d = delaunay3_detail::slab_overlay_with_bases(
         lower.triangulation, upper.triangulation, WatchedWork({}, 1), most_tets);
-    if (tets.slots.empty()) return Error{ErrorCode::work_limit, {}, {}};
-    return canonical_slab(lower, upper, tets);
+    if (!d) return Error{ErrorCode::work_limit, {}, {}};
+    return *std::move(d);
   }
   std::vector<Point3> points;
   points.reserve(lower.vertex_count() + upper.vertex_count());

@@ -9,74 +9,13 @@
 #include <vector>
 
 #include "core/union_find.hpp"
+#include "support/slabs/disc_oracle.hpp"
 #include "support/slabs/steps.hpp"
 
 namespace tetloft::testing {
 
 using namespace internal;
 namespace {
-
-using Triangle = std::set<SlabVertexId>;
-using Edge = std::set<SlabVertexId>;
-
-// Empty if the triangles form a disc, else what is wrong.
-std::string not_a_disc(const std::vector<Triangle>& triangles) {
-  if (triangles.empty()) return "no triangle";
-  std::map<Edge, std::vector<std::size_t>> on_edge;
-  std::set<SlabVertexId> vertices;
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    vertices.insert(triangles[i].begin(), triangles[i].end());
-    for (const SlabVertexId v : triangles[i]) {
-      Edge edge = triangles[i];
-      edge.erase(v);
-      on_edge[edge].push_back(i);
-    }
-  }
-  std::vector<std::size_t> sheet(triangles.size());
-  for (std::size_t i = 0; i < sheet.size(); ++i) sheet[i] = i;
-  std::map<SlabVertexId, std::vector<SlabVertexId>> along_boundary;
-  for (const auto& [edge, at] : on_edge) {
-    if (at.size() > 2) return "an edge of three triangles";
-    const SlabVertexId u = *edge.begin();
-    const SlabVertexId v = *edge.rbegin();
-    if (at.size() == 1) {
-      along_boundary[u].push_back(v);
-      along_boundary[v].push_back(u);
-    } else {
-      const std::size_t from = sheet[at[0]];
-      for (std::size_t& s : sheet) s = s == from ? sheet[at[1]] : s;
-    }
-  }
-  if (std::set<std::size_t>(sheet.begin(), sheet.end()).size() != 1) return "several sheets";
-  if (vertices.size() + triangles.size() != on_edge.size() + 1) return "Euler characteristic not 1";
-  if (along_boundary.empty()) return "no boundary";
-  for (const auto& [v, next] : along_boundary) {
-    if (next.size() != 2) return "a pinched boundary";
-  }
-  std::set<SlabVertexId> walked;
-  std::vector<SlabVertexId> todo{along_boundary.begin()->first};
-  while (!todo.empty()) {
-    const SlabVertexId v = todo.back();
-    todo.pop_back();
-    if (!walked.insert(v).second) continue;
-    for (const SlabVertexId w : along_boundary[v]) todo.push_back(w);
-  }
-  return walked.size() == along_boundary.size() ? "" : "several boundary cycles";
-}
-
-TEST(DiscOracle, TellsDiscsFromWhatIsNone) {
-  const auto t = [](int a, int b, int c) {
-    return Triangle{SlabVertexId(a), SlabVertexId(b), SlabVertexId(c)};
-  };
-  EXPECT_EQ(not_a_disc({t(0, 1, 2), t(1, 2, 3)}), "");
-  EXPECT_NE(not_a_disc({}), "");
-  EXPECT_NE(not_a_disc({t(0, 1, 2), t(3, 4, 5)}), "");
-  EXPECT_NE(not_a_disc({t(0, 1, 2), t(2, 3, 4)}), "");
-  EXPECT_NE(not_a_disc({t(0, 1, 2), t(0, 1, 3), t(0, 2, 3), t(1, 2, 3)}), "");
-  EXPECT_NE(not_a_disc({t(0, 1, 3), t(1, 3, 4), t(1, 2, 4), t(2, 4, 5), t(0, 2, 5), t(0, 3, 5)}),
-            "")
-      << "an annulus";
-}
 
 // Calls visit(slab case, its completion) for slabs of all kinds, with lone classes in and out.
 template <class Visit>
@@ -124,17 +63,7 @@ TEST(Completion, AttachedTetsAtEveryVertexHaveADiscAsLink) {
     for (std::size_t k = 0; k < s.slab->vertex_count(); ++k) {
       const SlabVertexId v(k);
       if (c.active[s.classes->of(v)] == 0) continue;
-      std::vector<Triangle> link;
-      for (std::size_t i = 0; i < s.slab->tet_count(); ++i) {
-        const auto corner = s.slab->vertices(TetId(i));
-        const auto at = std::find(corner.begin(), corner.end(), v);
-        if (at == corner.end()) continue;
-        if (!c.complex.is_attached(TetId(i), static_cast<int>(at - corner.begin()))) continue;
-        Triangle opposite(corner.begin(), corner.end());
-        opposite.erase(v);
-        link.push_back(opposite);
-      }
-      EXPECT_EQ(not_a_disc(link), "") << "at vertex " << k;
+      EXPECT_EQ(not_a_disc(link_of(*s.slab, c.complex.attached, v)), "") << "at vertex " << k;
       ++discs;
     }
   });

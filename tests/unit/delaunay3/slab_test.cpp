@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 
 #include "core/watched_work.hpp"
@@ -244,25 +246,46 @@ void append_base(const Triangulation2& plane, delaunay3_detail::TriangleSideId s
   }
 }
 
+// Edges have the places of their ends among those of all edges, sorted.
+void expect_edges_in_order(const Triangulation2& plane,
+                           const delaunay3_detail::EdgesOfSides& edges) {
+  ASSERT_EQ(edges.size(), plane.triangles.size());
+  std::map<std::array<PlaneVertexId, 2>, EdgeId> edge_of;
+  for (const TriangleId t : plane.triangles.ids()) {
+    const PlaneTriangleVertices& v = plane.triangles[t];
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto [low, high] = std::minmax(v[(i + 1) % 3], v[(i + 2) % 3]);
+      const auto known = edge_of.emplace(std::array{low, high}, edges[t][i]).first;
+      ASSERT_EQ(known->second, edges[t][i]);
+    }
+  }
+  std::size_t place = 0;
+  for (const auto& [ends, edge] : edge_of) ASSERT_EQ(edge.index(), place++);
+}
+
 void expect_bases(const Triangulation2& lower, const Triangulation2& upper) {
   const Execution execution;
   const WatchedWork work(execution, 0);
-  const delaunay3_detail::SlabTets slab =
-      delaunay3_detail::slab_overlay_with_bases(lower, upper, work);
-  ASSERT_EQ(slab.bases.size(), slab.slots.size());
-  for (std::size_t k = 0; k < slab.slots.size(); ++k) {
-    const auto& [below, above] = slab.bases[k];
+  const auto slab = delaunay3_detail::slab_overlay_with_bases(lower, upper, work);
+  ASSERT_TRUE(slab.has_value());
+  ASSERT_EQ(slab->base.size(), slab->mesh.tet_slots());
+  std::size_t type1_count = 0;
+  for (const TetId t : slab->base.ids()) {
+    const auto& [below, above] = slab->base[t];
     const bool type1 = below.valid() != above.valid();
+    if (type1) ++type1_count;
     std::vector<VertexId> corners;
     append_base(lower, below, type1, 0, corners);
     append_base(upper, above, type1, lower.points.size(), corners);
     std::sort(corners.begin(), corners.end());
-    TetVertices tet = slab.slots[k].vertices;
+    TetVertices tet = slab->mesh.vertices(t);
     std::sort(tet.begin(), tet.end());
-    ASSERT_TRUE(std::includes(tet.begin(), tet.end(), corners.begin(), corners.end())) << k;
-    ASSERT_EQ(corners.size(), type1 ? 3U : 4U) << k;
-    ASSERT_TRUE(!type1 || k < lower.triangles.size() + upper.triangles.size()) << k;
+    ASSERT_TRUE(std::includes(tet.begin(), tet.end(), corners.begin(), corners.end())) << t.value();
+    ASSERT_EQ(corners.size(), type1 ? 3U : 4U) << t.value();
   }
+  EXPECT_EQ(type1_count, lower.triangles.size() + upper.triangles.size());
+  expect_edges_in_order(lower, slab->edges[0]);
+  expect_edges_in_order(upper, slab->edges[1]);
 }
 
 TEST(SlabOverlay, NamesTheTriangleOrTheEdgesOfEveryTet) {

@@ -1,0 +1,29 @@
+// The edges of a section's diagram, numbered canonically.
+#pragma once
+
+#include <cstddef>
+
+#include <tetloft/ids.hpp>
+
+#include "delaunay3/plane_diagram.hpp"
+
+namespace tetloft::internal::delaunay3_detail {
+
+/// Edges sorted by their lower ends, then by their higher ones; that order is also that of the tets
+/// on them. Those at the ghost have no number. Linear but for sorting the edges of a vertex.
+class DiagramEdges {
+ public:
+  explicit DiagramEdges(const PlaneDiagram& diagram);
+
+  [[nodiscard]] std::size_t size() const { return half_edge_.size(); }
+  [[nodiscard]] auto ids() const { return half_edge_.ids(); }
+  [[nodiscard]] EdgeId edge(HalfEdgeId h) const { return edge_[h]; }
+  /// From its lower end to its higher one.
+  [[nodiscard]] HalfEdgeId half_edge(EdgeId e) const { return half_edge_[e]; }
+
+ private:
+  IdVector<HalfEdgeId, EdgeId> edge_;
+  IdVector<EdgeId, HalfEdgeId> half_edge_;
+};
+
+}  // namespace tetloft::internal::delaunay3_detail
