@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace tetloft::internal::motion {
 
@@ -44,6 +45,15 @@ NearestRegion::NearestRegion(const LatticeEdges::Edge& e, const LatticeWindow& w
              half_plane(minus(e.a, origin), minus(e.past_a, e.a))},
             {half_plane(minus(e.b, origin), along),
              half_plane(minus(e.b, origin), minus(e.past_b, e.b))}}};
+  for (std::size_t end = 0; end < 2; ++end) {
+    std::array<Line, 2> lines{ends_[end][0].along_x, ends_[end][1].along_x};
+    if (lines[1].upwards && !lines[0].upwards) std::swap(lines[0], lines[1]);
+    sides_[end] = lines[1].upwards ? Sides::above : lines[0].upwards ? Sides::either : Sides::below;
+    for (std::size_t k = 0; k < 2; ++k) {
+      cuts_.at_0[2 * end + k] = lines[k].at_0 + 1;
+      cuts_.slope[2 * end + k] = lines[k].slope;
+    }
+  }
 }
 
 IndexRange NearestRegion::rows() const {
