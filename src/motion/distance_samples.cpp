@@ -102,9 +102,7 @@ class Squares {
     for (std::size_t tile = 0; tile < samples_.near.size(); ++tile) {
       bool near = false;
       visit_rows(tile, [&](const double* row, std::size_t n) {
-        double least = most_;
-        for (std::size_t k = 0; k < n; ++k) least = std::min(least, row[k]);
-        near = near || least < most_;
+        near = near || std::any_of(row, row + n, [&](double d) { return d < most_; });
       });
       samples_.near[tile] = near ? 1 : 0;
       visit_rows(tile, [&](double* row, std::size_t n) {
