@@ -75,8 +75,8 @@ class NearestRegion {
   };
   /// Which sides of the two lines at an end count; of two different ones `above` comes first.
   enum class Sides : std::uint8_t { above, below, either };
-  /// Where a row is cut: by the lines at a, then those at b. A cut is the number of samples below,
-  /// so lines lie 1 farther on.
+  /// Where a row is cut, by the lines at a, then those at b. A cut is the number of samples not
+  /// above the line: the whole part of where the line is, and 1.
   struct Cuts {
     std::array<double, 4> at_0, slope;
   };
@@ -92,8 +92,9 @@ class NearestRegion {
   }
 
   std::int64_t columns_, rows_;
-  /// At a and b: what lies behind them on the edge, and on the next one, turned away.
-  std::array<std::array<HalfPlane, 2>, 2> ends_;
+  /// At a and b, by column: what lies behind them on the edge, and on the next one, turned away.
+  std::array<std::array<Line, 2>, 2> ends_;
+  /// The same by row.
   std::array<Sides, 2> sides_{};
   Cuts cuts_{};
 };
