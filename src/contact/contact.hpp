@@ -35,8 +35,8 @@ struct Contact {
 /// All contacts of a soup, sorted, at most `limit` (the lowest). Near-linear for
 /// triangles of similar size: a bounding-volume tree over the triangles' boxes. Where
 /// `active` is not empty, only pairs with active[first] or active[second] nonzero count:
-/// after a change, flag the changed triangles. Adds the pairs whose boxes meet to `tested`, if
-/// given.
+/// after a change, flag the changed triangles. Adds the pairs that boxes did not tell apart, nor
+/// sheets, to `tested`, if given.
 [[nodiscard]] std::vector<Contact> find_contacts(std::span<const Point3> points,
                                                  std::span<const TriangleVertices> triangles,
                                                  std::size_t limit = static_cast<std::size_t>(-1),

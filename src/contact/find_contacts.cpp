@@ -134,17 +134,30 @@ void test_fans(std::span<const Point3> points, std::span<const TriangleVertices>
   }
 }
 
+// A tree of the others takes about as long to make as so many of them take to be looked up.
+constexpr std::size_t kLookUps = 8;
+
 // The pairs of the rest, and those with triangles that are not active, where some are not.
 void test_rest(std::span<const Point3> points, std::span<const TriangleVertices> triangles,
                std::span<const std::uint32_t> rest, std::span<const std::uint8_t> active,
                Tester& tester) {
   if (rest.empty()) return;
+  const auto test = [&](std::uint32_t i, std::uint32_t j) { tester.test(i, j); };
   TriangleTree tree(points, triangles, rest);
-  tree.for_each_pair([&](std::uint32_t i, std::uint32_t j) { tester.test(i, j); });
-  // One by one: most meet nothing there.
+  tree.for_each_pair(test);
+  std::vector<std::uint32_t> others;
   for (std::uint32_t j = 0; j < active.size(); ++j) {
-    if (active[j] != 0) continue;
-    tree.for_each_near(triangles[j], [&](std::uint32_t i) { tester.test(i, j); });
+    if (active[j] == 0) others.push_back(j);
+  }
+  if (others.size() <= kLookUps * rest.size()) {
+    TriangleTree tree_of_others(points, triangles, others);
+    tree.for_each_pair_with(tree_of_others, test);
+    return;
+  }
+  // One by one: most meet nothing there.
+  for (const std::uint32_t j : others) {
+    tree.for_each_meeting(contact_detail::box_of(points, triangles[j]),
+                          [&](std::uint32_t i) { tester.test(i, j); });
   }
 }
 

@@ -19,6 +19,8 @@
 #include <cstddef>
 #include <limits>
 
+#include "core/vector.hpp"
+
 namespace tetloft::internal::contact_detail {
 
 namespace {
@@ -28,11 +30,8 @@ constexpr double kTinySum = 0x1p-1000;
 constexpr double kShortest = 0x1p-400;
 constexpr double kFarthestSheet = 0x1p+250;
 
-double dot(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-
-Point3 cross(const Point3& a, const Point3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
+using vectors::cross;
+using vectors::dot;
 
 Point3 difference(const Point3& a, const Point3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 
@@ -125,7 +124,8 @@ bool Sheet::parted(const Sheet& other, const Point3& normal, const Point3& offse
 bool Sheet::apart(const Sheet& other) const {
   const Point3 offset = difference(other.centre_, centre_);
   return parted(other, axes_[1], offset) || parted(other, other.axes_[1], offset) ||
-         parted(other, cross(axes_[0], other.axes_[0]), offset);
+         parted(other, cross(axes_[0], other.axes_[0]), offset) ||
+         parted(other, axes_[2], offset) || parted(other, other.axes_[2], offset);
 }
 
 }  // namespace tetloft::internal::contact_detail

@@ -143,52 +143,55 @@ void TriangleTree::fit_boxes() {
   }
 }
 
-// Bit kLeafSize i + j is set iff the boxes of triangles i of a and j of b meet.
-std::uint64_t TriangleTree::meeting_pairs(const Node& a, const Node& b) const {
+// Those whose boxes meet, as bits kLeafSize i + j for triangles i of a and j of b, but for what
+// sheets tell apart. Leaves that have met in a crowd are likely to be in another one.
+std::uint64_t TriangleTree::close_pairs(Node& a, TriangleTree& other, Node& b) {
+  const bool known = a.sheets != kNoSheets && b.sheets != kNoSheets;
+  const auto apart = [&] { return sheets_[a.sheets].apart(other.sheets_[b.sheets]); };
+  if (known && apart()) return 0;
+  std::uint64_t pairs = meeting_pairs(a, other, b);
+  if (std::popcount(pairs) <= kFewPairs) return pairs;
+  if (!known) {
+    need_sheets(a);
+    other.need_sheets(b);
+    if (apart()) return 0;
+  }
+  sift(a, other, b, pairs);
+  return pairs;
+}
+
+std::uint64_t TriangleTree::meeting_pairs(const Node& a, const TriangleTree& other,
+                                          const Node& b) const {
   static_assert(kLeafSize * kLeafSize <= 64);
   std::uint64_t pairs = 0;
   for (std::uint32_t i = a.begin; i < a.end; ++i) {
-    if (!items_[i].box.meets(b.box)) continue;
-    const std::uint64_t row = meeting_members(b, items_[i].box);
-    pairs |= row << (kLeafSize * (i - a.begin));
+    const Box& box = items_[i].box;
+    if (!box.meets(b.box)) continue;
+    const std::uint32_t row = kLeafSize * (i - a.begin);
+    for (std::uint32_t j = b.begin; j < b.end; ++j) {
+      if (box.meets(other.items_[j].box)) pairs |= std::uint64_t{1} << (row + j - b.begin);
+    }
   }
   return pairs;
 }
 
-std::uint32_t TriangleTree::meeting_members(const Node& leaf, const Box& box) const {
-  std::uint32_t members = 0;
-  for (std::uint32_t i = leaf.begin; i < leaf.end; ++i) {
-    if (items_[i].box.meets(box)) members |= 1U << (i - leaf.begin);
-  }
-  return members;
-}
-
-std::uint64_t TriangleTree::sifted(Node& a, Node& b, std::uint64_t pairs) {
-  if (std::popcount(pairs) <= kFewPairs) return pairs;
-  need_sheets(a);
-  need_sheets(b);
-  const Sheet* of_a = &sheets_[a.sheets];
-  if (of_a->apart(sheets_[b.sheets])) return 0;
-  std::uint64_t left = 0;
-  constexpr std::uint64_t kRow = (std::uint64_t{1} << kLeafSize) - 1;
+void TriangleTree::sift(const Node& a, const TriangleTree& other, const Node& b,
+                        std::uint64_t& pairs) const {
+  const Sheet& of_b = other.sheets_[b.sheets];
   for (std::uint32_t i = 0; i < a.end - a.begin; ++i) {
-    const auto row = static_cast<std::uint32_t>(pairs >> (kLeafSize * i) & kRow);
-    if (row == 0) continue;
-    left |= std::uint64_t{sifted(b, of_a[1 + i], row)} << (kLeafSize * i);
+    const std::uint32_t first = kLeafSize * i;
+    const std::uint64_t row = ((std::uint64_t{1} << kLeafSize) - 1) << first;
+    if ((pairs & row) == 0) continue;
+    const Sheet& sheet = sheets_[a.sheets + 1 + i];
+    if (sheet.apart(of_b)) {
+      pairs &= ~row;
+      continue;
+    }
+    for (std::uint32_t j = 0; j < b.end - b.begin; ++j) {
+      const std::uint64_t pair = std::uint64_t{1} << (first + j);
+      if ((pairs & pair) != 0 && sheet.apart(other.sheets_[b.sheets + 1 + j])) pairs &= ~pair;
+    }
   }
-  return left;
-}
-
-std::uint32_t TriangleTree::sifted(Node& leaf, const Sheet& sheet, std::uint32_t members) {
-  need_sheets(leaf);
-  const Sheet* of_leaf = &sheets_[leaf.sheets];
-  if (sheet.apart(*of_leaf)) return 0;
-  std::uint32_t left = 0;
-  for (; members != 0; members &= members - 1) {
-    const int k = std::countr_zero(members);
-    if (!sheet.apart(of_leaf[1 + k])) left |= 1U << k;
-  }
-  return left;
 }
 
 void TriangleTree::need_sheets(Node& leaf) {

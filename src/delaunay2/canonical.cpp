@@ -1,5 +1,6 @@
 #include "delaunay2/canonical.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -12,24 +13,30 @@ namespace {
 /// A real triangle. The second vertex tells it apart from all others with the same lowest one.
 struct Named {
   PlaneVertexId second;
-  TriangleId triangle;
+  std::uint32_t corner;  // as Met has it
 };
 
 void sort_by_second(std::span<Named> same_lowest) {
   sort_few(same_lowest, [](const Named& a, const Named& b) { return a.second < b.second; });
 }
 
-/// The vertices of a triangle by name, and the corner of the lowest.
-struct Names {
-  std::array<PlaneVertexId, 3> name;
-  std::uint32_t lowest;
-
-  Names(const std::array<SiteId, 3>& v, const IdVector<SiteId, PlaneVertexId>& name_of)
-      : name{name_of[v[0]], name_of[v[1]], name_of[v[2]]},
-        lowest(name[0] < name[1] ? (name[0] < name[2] ? 0U : 2U) : (name[1] < name[2] ? 1U : 2U)) {}
+/// A real triangle as it is met: its lowest vertex and the next by name, and where the lowest is.
+struct Met {
+  PlaneVertexId lowest;
+  PlaneVertexId second;
+  std::uint32_t corner;  // 4 t + i for corner i of triangle t
 };
 
 constexpr std::array<std::uint32_t, 5> kCorner{0, 1, 2, 0, 1};
+
+Met met(const Incremental2& plane, TriangleId t, const IdVector<SiteId, PlaneVertexId>& name_of) {
+  const std::array<SiteId, 3>& v = plane.vertices(t);
+  const std::array<PlaneVertexId, 3> name{name_of[v[0]], name_of[v[1]], name_of[v[2]]};
+  // Any corner as often as the others: without branches, which would be foretold wrongly.
+  const std::uint32_t last = name[2] < std::min(name[0], name[1]) ? 1U : 0U;
+  const std::uint32_t lowest = 2 * last + ((name[1] < name[0] ? 1U : 0U) & (1 - last));
+  return {name[lowest], name[kCorner[lowest + 1]], 4 * t.value() + lowest};
+}
 
 }  // namespace
 
@@ -41,13 +48,13 @@ Triangulation2 canonical_triangulation(const Incremental2& plane,
   const std::size_t count = plane.triangle_count();
 
   // Counting sort by lowest vertex.
+  std::vector<Met> real;
+  real.reserve(count);
   std::vector<std::uint32_t> end(points.size());  // of the triangles of each lowest vertex
-  std::size_t real = 0;
   for (std::uint32_t t = 0; t < count; ++t) {
     if (plane.is_ghost(TriangleId(t))) continue;
-    const Names names(plane.vertices(TriangleId(t)), name_of);
-    ++end[names.name[names.lowest].index()];
-    ++real;
+    real.push_back(met(plane, TriangleId(t), name_of));
+    ++end[real.back().lowest.index()];
   }
   std::uint32_t sum = 0;
   for (std::uint32_t& e : end) {
@@ -55,35 +62,30 @@ Triangulation2 canonical_triangulation(const Incremental2& plane,
     sum += e;
     e = begin;
   }
-  std::vector<Named> sorted(real);
-  for (std::uint32_t t = 0; t < count; ++t) {
-    if (plane.is_ghost(TriangleId(t))) continue;
-    const Names names(plane.vertices(TriangleId(t)), name_of);
-    sorted[end[names.name[names.lowest].index()]++] = {names.name[kCorner[names.lowest + 1]],
-                                                       TriangleId(t)};
-  }
+  std::vector<Named> sorted(real.size());
+  for (const Met& m : real) sorted[end[m.lowest.index()]++] = {m.second, m.corner};
 
   std::vector<TriangleId> number(count);  // ghost triangles keep an invalid one
   std::uint32_t begin = 0;
   for (const std::uint32_t e : end) {
     sort_by_second(std::span(sorted).subspan(begin, e - begin));
-    for (; begin < e; ++begin) number[sorted[begin].triangle.index()] = TriangleId(begin);
+    for (; begin < e; ++begin) number[sorted[begin].corner / 4] = TriangleId(begin);
   }
 
   Triangulation2 result;
   result.points = IdVector<PlaneVertexId, Point2>(std::move(points));
-  result.triangles.resize(real);
-  result.neighbours.resize(real);
-  for (std::uint32_t t = 0; t < count; ++t) {
-    const TriangleId n = number[t];
-    if (!n.valid()) continue;
-    const Names names(plane.vertices(TriangleId(t)), name_of);
-    PlaneTriangleVertices& vertices = result.triangles[n];
+  result.triangles.resize(real.size());
+  result.neighbours.resize(real.size());
+  for (const Met& m : real) {
+    const TriangleId t(m.corner / 4);
+    const std::array<SiteId, 3>& v = plane.vertices(t);
+    const TriangleId n = number[t.index()];
+    const std::uint32_t lowest = m.corner & 3U;
+    const std::uint32_t third = kCorner[lowest + 2];
+    result.triangles[n] = {m.lowest, m.second, name_of[v[third]]};
     std::array<TriangleId, 3>& neighbours = result.neighbours[n];
     for (std::uint32_t k = 0; k < 3; ++k) {
-      const std::uint32_t i = kCorner[names.lowest + k];
-      const HalfEdgeId across = plane.opposite(Incremental2::half_edge(TriangleId(t), i));
-      vertices[k] = names.name[i];
+      const HalfEdgeId across = plane.opposite(Incremental2::half_edge(t, kCorner[lowest + k]));
       neighbours[k] = number[Incremental2::triangle(across).index()];
     }
   }

@@ -1,9 +1,8 @@
 // See canonical_mesh.hpp.
 //
 // Tets that are neighbours are near each other in the engine's order, and far apart in the
-// canonical one. So names and adjacency are worked out in the engine's order, in its slots; these
-// are then sorted by name within each stretch, and the stretches merged, part by part, into the
-// mesh.
+// canonical one. So names and adjacency are worked out in the engine's order; its slots are then
+// sorted by name within each stretch, and the stretches merged, part by part, into the mesh.
 #include "delaunay3/canonical_mesh.hpp"
 
 #include <algorithm>
@@ -15,6 +14,7 @@
 #include "core/parallel.hpp"
 #include "core/prefetch.hpp"
 #include "delaunay3/canonical_names.hpp"
+#include "delaunay3/stretches.hpp"
 
 namespace tetloft::internal::delaunay3_detail {
 
@@ -25,6 +25,13 @@ constexpr std::size_t kTetsOfPart = std::size_t{1} << 13;
 // Parts that the mesh grows by at a time, after which the slots they were read from are given back.
 constexpr std::size_t kPartsOfRound = 32;
 
+// Short enough for its slots to stay in cache while they are sorted, long enough for what is left
+// of a page where they are given back not to matter.
+constexpr std::size_t kSlotsOfStretch = std::size_t{1} << 15;
+constexpr std::size_t kMostStretches = 1024;
+// So many slots before one is renumbered what is asked of its neighbours is fetched.
+constexpr std::size_t kSlotsAhead = 16;
+
 // Fewer slots than this are renumbered before a second thread has started.
 constexpr std::size_t kSlotsForThreads = std::size_t{1} << 16;
 
@@ -34,67 +41,68 @@ class Renumbering {
       : built_(built),
         names_(names),
         threads_(built.size() < kSlotsForThreads ? 1 : threads),
-        stretches_(stretches_of(built)) {}
+        stretches_(Stretches::of(built.size(), kSlotsOfStretch, kMostStretches)) {}
 
   TetMesh run() {
-    begin_ = name_tets(built_, names_.rank_of, threads_);
+    canonical_ = name_tets(built_, names_.rank_of, threads_);
     parts_ = (tets() + kTetsOfPart - 1) / kTetsOfPart;
     part_begin_.resize(stretches_.count * (parts_ + 1));
-    parallel_for(stretches_.count, threads_, [&](std::size_t k) { rename_opposites(k); });
-    parallel_for(stretches_.count, threads_, [&](std::size_t k) { sort_stretch(k); });
+    parallel_for(stretches_.count, threads_, [&](std::size_t k) { renumber_stretch(k); });
+    core::release(canonical_.name);
+    core::release(canonical_.places);
     fill_mesh();
     return TetMesh::from_adjacency(names_.input_count, std::move(tets_), std::move(opposite_));
   }
 
  private:
-  [[nodiscard]] std::size_t tets() const { return begin_.back(); }
-  // The part of a slot's tet; after all parts for those that have none.
-  [[nodiscard]] std::size_t part_of(const TetSlot& slot) const {
-    return renamed::is_finite(slot) ? renamed::name(slot) / kTetsOfPart : parts_;
+  [[nodiscard]] std::size_t tets() const { return canonical_.tets(); }
+
+  // Renames the tets of a stretch, and sorts them by part, each part from part_begin_ on. Nothing
+  // is read of other stretches' slots.
+  void renumber_stretch(std::size_t k) {
+    const std::size_t first = stretches_.begin(k);
+    const std::size_t end = stretches_.end(k);
+    std::vector<std::uint32_t> next(parts_ + 1);
+    for (std::size_t t = first; t < end; ++t) ++next[part_of(canonical_.name[t])];
+    std::uint32_t sum = 0;
+    for (std::uint32_t& part : next) sum += std::exchange(part, sum);
+    std::transform(next.begin(), next.end(), &part_begin_[k * (parts_ + 1)],
+                   [&](std::uint32_t place) { return static_cast<std::uint32_t>(first) + place; });
+    std::vector<TetSlot> sorted(next.back());
+    for (std::size_t t = first; t < end; ++t) {
+      if (t + kSlotsAhead < end) fetch_neighbours(built_[t + kSlotsAhead]);
+      const std::uint32_t name = canonical_.name[t];
+      if (name != CanonicalNames::kNone) sorted[next[name / kTetsOfPart]++] = renumbered(t, name);
+    }
+    std::copy(sorted.begin(), sorted.end(), built_.begin() + static_cast<std::ptrdiff_t>(first));
   }
 
-  // Puts the opposites of the tets of a stretch into canonical order, by their new names. Of other
-  // tets it reads what no one writes meanwhile.
-  void rename_opposites(std::size_t k) {
-    std::uint32_t* begin = &part_begin_[k * (parts_ + 1)];
-    for (std::size_t t = stretches_.begin(k); t < stretches_.end(k); ++t) {
-      TetSlot& slot = built_[t];
-      ++begin[part_of(slot)];
-      if (t + kSlotsAhead < stretches_.end(k)) {
-        for (const HalfFaceId across : built_[t + kSlotsAhead].opposite) {
-          core::prefetch(&built_[0] + (across.index() >> 2));
-        }
-      }
-      if (!renamed::is_finite(slot)) continue;
-      std::array<HalfFaceId, 4> opposite;
-      for (std::size_t face = 0; face < 4; ++face) {
-        const HalfFaceId across = slot.opposite[face];
-        if (!across.valid()) continue;
-        const TetSlot& neighbour = built_[across.index() >> 2];
-        if (!renamed::is_finite(neighbour)) continue;  // a ghost: the face is on the hull
-        opposite[renamed::place(slot, face)] = HalfFaceId(
-            4 * renamed::name(neighbour) + renamed::place(neighbour, across.index() & 3U));
-      }
-      slot.opposite = opposite;
+  // After all parts for slots without a tet.
+  [[nodiscard]] std::size_t part_of(std::uint32_t name) const {
+    return name == CanonicalNames::kNone ? parts_ : name / kTetsOfPart;
+  }
+
+  void fetch_neighbours(const TetSlot& slot) const {
+    for (const HalfFaceId across : slot.opposite) {
+      core::prefetch(canonical_.name.data() + (across.index() >> 2));
+      core::prefetch(canonical_.places.data() + (across.index() >> 2));
     }
   }
 
-  // Sorts the slots of a stretch by part, each part from part_begin_ on, in place: every slot that
-  // is not in its part changes places with the first of its part that is not known to be (McIlroy,
-  // Bostic and McIlroy, "Engineering radix sort", Computing Systems 6, 1993).
-  void sort_stretch(std::size_t k) {
-    std::uint32_t* begin = &part_begin_[k * (parts_ + 1)];
-    std::uint32_t sum = static_cast<std::uint32_t>(stretches_.begin(k));
-    for (std::size_t p = 0; p <= parts_; ++p) sum += std::exchange(begin[p], sum);
-    std::vector<std::uint32_t> next(begin, begin + parts_ + 1);
-    for (std::size_t p = 0; p < parts_; ++p) {
-      for (const std::uint32_t end = begin[p + 1]; next[p] < end;) {
-        const TetSlot moving = built_[next[p]];
-        const std::size_t part = part_of(moving);
-        built_[next[p]] = built_[next[part]];
-        built_[next[part]++] = moving;
-      }
+  // The tet with its name for its lowest rank, and its opposites by their names and places.
+  [[nodiscard]] TetSlot renumbered(std::size_t t, std::uint32_t name) const {
+    const TetSlot& slot = built_[t];
+    TetSlot result;
+    result.vertices = {VertexId(name), slot.vertices[1], slot.vertices[2], slot.vertices[3]};
+    for (std::size_t face = 0; face < 4; ++face) {
+      const HalfFaceId across = slot.opposite[face];
+      if (!across.valid()) continue;
+      const std::size_t neighbour = across.index() >> 2;
+      if (canonical_.name[neighbour] == CanonicalNames::kNone) continue;  // the face is on the hull
+      result.opposite[canonical_.place(t, face)] = HalfFaceId(
+          4 * canonical_.name[neighbour] + canonical_.place(neighbour, across.index() & 3U));
     }
+    return result;
   }
 
   void fill_mesh() {
@@ -134,10 +142,10 @@ class Renumbering {
     for (std::size_t k = 0; k < stretches_.count; ++k) {
       const std::uint32_t* begin = &part_begin_[k * (parts_ + 1) + part];
       for (const TetSlot& slot : built_.subspan(begin[0], begin[1] - begin[0])) {
-        const std::uint32_t name = renamed::name(slot);
+        const std::uint32_t name = slot.vertices[0].value();
         tets_[name] = {
-            names_.input_of[lowest[name % kTetsOfPart]], names_.input_of[renamed::rank(slot, 1)],
-            names_.input_of[renamed::rank(slot, 2)], names_.input_of[renamed::rank(slot, 3)]};
+            names_.input_of[lowest[name % kTetsOfPart]], names_.input_of[slot.vertices[1].index()],
+            names_.input_of[slot.vertices[2].index()], names_.input_of[slot.vertices[3].index()]};
         std::copy(slot.opposite.begin(), slot.opposite.end(),
                   opposite_.begin() + std::ptrdiff_t{4} * name);
       }
@@ -146,13 +154,14 @@ class Renumbering {
 
   // Of the tets of a part: their lowest ranks, whose place their names have taken.
   [[nodiscard]] std::array<std::uint32_t, kTetsOfPart> lowest_ranks(std::size_t part) const {
+    const std::vector<std::uint32_t>& begin = canonical_.begin;
     std::array<std::uint32_t, kTetsOfPart> lowest;
     const std::size_t first = part * kTetsOfPart;
     const std::size_t end = std::min(first + kTetsOfPart, tets());
-    const auto after = std::upper_bound(begin_.begin(), begin_.end(), first);
-    auto r = static_cast<std::uint32_t>(after - begin_.begin() - 1);
+    const auto after = std::upper_bound(begin.begin(), begin.end(), first);
+    auto r = static_cast<std::uint32_t>(after - begin.begin() - 1);
     for (std::size_t name = first; name < end; ++name) {
-      while (begin_[r + 1] <= name) ++r;
+      while (begin[r + 1] <= name) ++r;
       lowest[name - first] = r;
     }
     return lowest;
@@ -163,10 +172,9 @@ class Renumbering {
   unsigned threads_;
   Stretches stretches_;
   std::size_t parts_ = 0;
-  // The tets of lowest rank r are begin_[r] to begin_[r + 1].
-  std::vector<std::uint32_t> begin_;
-  // [stretch k * (parts_ + 1) + p]: where the slots of part p begin in stretch k; first their
-  // number. After all parts come the slots without a tet.
+  CanonicalNames canonical_;
+  // [stretch k * (parts_ + 1) + p]: where the slots of part p begin in stretch k.
+  // After all parts come the slots without a tet.
   std::vector<std::uint32_t> part_begin_;
   std::vector<TetVertices> tets_;
   std::vector<HalfFaceId> opposite_;

@@ -1,82 +1,69 @@
 // See canonical_names.hpp.
+//
+// Tets are named vertex by vertex: each belongs to its vertex of lowest rank, in a list. The tets
+// of a vertex are near each other in the engine's order, and so are those of the engine's next
+// vertex, while those of the next rank are far away.
 #include "delaunay3/canonical_names.hpp"
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <functional>
-#include <tuple>
+#include <atomic>
+#include <cstddef>
 #include <utility>
 
-#include "core/pages.hpp"
 #include "core/parallel.hpp"
 #include "core/prefetch.hpp"
-#include "core/sort_few.hpp"
+#include "delaunay3/stretches.hpp"
 
 namespace tetloft::internal::delaunay3_detail {
 
 namespace {
 
-// Long enough for threads to be worth starting, short enough to stay in cache while its slots are
-// sorted by name.
-constexpr std::size_t kSlotsOfStretch = std::size_t{1} << 15;
-constexpr std::size_t kMostStretches = 1024;
-// Of a group of ranks: the tets of one are sorted within cache.
-constexpr std::size_t kTetsOfGroup = 4096;
-constexpr std::size_t kMostGroups = 2048;
-// Fewer are sorted by insertion: in a uniform set a vertex is the lowest of seven tets.
+// Long enough for threads to be worth starting.
+constexpr std::size_t kSlotsOrdered = std::size_t{1} << 15;
+// So few that what is collected of their tets stays in cache.
+constexpr std::size_t kVerticesNamed = 1024;
+// So many slots before one is worked on it is fetched, or what it leads to.
+constexpr std::size_t kNamedAhead = 16;
+// Tets that are ordered before the first of them joins its list.
+constexpr std::size_t kOrderedAtATime = 32;
+// Fewer are sorted by counting: in a uniform set a vertex is the lowest of seven tets.
 constexpr std::size_t kFewTets = 24;
 
-// By the engine's places of the vertices of lowest, second, third and highest rank, two bits each
-// from the lowest on: the canonical place of the engine's vertex k, at bits 2 k and 2 k + 1; and at
-// bit 8, whether the last two ranks are swapped in canonical order, as the increasing order is an
-// odd permutation of the engine's, whose tets are positive.
-constexpr unsigned kSwapped = 1U << 8;
-
-constexpr std::array<std::uint16_t, 256> canonical_places() {
-  std::array<std::uint16_t, 256> result{};
-  std::array<unsigned, 4> order{0, 1, 2, 3};
+// By which of the engine's vertices i < j come in order of rank, a bit each for the pairs 01, 02,
+// 03, 12, 13, 23: CanonicalNames::places. These are in order of rank, but for the last two, swapped
+// where that order is an odd permutation of the engine's, whose tets are positive.
+constexpr std::array<std::uint8_t, 64> canonical_places() {
+  std::array<std::uint8_t, 64> result{};
+  std::array<unsigned, 4> place{0, 1, 2, 3};
   do {
     unsigned code = 0;
+    unsigned pair = 0;
     bool odd = false;
     for (unsigned i = 0; i < 4; ++i) {
-      code |= order[i] << (2 * i);
-      for (unsigned j = 0; j < i; ++j) odd = odd != (order[i] < order[j]);
+      for (unsigned j = i + 1; j < 4; ++j, ++pair) {
+        code |= (place[i] < place[j] ? 1U : 0U) << pair;
+        odd = odd != (place[i] > place[j]);
+      }
     }
-    unsigned places = odd ? kSwapped : 0;
-    for (unsigned i = 0; i < 4; ++i) places |= (odd && i > 1 ? 5 - i : i) << (2 * order[i]);
-    result[code] = static_cast<std::uint16_t>(places);
-  } while (std::next_permutation(order.begin(), order.end()));
+    unsigned places = 0;
+    for (unsigned k = 0; k < 4; ++k) {
+      places |= (odd && place[k] > 1 ? 5 - place[k] : place[k]) << (2 * k);
+    }
+    result[code] = static_cast<std::uint8_t>(places);
+  } while (std::next_permutation(place.begin(), place.end()));
   return result;
 }
-constexpr std::array<std::uint16_t, 256> kCanonicalPlaces = canonical_places();
+constexpr std::array<std::uint8_t, 64> kCanonicalPlaces = canonical_places();
 
-// Puts ranks into canonical order, and above them the places.
-void order_vertices(TetVertices& tet, std::span<const std::uint32_t> rank_of) {
-  // Rank and engine's place: sorts by rank, as ranks are distinct.
-  std::array<std::uint32_t, 4> entry;
-  for (std::uint32_t k = 0; k < 4; ++k) entry[k] = (rank_of[tet[k].index()] << 2) | k;
-  const auto order = [&](std::size_t i, std::size_t j) {
-    const std::uint32_t low = std::min(entry[i], entry[j]);
-    entry[j] = std::max(entry[i], entry[j]);
-    entry[i] = low;
-  };
-  // The optimal sorting network of four.
-  order(0, 1);
-  order(2, 3);
-  order(0, 2);
-  order(1, 3);
-  order(1, 2);
-  const std::uint32_t places = kCanonicalPlaces[(entry[0] & 3U) | (entry[1] & 3U) << 2 |
-                                                (entry[2] & 3U) << 4 | (entry[3] & 3U) << 6];
-  const bool swapped = (places & kSwapped) != 0;
-  const auto put = [&](unsigned k, std::uint32_t ranked) {
-    tet[k] = VertexId((ranked >> 2) | ((places >> (2 * k)) & 3U) << renamed::kRankBits);
-  };
-  put(0, entry[0]);
-  put(1, entry[1]);
-  put(2, swapped ? entry[3] : entry[2]);
-  put(3, swapped ? entry[2] : entry[3]);
+// Without a branch: which rank is the lower nobody can guess.
+std::uint8_t places_of(const std::array<std::uint32_t, 4>& rank) {
+  std::uint32_t code = 0;
+  std::uint32_t pair = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = i + 1; j < 4; ++j) code |= std::uint32_t{rank[i] < rank[j]} << pair++;
+  }
+  return kCanonicalPlaces[code];
 }
 
 // A tet among those of one lowest rank: its other ranks, increasing.
@@ -85,151 +72,204 @@ struct UpperRanks {
   std::uint32_t fourth;
   std::uint32_t slot;
 
+  // Without a branch.
   friend bool operator<(const UpperRanks& a, const UpperRanks& b) {
-    return a.second_and_third != b.second_and_third ? a.second_and_third < b.second_and_third
-                                                    : a.fourth < b.fourth;
+    const std::uint32_t less{a.second_and_third < b.second_and_third};
+    const std::uint32_t same{a.second_and_third == b.second_and_third};
+    return (less | (same & std::uint32_t{a.fourth < b.fourth})) != 0;
   }
 };
 
-UpperRanks upper_ranks(const TetSlot& slot, std::uint32_t number) {
-  const std::uint32_t third = renamed::rank(slot, 2);
-  const std::uint32_t fourth = renamed::rank(slot, 3);
-  return {(std::uint64_t{renamed::rank(slot, 1)} << 32) | std::min(third, fourth),
-          std::max(third, fourth), number};
+UpperRanks upper_ranks(const TetVertices& ranks, std::uint32_t slot) {
+  const std::uint32_t third = ranks[2].value();
+  const std::uint32_t fourth = ranks[3].value();
+  return {(std::uint64_t{ranks[1].value()} << 32) | std::min(third, fourth),
+          std::max(third, fourth), slot};
 }
 
-// Names the tets, group after group: group g has those whose lowest rank is g << shift_ or more.
 class Naming {
  public:
   Naming(std::span<TetSlot> built, std::span<const std::uint32_t> rank_of, unsigned threads)
-      : built_(built),
-        rank_of_(rank_of),
-        threads_(threads),
-        stretches_(stretches_of(built)),
-        begin_(rank_of.size() + 1) {
-    const std::size_t wanted = std::clamp<std::size_t>(built.size() / kTetsOfGroup, 1, kMostGroups);
-    while ((rank_of.size() >> shift_) >= wanted) ++shift_;
-    groups_ = (rank_of.size() >> shift_) + 1;
-    places_.resize(stretches_.count * groups_);
+      : built_(built), rank_of_(rank_of), threads_(threads), alone_(thread_count(threads) == 1) {
+    names_.name.resize(built.size());
+    names_.places.resize(built.size());
+    names_.begin.resize(rank_of.size() + 1);
+    latest_.resize(rank_of.size(), CanonicalNames::kNone);
   }
 
-  std::vector<std::uint32_t> run() {
-    parallel_for(stretches_.count, threads_, [&](std::size_t k) { order_stretch(k); });
-    place_groups();
-    parallel_for(stretches_.count, threads_, [&](std::size_t k) { collect_stretch(k); });
-    const Stretches bundles = Stretches::of(groups_, 8, groups_);
-    parallel_for(bundles.count, threads_, [&](std::size_t k) {
-      Scratch scratch;
-      for (std::size_t g = bundles.begin(k); g < bundles.end(k); ++g) name_group(g, scratch);
-    });
-    begin_.back() = static_cast<std::uint32_t>(slots_.size());
-    core::release(slots_);
-    return std::move(begin_);
+  CanonicalNames run() {
+    const Stretches slots = Stretches::of(built_.size(), kSlotsOrdered, built_.size());
+    parallel_for(slots.count, threads_,
+                 [&](std::size_t k) { order_tets(slots.begin(k), slots.end(k)); });
+    std::uint32_t sum = 0;
+    for (std::uint32_t& begin : names_.begin) sum += std::exchange(begin, sum);
+    const Stretches vertices = Stretches::of(rank_of_.size(), kVerticesNamed, rank_of_.size());
+    parallel_for(vertices.count, threads_,
+                 [&](std::size_t k) { name_tets_of(vertices.begin(k), vertices.end(k)); });
+    return std::move(names_);
   }
 
  private:
-  // Of one group, used again for the next.
-  struct Scratch {
-    std::vector<std::uint32_t> lowest;
-    std::vector<UpperRanks> collected;
-    std::vector<UpperRanks> sorted;
+  // The vertex of lowest rank of a tet.
+  struct Lowest {
+    std::uint32_t slot;
+    std::uint32_t vertex;
+    std::uint32_t rank;
   };
 
-  // Orders the vertices of each tet, and counts the tets of each group.
-  void order_stretch(std::size_t k) {
-    std::uint32_t* count = &places_[k * groups_];
-    for (std::size_t t = stretches_.begin(k); t < stretches_.end(k); ++t) {
-      TetVertices& tet = built_[t].vertices;
-      if (t + kSlotsAhead < stretches_.end(k)) {
-        for (const VertexId v : built_[t + kSlotsAhead].vertices)
-          core::prefetch(rank_of_.data() + v.index());
+  // Orders some tets, and puts each into the list of its lowest vertex. Which list that is, and
+  // where its tets are counted, is known long enough before for both to be fetched.
+  void order_tets(std::size_t first, std::size_t end) {
+    std::array<Lowest, kOrderedAtATime> lowest;
+    for (std::size_t t = first; t < end;) {
+      std::size_t count = 0;
+      for (; t < end && count < lowest.size(); ++t) {
+        if (t + kNamedAhead < end) fetch_ranks(built_[t + kNamedAhead].vertices);
+        names_.name[t] = CanonicalNames::kNone;
+        if (built_[t].vertices[0].index() >= rank_of_.size()) continue;
+        lowest[count++] = ordered(t);
       }
-      if (tet[0].index() >= rank_of_.size()) continue;
-      order_vertices(tet, rank_of_);
-      ++count[(tet[0].value() & renamed::kRankMask) >> shift_];
+      for (const Lowest& one : std::span(lowest).first(count)) {
+        add(names_.begin[one.rank]);
+        names_.name[one.slot] = put_first(latest_[one.vertex], one.slot);
+      }
     }
   }
 
-  // From counts to where each stretch puts its tets: group after group.
-  void place_groups() {
+  void fetch_ranks(const TetVertices& tet) const {
+    for (const VertexId v : tet) core::prefetch(rank_of_.data() + v.index());
+  }
+
+  // Puts the ranks of a tet's vertices into canonical order.
+  Lowest ordered(std::size_t t) {
+    TetVertices& tet = built_[t].vertices;
+    std::array<std::uint32_t, 4> rank;
+    for (std::size_t k = 0; k < 4; ++k) rank[k] = rank_of_[tet[k].index()];
+    const std::uint32_t places = places_of(rank);
+    names_.places[t] = static_cast<std::uint8_t>(places);
+    TetVertices vertex;
+    TetVertices ranks;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const std::size_t place = (places >> (2 * k)) & 3U;
+      vertex[place] = tet[k];
+      ranks[place] = VertexId(rank[k]);
+    }
+    tet = ranks;
+    core::prefetch(&names_.begin[ranks[0].index()]);
+    core::prefetch(&latest_[vertex[0].index()]);
+    return {static_cast<std::uint32_t>(t), vertex[0].value(), ranks[0].value()};
+  }
+
+  // Another thread may do the same to the same items: the lists' order does not matter.
+  void add(std::uint32_t& number) const {
+    if (alone_) {
+      ++number;
+    } else {
+      std::atomic_ref(number).fetch_add(1, std::memory_order_relaxed);
+    }
+  }
+  std::uint32_t put_first(std::uint32_t& latest, std::uint32_t slot) const {
+    if (alone_) return std::exchange(latest, slot);
+    return std::atomic_ref(latest).exchange(slot, std::memory_order_relaxed);
+  }
+
+  // The tets of a vertex: their first name, and where they begin among those collected.
+  struct Own {
+    std::uint32_t name;
+    std::uint32_t begin;
+  };
+
+  // Of some vertices.
+  void name_tets_of(std::size_t first, std::size_t end) {
+    const std::vector<Own> own = own_of(first, end);
+    const std::vector<std::uint32_t> slots = collected(first, own);
+    std::vector<UpperRanks> tets(slots.size());
+    for (std::size_t i = 0; i < slots.size(); ++i) {
+      tets[i] = upper_ranks(built_[slots[i]].vertices, slots[i]);
+    }
+    for (std::size_t i = 0; i + 1 < own.size(); ++i) {
+      give_names(std::span(tets).subspan(own[i].begin, own[i + 1].begin - own[i].begin),
+                 own[i].name);
+    }
+  }
+
+  // And their end.
+  [[nodiscard]] std::vector<Own> own_of(std::size_t first, std::size_t end) const {
+    std::vector<Own> own;
+    own.reserve(end - first + 1);
     std::uint32_t sum = 0;
-    group_begin_.reserve(groups_ + 1);
-    for (std::size_t g = 0; g < groups_; ++g) {
-      group_begin_.push_back(sum);
-      for (std::size_t k = 0; k < stretches_.count; ++k) {
-        sum += std::exchange(places_[k * groups_ + g], sum);
+    for (std::size_t v = first; v < end; ++v) {
+      if (v + kNamedAhead < end) core::prefetch(&names_.begin[rank_of_[v + kNamedAhead]]);
+      const std::uint32_t* const begin = &names_.begin[rank_of_[v]];
+      own.push_back({begin[0], sum});
+      sum += begin[1] - begin[0];
+    }
+    own.push_back({0, sum});
+    return own;
+  }
+
+  // The slots of their lists, vertex after vertex. All lists are followed at a time: where one goes
+  // on is known only when memory has answered.
+  [[nodiscard]] std::vector<std::uint32_t> collected(std::size_t first,
+                                                     std::span<const Own> own) const {
+    struct Following {
+      std::uint32_t slot;
+      std::uint32_t place;
+    };
+    std::vector<Following> lists;
+    lists.reserve(own.size());
+    for (std::size_t i = 0; i + 1 < own.size(); ++i) {
+      if (own[i].begin < own[i + 1].begin) lists.push_back({latest_[first + i], own[i].begin});
+    }
+    std::vector<std::uint32_t> slots(own.back().begin);
+    for (std::size_t count = lists.size(); count > 0;) {
+      const std::size_t followed = std::exchange(count, 0);
+      for (std::size_t i = 0; i < followed; ++i) {
+        const Following at = lists[i];
+        slots[at.place] = at.slot;
+        core::prefetch(&built_[at.slot]);
+        const std::uint32_t next = names_.name[at.slot];
+        core::prefetch(names_.name.data() + next);
+        lists[count] = {next, at.place + 1};
+        count += next != CanonicalNames::kNone ? 1U : 0U;
       }
     }
-    group_begin_.push_back(sum);
-    slots_.resize(sum);
+    return slots;
   }
 
-  void collect_stretch(std::size_t k) {
-    std::uint32_t* place = &places_[k * groups_];
-    for (std::size_t t = stretches_.begin(k); t < stretches_.end(k); ++t) {
-      if (!renamed::is_finite(built_[t])) continue;
-      slots_[place[renamed::rank(built_[t], 0) >> shift_]++] = static_cast<std::uint32_t>(t);
+  // To the tets of one vertex.
+  void give_names(std::span<UpperRanks> tets, std::uint32_t first) {
+    if (tets.size() > kFewTets) {
+      std::sort(tets.begin(), tets.end());
+      for (const UpperRanks& tet : tets) names_.name[tet.slot] = first++;
+      return;
     }
-  }
-
-  // Sorts the tets of a group by lowest rank, then those of each by the others.
-  void name_group(std::size_t g, Scratch& scratch) {
-    const std::uint32_t first = group_begin_[g];
-    const std::size_t count = group_begin_[g + 1] - first;
-    const std::size_t low = g << shift_;
-    const std::size_t high = std::min(low + (std::size_t{1} << shift_), rank_of_.size());
-    const auto slots = std::span<const std::uint32_t>(slots_).subspan(first, count);
-    scratch.lowest.resize(count);
-    scratch.collected.resize(count);
-    scratch.sorted.resize(count);
-    for (std::size_t i = 0; i < count; ++i) {
-      if (i + kSlotsAhead < count) core::prefetch(&built_[slots[i + kSlotsAhead]]);
-      const TetSlot& slot = built_[slots[i]];
-      scratch.lowest[i] = renamed::rank(slot, 0);
-      scratch.collected[i] = upper_ranks(slot, slots[i]);
-      ++begin_[scratch.lowest[i]];
+    // By how many are less: that compares all pairs, but nothing depends on a guess.
+    std::array<std::uint32_t, kFewTets> place{};
+    for (std::size_t i = 1; i < tets.size(); ++i) {
+      for (std::size_t k = 0; k < i; ++k) {
+        const std::uint32_t before{tets[k] < tets[i]};
+        place[i] += before;
+        place[k] += 1 - before;
+      }
     }
-    std::uint32_t sum = first;
-    for (std::size_t r = low; r < high; ++r) sum = begin_[r] += sum;
-    // Filling from the ends leaves every begin_[r] at its begin.
-    for (std::size_t i = 0; i < count; ++i) {
-      scratch.sorted[--begin_[scratch.lowest[i]] - first] = scratch.collected[i];
-    }
-    for (std::size_t r = low; r < high; ++r) {
-      const std::uint32_t begin = begin_[r] - first;
-      const std::uint32_t end =
-          r + 1 < high ? begin_[r + 1] - first : static_cast<std::uint32_t>(count);
-      sort_few(std::span(scratch.sorted).subspan(begin, end - begin), std::less<>(), kFewTets);
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-      VertexId& lowest = built_[scratch.sorted[i].slot].vertices[0];
-      lowest = VertexId((lowest.value() & ~renamed::kRankMask) |
-                        (first + static_cast<std::uint32_t>(i)));
-    }
+    for (std::size_t i = 0; i < tets.size(); ++i) names_.name[tets[i].slot] = first + place[i];
   }
 
   std::span<TetSlot> built_;
   std::span<const std::uint32_t> rank_of_;
   unsigned threads_;
-  Stretches stretches_;
-  unsigned shift_ = 0;
-  std::size_t groups_ = 0;
-  // [stretch k * groups_ + g]: how many tets of group g stretch k has, then where the next goes.
-  std::vector<std::uint32_t> places_;
-  std::vector<std::uint32_t> group_begin_;
-  // The finite slots, by group.
-  std::vector<std::uint32_t> slots_;
-  std::vector<std::uint32_t> begin_;
+  bool alone_;
+  // The tets of lowest vertex v: slot latest_[v], and after slot t slot names_.name[t], where it
+  // has no name yet.
+  std::vector<std::uint32_t> latest_;
+  CanonicalNames names_;
 };
 
 }  // namespace
 
-Stretches stretches_of(std::span<const TetSlot> built) {
-  return Stretches::of(built.size(), kSlotsOfStretch, kMostStretches);
-}
-
-std::vector<std::uint32_t> name_tets(std::span<TetSlot> built,
-                                     std::span<const std::uint32_t> rank_of, unsigned threads) {
+CanonicalNames name_tets(std::span<TetSlot> built, std::span<const std::uint32_t> rank_of,
+                         unsigned threads) {
   return Naming(built, rank_of, threads).run();
 }
 

@@ -19,7 +19,6 @@
 #include "core/watched_work.hpp"
 #include "delaunay3/affine_basis.hpp"
 #include "delaunay3/canonical_mesh.hpp"
-#include "delaunay3/canonical_names.hpp"
 #include "delaunay3/canonical_order.hpp"
 #include "delaunay3/incremental.hpp"
 #include "delaunay3/slab_overlay.hpp"
@@ -143,7 +142,7 @@ Result<Triangulation2> triangulate_plane(std::span<const Point3> points,
 // The most tets an engine may make: as many as their half-faces have numbers for, and as
 // canonical_mesh() has names for, or fewer.
 std::size_t bound_on_tets(std::size_t most_tets) {
-  constexpr std::size_t kMaxTets = delaunay3_detail::renamed::kMostTets;
+  constexpr std::size_t kMaxTets = delaunay3_detail::kMostNamedTets;
   return most_tets == 0 ? kMaxTets : std::min(kMaxTets, most_tets);
 }
 
@@ -166,7 +165,7 @@ Result<bool> overlay_planes(const RankedPoints& ranked, const Delaunay3Options& 
   if (below < 3 || points.size() - below < 3) return false;
   Result<Triangulation2> lower = Triangulation2{};
   Result<Triangulation2> upper = Triangulation2{};
-  WatchedWork work(options.execution, 3);
+  WatchedWork work(options.execution, 4);
   const Execution planes = untold(options.execution);
   parallel_for(2, planes.threads, [&](std::size_t plane) {
     if (plane == 0) lower = triangulate_plane(points.first(below), planes);
@@ -253,7 +252,7 @@ Result<void> check_flat_points(const Triangulation2& plane) {
   return {};
 }
 
-// Ids in range, and neighbours mutual: what the overlay walks along.
+// Ids in range, triangles in canonical order, and neighbours mutual: what the overlay walks along.
 Result<void> check_triangles(const Triangulation2& plane) {
   const auto refused = [](std::size_t t, const char* why) {
     return Error{ErrorCode::invalid_input, "triangle " + std::to_string(t) + why, {}};
@@ -263,6 +262,8 @@ Result<void> check_triangles(const Triangulation2& plane) {
     for (std::size_t i = 0; i < 3; ++i) {
       if (v[i].index() >= plane.points.size()) return refused(t, " has a corner that is no point");
     }
+    if (v[0] > v[1] || v[0] > v[2]) return refused(t, " does not start at its lowest vertex");
+    if (t > 0 && v < plane.triangles[TriangleId(t - 1)]) return refused(t, " is out of order");
     for (std::size_t i = 0; i < 3; ++i) {
       const TriangleId n = plane.neighbours[TriangleId(t)][i];
       if (!n.valid()) continue;
@@ -315,7 +316,6 @@ Result<TetMesh> triangulate_slab(const Triangulation2& lower, const Triangulatio
       lower, upper, {.input_of = {}, .input_count = lower.points.size() + upper.points.size()},
       work, bound_on_tets(most_tets));
   if (!mesh) return too_many_tets(most_tets);
-  work.step_done();
   return *std::move(mesh);
 }
 

@@ -2,63 +2,67 @@
 #include "delaunay3/diagram_edges.hpp"
 
 #include <cstdint>
-#include <span>
-#include <vector>
 
-#include "core/sort_few.hpp"
+#include "core/guard.hpp"
 
 namespace tetloft::internal::delaunay3_detail {
 
 namespace {
 
-struct UpwardEdge {
-  PlaneVertexId higher;
-  HalfEdgeId half_edge;
-};
-
-// Every half-edge that runs from the lower end of its edge to the higher one; none at the ghost.
-template <class Visit>
-void for_each_upward(const PlaneDiagram& diagram, const Visit& visit) {
-  const auto see = [&](HalfEdgeId h) {
+// Of every vertex that is no triangle's lowest its edge to a higher one, from there; there is one
+// at most, and triangles have it opposite their lowest vertex.
+IdVector<PlaneVertexId, HalfEdgeId> lone_edges(const PlaneDiagram& diagram) {
+  IdVector<PlaneVertexId, HalfEdgeId> result(diagram.vertex_count());
+  for (std::size_t k = 0; k < diagram.finite_count(); ++k) {
+    const HalfEdgeId h = PlaneDiagram::half_edge(TriangleId(k), 0);
     const PlaneVertexId from = diagram.origin(h);
     const PlaneVertexId to = diagram.destination(h);
-    if (from < to) visit(h, from, to);
-  };
-  for (std::size_t k = 0; k < diagram.triangle_count(); ++k) {
-    const TriangleId t(k);
-    see(PlaneDiagram::half_edge(t, 0));
-    if (diagram.is_ghost(t)) continue;
-    see(PlaneDiagram::half_edge(t, 1));
-    see(PlaneDiagram::half_edge(t, 2));
+    if (from < to) {
+      result[from] = h;
+    } else {
+      result[to] = diagram.opposite(h);
+    }
   }
+  return result;
 }
 
 }  // namespace
 
-DiagramEdges::DiagramEdges(const PlaneDiagram& diagram) : edge_(diagram.half_edge_slots()) {
-  std::vector<std::uint32_t> end(diagram.vertex_count());  // of the edges of each lower end
-  for_each_upward(diagram,
-                  [&](HalfEdgeId, PlaneVertexId from, PlaneVertexId) { ++end[from.index()]; });
-  std::uint32_t sum = 0;
-  for (std::uint32_t& e : end) {
-    const std::uint32_t begin = sum;
-    sum += e;
-    e = begin;
-  }
-  std::vector<UpwardEdge> upward(sum);
-  for_each_upward(diagram, [&](HalfEdgeId h, PlaneVertexId from, PlaneVertexId to) {
-    upward[end[from.index()]++] = {to, h};
-  });
-  half_edge_.reserve(sum);
-  std::uint32_t begin = 0;
-  for (const std::uint32_t e : end) {
-    sort_few(std::span(upward).subspan(begin, e - begin),
-             [](const UpwardEdge& a, const UpwardEdge& b) { return a.higher < b.higher; });
-    for (; begin < e; ++begin) {
-      const HalfEdgeId h = upward[begin].half_edge;
-      edge_[h] = edge_[diagram.opposite(h)] = half_edge_.push_back(h);
+DiagramEdges::DiagramEdges(const PlaneDiagram& diagram, const Triangulation2& triangulation)
+    : edge_(diagram.half_edge_slots()) {
+  const auto& triangles = triangulation.triangles;
+  const IdVector<PlaneVertexId, HalfEdgeId> lone = lone_edges(diagram);
+  const std::size_t hull = diagram.triangle_count() - triangles.size();
+  const std::size_t count = (3 * triangles.size() + hull) / 2;
+  half_edge_.reserve(count);
+  const auto add = [&](HalfEdgeId upward) {
+    TETLOFT_CHECK(!edge_[upward].valid());
+    edge_[upward] = edge_[diagram.opposite(upward)] = half_edge_.push_back(upward);
+  };
+  std::size_t begin = 0;
+  for (const PlaneVertexId v : triangulation.points.ids()) {
+    std::size_t end = begin;
+    while (end < triangles.size() && triangles[TriangleId(end)][0] == v) ++end;
+    if (begin == end) {
+      if (lone[v].valid()) add(lone[v]);
+      continue;
     }
+    // The last triangle of the fan has no other behind its third side.
+    TriangleId last(begin);
+    for (std::size_t k = begin; k < end; ++k) {
+      const std::size_t behind = triangulation.neighbours[TriangleId(k)][1].index();
+      if (behind < begin || behind >= end) last = TriangleId(k);
+    }
+    std::size_t place = begin;
+    while (place < end && triangles[TriangleId(place)][1] < triangles[last][2]) ++place;
+    for (std::size_t k = begin; k <= end; ++k) {
+      add(k == place
+              ? diagram.opposite(PlaneDiagram::half_edge(diagram.place_of(last), 1))
+              : PlaneDiagram::half_edge(diagram.place_of(TriangleId(k < place ? k : k - 1)), 2));
+    }
+    begin = end;
   }
+  TETLOFT_CHECK(half_edge_.size() == count);
 }
 
 }  // namespace tetloft::internal::delaunay3_detail

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 
+#include <tetloft/delaunay2.hpp>
 #include <tetloft/ids.hpp>
 
 #include "delaunay3/plane_diagram.hpp"
@@ -10,10 +11,16 @@
 namespace tetloft::internal::delaunay3_detail {
 
 /// Edges sorted by their lower ends, then by their higher ones; that order is also that of the tets
-/// on them. Those at the ghost have no number. Linear but for sorting the edges of a vertex.
+/// on them. Those at the ghost have no number. Linear.
+///
+/// Vertices are in order by (x, y). So the edges of a vertex to higher ones lie within less than a
+/// half-turn, and the triangles between them, of which it is the lowest vertex, are one fan: each
+/// has one such edge for its first side, and there is one edge more than triangles. Triangles are
+/// sorted by just these edges.
 class DiagramEdges {
  public:
-  explicit DiagramEdges(const PlaneDiagram& diagram);
+  /// Requires the triangulation that the diagram is of.
+  DiagramEdges(const PlaneDiagram& diagram, const Triangulation2& triangulation);
 
   [[nodiscard]] std::size_t size() const { return half_edge_.size(); }
   [[nodiscard]] auto ids() const { return half_edge_.ids(); }

@@ -28,7 +28,9 @@ GrowingTets::GrowingTets(std::span<const Point3> points, std::span<const std::ui
     : vertices_(order.size()), filter_(points) {
   const Stretches all = Stretches::of(order.size(), kVerticesGathered, order.size());
   parallel_for(all.count, threads, [&](std::size_t k) {
-    for (std::size_t i = all.begin(k); i < all.end(k); ++i) vertices_[i].point = points[order[i]];
+    for (std::size_t i = all.begin(k); i < all.end(k); ++i) {
+      vertices_[i] = {.point = points[order[i]], .rank = order[i], .part = 0, .on_horizon = 0};
+    }
   });
   reserve(tets_of_point * vertices_.size());
 }

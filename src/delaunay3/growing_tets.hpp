@@ -8,10 +8,12 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
 
+#include <tetloft/execution.hpp>
 #include <tetloft/ids.hpp>
 #include <tetloft/point.hpp>
 #include <tetloft/tet_mesh.hpp>
@@ -25,7 +27,8 @@ namespace tetloft::internal::delaunay3_detail {
 inline constexpr VertexId kGhost{0xFFFFFFFEU};
 
 /// One of the parts that the vertices are shared out to while several threads insert.
-using Part = std::uint32_t;
+using Part = std::uint16_t;
+static_assert(kMostThreads <= std::numeric_limits<Part>::max());
 
 /// Gives back memory for slots as std::allocator hands it out: not initialised.
 struct FreeSlots {
@@ -41,17 +44,20 @@ class GrowingTets {
 
   struct Vertex {
     Point3 point;
+    /// Its place in `points`.
+    std::uint32_t rank = 0;
+    Part part = 0;
     /// The number among the vertices of the current horizon: a guess left by some earlier insertion
     /// wherever that horizon does not confirm it, so that nothing needs to be cleared.
-    std::uint32_t on_horizon = 0;
-    Part part = 0;
+    std::uint8_t on_horizon = 0;
   };
 
   /// Points of uniform distribution have 6.77 tets each (Dwyer, DCG 6, 1991); hull and recycled
   /// slots come on top.
   static constexpr std::size_t kExpectedTetsOfPoint = 7;
 
-  /// Vertex i is points[order[i]]. With room for so many tets of each.
+  /// Vertex i is points[order[i]]; points are in canonical order. With room for so many tets of
+  /// each.
   GrowingTets(std::span<const Point3> points, std::span<const std::uint32_t> order,
               std::size_t tets_of_point, unsigned threads);
 

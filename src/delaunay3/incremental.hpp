@@ -39,9 +39,9 @@ class Delaunay3Builder {
  public:
   static constexpr std::size_t kPointsOfStep = 1024;
 
-  /// Vertex i is points[order[i]]. Requires: distinct finite points, each once in `order`, of which
-  /// the first four are affinely independent; fewer than 2^30 points. There is room for
-  /// `tets_of_point` of each at first.
+  /// Vertex i is points[order[i]]. Requires: distinct finite points in canonical order, each once
+  /// in `order`, of which the first four are affinely independent; fewer than 2^30 points. There is
+  /// room for `tets_of_point` of each at first.
   Delaunay3Builder(std::span<const Point3> points, std::span<const std::uint32_t> order,
                    const Sharing& sharing = {},
                    std::size_t tets_of_point = GrowingTets::kExpectedTetsOfPoint);

@@ -17,7 +17,7 @@ static_assert(kFaceVertex[1][0] == 0 && kFaceVertex[2][0] == 0 && kFaceVertex[3]
 
 bool Inserter::insert(VertexId v, std::size_t most_tets) {
   const Point3 p = point(v);
-  collect_conflict_zone(p, walk(p, Alone{}), Alone{});
+  collect_conflict_zone(v, walk(p, Alone{}), Alone{});
   if (tets_->taken() + horizon_.size() > most_tets) {
     unmark_zone();
     return false;
@@ -32,7 +32,7 @@ Inserter::Outcome Inserter::insert_within(VertexId v, Part part) {
   const Point3 p = point(v);
   const WithinPart use{part};
   const TetId start = walk(p, use);
-  if (!start.valid() || !collect_conflict_zone(p, start, use)) return Outcome::given_up;
+  if (!start.valid() || !collect_conflict_zone(v, start, use)) return Outcome::given_up;
   if (!provide_slots()) {
     unmark_zone();
     return Outcome::no_room;
@@ -74,48 +74,84 @@ TetId Inserter::walk(const Point3& p, const Use& use) {
   }
 }
 
+// In waves: all tets that joined the zone in the last one show their neighbours, then those that
+// were not seen before are decided, two at a time. Whether a tet was seen, or is in conflict, is a
+// coin toss for the processor: each is written where the next of its kind goes, and the counts, not
+// a branch, tell which ones stay.
 template <class Use>
-bool Inserter::collect_conflict_zone(const Point3& p, TetId start, const Use& use) {
-  // Whether a tet is in conflict is a coin toss for the processor: both outcomes are written
-  // where the next of their kind goes, and the counts, not a branch, tell which one stays.
+bool Inserter::collect_conflict_zone(VertexId v, TetId start, const Use& use) {
   conflict_.resize(kRoom);
   horizon_.resize(kRoom);
-  std::size_t in_zone = 1;
-  std::size_t on_horizon = 0;
+  seen_.resize(kRoom);
   conflict_[0] = start;
   mark(start) = Mark::in_conflict;
-  // The zone is its own queue: tets before `next` have all their neighbours decided.
-  for (std::size_t next = 0; next < in_zone; ++next) {
-    if (in_zone + 4 > conflict_.size()) conflict_.resize(2 * conflict_.size());
-    if (on_horizon + 4 > horizon_.size()) horizon_.resize(2 * horizon_.size());
-    const TetId t = conflict_[next];
-    if (!use.owns(*tets_, t)) {
-      conflict_.resize(in_zone);
-      horizon_.resize(on_horizon);
-      unmark_zone();
-      return false;
+  Counts count;
+  count.in_zone = 1;
+  bool usable = true;
+  for (std::size_t next = 0; usable && next < count.in_zone;) {
+    count.seen = 0;
+    for (; usable && next < count.in_zone; ++next) {
+      usable = use.owns(*tets_, conflict_[next]);
+      if (usable) show_neighbours(conflict_[next], count);
     }
-    for (std::size_t i = 0; i < 4; ++i) {
-      const HalfFaceId across = tets_->slot(t).opposite[i];
-      const TetId neighbour = TetMesh::tet_of(across);
-      const Mark known = mark(neighbour);
-      if (known == Mark::in_conflict) continue;
-      horizon_[on_horizon] = {across, half_face(t, i), TetId()};
-      if (known == Mark::outside) {
-        ++on_horizon;
-        continue;
-      }
-      const auto in = static_cast<std::size_t>(in_conflict(neighbour, p));
-      mark(neighbour) = static_cast<Mark>(2 - in);
-      conflict_[in_zone] = neighbour;
-      fetch_neighbours(neighbour);
-      in_zone += in;
-      on_horizon += 1 - in;
-    }
+    if (usable) decide_seen(v, count);
   }
-  conflict_.resize(in_zone);
-  horizon_.resize(on_horizon);
-  return true;
+  conflict_.resize(count.in_zone);
+  horizon_.resize(count.facets);
+  if (usable) {
+    drop_inner_facets();
+  } else {
+    unmark_zone();
+  }
+  return usable;
+}
+
+void Inserter::show_neighbours(TetId t, Counts& count) {
+  if (count.facets + 4 > horizon_.size()) horizon_.resize(2 * horizon_.size());
+  if (count.seen + 4 > seen_.size()) seen_.resize(2 * seen_.size());
+  for (std::size_t i = 0; i < 4; ++i) {
+    const HalfFaceId across = tets_->slot(t).opposite[i];
+    const TetId neighbour = TetMesh::tet_of(across);
+    Mark& known = mark(neighbour);
+    const std::size_t inside{known == Mark::in_conflict};
+    const std::size_t unvisited{known == Mark::unvisited};
+    known = static_cast<Mark>(2 - inside);
+    horizon_[count.facets] = {across, half_face(t, i), TetId()};
+    seen_[count.seen] = neighbour;
+    count.facets += 1 - inside;
+    count.seen += unvisited;
+  }
+}
+
+void Inserter::decide_seen(VertexId v, Counts& count) {
+  const std::size_t most = count.in_zone + count.seen;
+  if (most > conflict_.size()) conflict_.resize(2 * most);
+  const auto decide = [&](TetId t, bool in) {
+    const std::size_t more{in};
+    mark(t) = static_cast<Mark>(2 - more);
+    conflict_[count.in_zone] = t;
+    fetch_neighbours(t);
+    count.in_zone += more;
+  };
+  for (std::size_t k = 0; k + 1 < count.seen; k += 2) {
+    const std::array<bool, 2> in = are_in_conflict(seen_[k], seen_[k + 1], v);
+    decide(seen_[k], in[0]);
+    decide(seen_[k + 1], in[1]);
+  }
+  if (count.seen % 2 != 0) {
+    const TetId last = seen_[count.seen - 1];
+    decide(last, is_in_conflict(last, v));
+  }
+}
+
+// Those whose outer tet joined the zone after the inner one.
+void Inserter::drop_inner_facets() {
+  std::size_t kept = 0;
+  for (const HorizonFacet& facet : horizon_) {
+    horizon_[kept] = facet;
+    kept += std::size_t{mark(TetMesh::tet_of(facet.outer)) == Mark::outside};
+  }
+  horizon_.resize(kept);
 }
 
 void Inserter::unmark_zone() {
@@ -131,34 +167,55 @@ void Inserter::fetch_neighbours(TetId t) const {
   }
 }
 
-bool Inserter::in_conflict(TetId t, const Point3& p) const {
-  return is_ghost(t) ? in_ghost_conflict(t, p) : in_sphere(tet(t), p);
+bool Inserter::is_in_conflict(TetId t, VertexId v) const {
+  return is_ghost(t) ? in_ghost_conflict(t, v) : in_sphere(tet(t), v);
 }
 
-bool Inserter::in_ghost_conflict(TetId t, const Point3& p) const {
+std::array<bool, 2> Inserter::are_in_conflict(TetId s, TetId t, VertexId v) const {
+  if (is_ghost(s) || is_ghost(t)) return {is_in_conflict(s, v), is_in_conflict(t, v)};
+  const auto corners = [&](const TetVertices& tet) {
+    return std::array{&point(tet[0]), &point(tet[1]), &point(tet[2]), &point(tet[3])};
+  };
+  const std::array<int, 2> sign =
+      tets_->filter().insphere(corners(tet(s)), corners(tet(t)), point(v));
+  if (sign[0] != 0 && sign[1] != 0) return {sign[0] > 0, sign[1] > 0};
+  return {sign[0] != 0 ? sign[0] > 0 : in_doubtful_sphere(tet(s), v),
+          sign[1] != 0 ? sign[1] > 0 : in_doubtful_sphere(tet(t), v)};
+}
+
+bool Inserter::in_ghost_conflict(TetId t, VertexId v) const {
   // The sphere of a ghost tet is the half-space beyond its hull facet …
   const TetVertices& ghost = tet(t);
-  const Sign side = orientation(p, point(ghost[1]), point(ghost[2]), point(ghost[3]));
+  const Sign side = orientation(point(v), point(ghost[1]), point(ghost[2]), point(ghost[3]));
   if (side != Sign::zero) return side == Sign::positive;
   // … and on its rim, the plane of the facet, the perturbed circle of the facet decides.
-  // That is where the sphere of the finite neighbour meets the plane: for a coplanar p
+  // That is where the sphere of the finite neighbour meets the plane: for a coplanar v
   // the neighbour's fourth vertex has no weight in the perturbed determinant.
-  return in_sphere(tet(TetMesh::tet_of(tets_->opposite(half_face(t, 0)))), p);
+  return in_sphere(tet(TetMesh::tet_of(tets_->opposite(half_face(t, 0)))), v);
 }
 
-bool Inserter::in_sphere(const TetVertices& tet, const Point3& p) const {
-  const Point3& a = point(tet[0]);
-  const Point3& b = point(tet[1]);
-  const Point3& c = point(tet[2]);
-  const Point3& d = point(tet[3]);
-  if (const int s = tets_->filter().insphere(a, b, c, d, p); s != 0) return s > 0;
+bool Inserter::in_sphere(const TetVertices& tet, VertexId v) const {
+  const int s = tets_->filter().insphere(point(tet[0]), point(tet[1]), point(tet[2]), point(tet[3]),
+                                         point(v));
+  return s != 0 ? s > 0 : in_doubtful_sphere(tet, v);
+}
+
+bool Inserter::in_doubtful_sphere(const TetVertices& tet, VertexId v) const {
+  const auto record = [&](VertexId u) -> const GrowingTets::Vertex& { return tets_->vertex(u); };
+  const GrowingTets::Vertex &a = record(tet[0]), &b = record(tet[1]), &c = record(tet[2]),
+                            &d = record(tet[3]), &e = record(v);
   if (tets_->filter().is_exact()) {
-    return predicates::perturbed_insphere_of_cospherical(tets_->filter(), a, b, c, d, p) ==
-           Sign::positive;
+    return predicates::perturbed_insphere_of_cospherical(
+               tets_->filter(), {&a.point, &b.point, &c.point, &d.point, &e.point},
+               {a.rank, b.rank, c.rank, d.rank, e.rank}) == Sign::positive;
   }
   // The bound of the whole set can be far above that of five near points.
-  if (const int s = predicates::insphere_filter(a, b, c, d, p); s != 0) return s > 0;
-  return insphere_perturbed(a, b, c, d, p) == Sign::positive;
+  if (const int s = predicates::insphere_filter(a.point, b.point, c.point, d.point, e.point);
+      s != 0) {
+    return s > 0;
+  }
+  return predicates::perturbed_insphere_beyond_filter(a.point, b.point, c.point, d.point,
+                                                      e.point) == Sign::positive;
 }
 
 TetId Inserter::star_cavity(VertexId v) {
@@ -195,15 +252,14 @@ void Inserter::create_fillers(VertexId v) {
 }
 
 std::size_t Inserter::number_on_horizon(VertexId v) {
-  // The ghost has no record to keep a number in; its place is the last of the table.
-  if (v == kGhost) return kTableSide - 1;
-  std::uint32_t& number = tets_->vertex(v).on_horizon;
+  if (v == kGhost) return known_number(v);
+  std::uint8_t& number = tets_->vertex(v).on_horizon;
   if (number < horizon_vertex_count_ && horizon_vertices_[number] == v) return number;
   if (horizon_vertex_count_ == kTableSide - 1) {
     table_is_full_ = true;
     return 0;
   }
-  number = static_cast<std::uint32_t>(horizon_vertex_count_++);
+  number = static_cast<std::uint8_t>(horizon_vertex_count_++);
   horizon_vertices_[number] = v;
   return number;
 }
@@ -219,9 +275,9 @@ void Inserter::glue_fillers() {
 void Inserter::glue_fillers_by_table() {
   for (const HorizonFacet& facet : horizon_) {
     TetSlot& slot = tets_->slot(facet.filler);
-    const std::size_t a = number_on_horizon(slot.vertices[0]);
-    const std::size_t b = number_on_horizon(slot.vertices[1]);
-    const std::size_t c = number_on_horizon(slot.vertices[2]);
+    const std::size_t a = known_number(slot.vertices[0]);
+    const std::size_t b = known_number(slot.vertices[1]);
+    const std::size_t c = known_number(slot.vertices[2]);
     // The neighbour has the edge in the other direction.
     slot.opposite[0] = edge_table_[kTableSide * c + b];
     slot.opposite[1] = edge_table_[kTableSide * a + c];

@@ -110,16 +110,31 @@ class Inserter {
   // Fills conflict_ and horizon_, and marks their tets. False, with nothing marked, where the zone
   // has tets that are not to be used.
   template <class Use>
-  bool collect_conflict_zone(const Point3& p, TetId start, const Use& use);
+  bool collect_conflict_zone(VertexId v, TetId start, const Use& use);
+  // How far the scratch arrays are filled.
+  struct Counts {
+    std::size_t in_zone = 0;
+    std::size_t facets = 0;
+    std::size_t seen = 0;
+  };
+  // Lists the neighbours of t, of the zone, that were not seen before, and the facets across which
+  // no tet of the zone is known.
+  void show_neighbours(TetId t, Counts& count);
+  // Which of them are in conflict.
+  void decide_seen(VertexId v, Counts& count);
+  void drop_inner_facets();
   void fetch_neighbours(TetId t) const;
   void unmark_zone();
   // Replaces the conflict zone by the tets that join the horizon to v, whose slots are taken.
   // Returns one of them, finite.
   TetId star_cavity(VertexId v);
 
-  [[nodiscard]] bool in_conflict(TetId t, const Point3& p) const;
-  [[nodiscard]] bool in_ghost_conflict(TetId t, const Point3& p) const;
-  [[nodiscard]] bool in_sphere(const TetVertices& tet, const Point3& p) const;
+  [[nodiscard]] bool is_in_conflict(TetId t, VertexId v) const;
+  [[nodiscard]] std::array<bool, 2> are_in_conflict(TetId s, TetId t, VertexId v) const;
+  [[nodiscard]] bool in_ghost_conflict(TetId t, VertexId v) const;
+  [[nodiscard]] bool in_sphere(const TetVertices& tet, VertexId v) const;
+  // Where the first filter does not tell.
+  [[nodiscard]] bool in_doubtful_sphere(const TetVertices& tet, VertexId v) const;
   // As orient3d; for points of the set only.
   [[nodiscard]] Sign orientation(const Point3& a, const Point3& b, const Point3& c,
                                  const Point3& d) const {
@@ -138,6 +153,11 @@ class Inserter {
   // The number of vertex v of the horizon, a new one where it has none. Sets table_is_full_
   // where there is none left.
   std::size_t number_on_horizon(VertexId v);
+  // Of one that has it. The ghost has no record to keep a number in; its place is the last of the
+  // table.
+  [[nodiscard]] std::size_t known_number(VertexId v) const {
+    return v == kGhost ? kTableSide - 1 : tets_->vertex(v).on_horizon;
+  }
   // Glues each two fillers that share an edge of the horizon: by looking edges up in the
   // table that create_fillers() filled, or, where the horizon has too many vertices for it,
   // by turning around the edges through the conflict zone.
@@ -175,6 +195,7 @@ class Inserter {
   // Scratch of one insertion.
   std::vector<TetId> conflict_;
   std::vector<HorizonFacet> horizon_;
+  std::vector<TetId> seen_;  // in one wave, and not decided yet
   // The vertices of the horizon by number, the ghost apart.
   std::array<VertexId, kTableSide> horizon_vertices_;
   std::size_t horizon_vertex_count_ = 0;

@@ -121,12 +121,12 @@ double reach_of(const IdVector<PlaneVertexId, Point2>& points) {
 PlaneDiagram::PlaneDiagram(const Triangulation2& triangulation, double reach)
     : points_(&triangulation.points),
       finite_count_(triangulation.triangles.size()),
-      input_of_(near_in_memory(triangulation)) {
+      input_of_(near_in_memory(triangulation)),
+      place_of_(finite_count_) {
   const auto& triangles = triangulation.triangles;
   TETLOFT_CHECK(!triangles.empty());
-  IdVector<TriangleId, TriangleId> place_of(triangles.size());
   for (std::size_t k = 0; k < triangles.size(); ++k)
-    place_of[input_of_[TriangleId(k)]] = TriangleId(k);
+    place_of_[input_of_[TriangleId(k)]] = TriangleId(k);
 
   triangles_.reserve(triangles.size() + triangles.size() / 16 + 16);
   for (const TriangleId t : input_of_) {
@@ -138,10 +138,11 @@ PlaneDiagram::PlaneDiagram(const Triangulation2& triangulation, double reach)
     const TriangleId t = input_of_[TriangleId(k)];
     for (std::uint32_t i = 0; i < 3; ++i) {
       const TriangleId u = triangulation.neighbours[t][i];
-      if (!u.valid()) continue;
+      if (!u.valid() || u < t) continue;  // a hull edge, or one that is seen from u
       const auto& back = triangulation.neighbours[u];
-      set_opposite(half_edge(TriangleId(k), i),
-                   half_edge(place_of[u], back[0] == t ? 0U : (back[1] == t ? 1U : 2U)));
+      // Either as often as the others: a sum, as branches would be foretold wrongly.
+      const std::uint32_t side = (back[1] == t ? 1U : 0U) + (back[2] == t ? 2U : 0U);
+      glue(half_edge(TriangleId(k), i), half_edge(place_of_[u], side));
     }
   }
 

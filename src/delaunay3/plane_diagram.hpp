@@ -56,8 +56,9 @@ class PlaneDiagram {
   [[nodiscard]] std::size_t triangle_count() const { return triangles_.size(); }
   /// Half-edges and the unused ids between them.
   [[nodiscard]] std::size_t half_edge_slots() const { return 4 * triangles_.size(); }
-  /// Its number in the triangulation; of finite ones only.
+  /// Its number in the triangulation, and back; of finite ones only.
   [[nodiscard]] TriangleId input_of(TriangleId t) const { return input_of_[t]; }
+  [[nodiscard]] TriangleId place_of(TriangleId input) const { return place_of_[input]; }
   [[nodiscard]] bool is_ghost(TriangleId t) const { return t.index() >= finite_count_; }
   [[nodiscard]] const Point2& point(PlaneVertexId v) const { return (*points_)[v]; }
   /// Of a ghost: nothing, with an infinite radius.
@@ -103,6 +104,7 @@ class PlaneDiagram {
   const IdVector<PlaneVertexId, Point2>* points_;
   std::size_t finite_count_;
   IdVector<TriangleId, TriangleId> input_of_;
+  IdVector<TriangleId, TriangleId> place_of_;
   IdVector<TriangleId, Triangle> triangles_;
 };
 

@@ -22,7 +22,7 @@ Shares::Shares(GrowingTets& tets, std::size_t end, std::span<const VertexId> ver
   parallel_for(all.count, threads, [&](std::size_t k) {
     for (std::size_t i = all.begin(k); i < all.end(k); ++i) {
       GrowingTets::Vertex& vertex = tets.vertex(VertexId(static_cast<std::uint32_t>(i)));
-      vertex.part = partition.part_of(vertex.point);
+      vertex.part = static_cast<Part>(partition.part_of(vertex.point));
     }
   });
   const std::size_t parts = partition.parts();

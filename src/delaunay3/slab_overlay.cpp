@@ -59,6 +59,7 @@ class SlabOverlay {
         tets_(pages_for<TetVertices>(tet_count_)),
         opposite_(pages_for<HalfFaceId>(4 * tet_count_)) {}
 
+  // Before run(), where bases are asked for.
   void with_bases() { base_.resize(tet_count_); }
   void run() {
     number_tets();
@@ -123,10 +124,6 @@ class SlabOverlay {
   [[nodiscard]] bool is_crossed(HalfEdgeId h) const {
     return trace_.count_on_edge[planes_.lower_edges.edge(h)] != 0;
   }
-  [[nodiscard]] bool has_uncrossed_side(TriangleId t) const {
-    return !is_crossed(PlaneDiagram::half_edge(t, 0)) ||
-           !is_crossed(PlaneDiagram::half_edge(t, 1)) || !is_crossed(PlaneDiagram::half_edge(t, 2));
-  }
   void settle_neighbours();
 
   const SlabDiagrams& planes_;
@@ -145,11 +142,12 @@ class SlabOverlay {
   // By lower edge: where its next type-2 tet goes, so in the end behind its last one.
   IdVector<EdgeId, std::uint32_t> place_;
 
-  struct Settled {
-    TriangleId triangle;
+  // Sides without crossings of lower triangles that have their apex, from their triangle on.
+  struct Uncrossed {
+    HalfEdgeId side;
     PlaneVertexId nearest_above;
   };
-  std::vector<Settled> settled_;  // lower triangles some of whose neighbours are still to be seen
+  std::vector<Uncrossed> uncrossed_;
 
   // Scratch of chain(), by upper vertex: the tet on lower edge `edge` to whose left it is.
   struct Cell {
@@ -305,20 +303,18 @@ void SlabOverlay::settle(HalfEdgeId side, HalfFaceId face, PlaneVertexId nearest
   TETLOFT_CHECK(!apex.valid() || apex == v);
   if (apex.valid()) return;
   apex = v;
-  if (has_uncrossed_side(t)) settled_.push_back({t, nearest_above});
+  for (const HalfEdgeId h : {PlaneDiagram::next(side), PlaneDiagram::previous(side)}) {
+    if (!is_crossed(h)) uncrossed_.push_back({h, nearest_above});
+  }
 }
 
 // Lower Voronoi edges without crossings join circumcentres of one cell. All are reached in the end:
 // type-1 tets below have no type-1 neighbours above, so each group has a crossing at its rim.
 void SlabOverlay::settle_neighbours() {
-  while (!settled_.empty()) {
-    const Settled last = settled_.back();
-    settled_.pop_back();
-    for (std::uint32_t i = 0; i < 3; ++i) {
-      const HalfEdgeId h = PlaneDiagram::half_edge(last.triangle, i);
-      if (is_crossed(h)) continue;
-      settle(lower_.opposite(h), face_below(h), last.nearest_above);
-    }
+  while (!uncrossed_.empty()) {
+    const Uncrossed last = uncrossed_.back();
+    uncrossed_.pop_back();
+    settle(lower_.opposite(last.side), face_below(last.side), last.nearest_above);
   }
 }
 
@@ -336,11 +332,12 @@ EdgesOfSides edges_of_sides(const PlaneDiagram& plane, const DiagramEdges& edges
 }  // namespace
 
 std::optional<TetMesh> slab_overlay(const Triangulation2& lower, const Triangulation2& upper,
-                                    const SlabVertexNames& names, const WatchedWork& work,
+                                    const SlabVertexNames& names, WatchedWork& work,
                                     std::size_t most_tets) {
   const SlabDiagrams planes(lower, upper);
   std::optional<UpperTrace> trace = trace_upper_edges(planes, work, most_tets);
   if (!trace) return std::nullopt;
+  work.step_done_go_on();
   SlabOverlay overlay(planes, *std::move(trace), names);
   overlay.run();
   return overlay.take_mesh();

@@ -70,16 +70,16 @@ struct SlabVertexNames {
 
 /// The unique perturbed triangulation of two planes, the upper one above, numbered canonically
 /// (struct Delaunay3). Linear in vertices and tets but for turning around vertices of high degree.
-/// Requires two triangulations with triangles, vertices in canonical order, together fewer than
-/// 2^29 vertices. Nothing where it would take more than `most_tets`, of which no more are made;
-/// these are fewer than 2^30. Tells no step.
+/// Requires two triangulations as by delaunay2, with triangles, vertices in canonical order,
+/// together fewer than 2^29. Nothing where it would take more than `most_tets`, of which no more
+/// are made; these are fewer than 2^30. Tells one step, when all crossings are known.
 [[nodiscard]] std::optional<TetMesh> slab_overlay(const Triangulation2& lower,
                                                   const Triangulation2& upper,
-                                                  const SlabVertexNames& names,
-                                                  const WatchedWork& work,
+                                                  const SlabVertexNames& names, WatchedWork& work,
                                                   std::size_t most_tets = kMostSlabTets);
 
-/// The same with the bases of all tets; vertices are the lower plane's, then the upper's.
+/// The same with the bases of all tets; vertices are the lower plane's, then the upper's. Tells no
+/// step.
 [[nodiscard]] std::optional<SlabTets> slab_overlay_with_bases(
     const Triangulation2& lower, const Triangulation2& upper, const WatchedWork& work,
     std::size_t most_tets = kMostSlabTets);

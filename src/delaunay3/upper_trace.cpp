@@ -162,8 +162,8 @@ bool UpperTracer::trace(HalfEdgeId upper) {
 SlabDiagrams::SlabDiagrams(const Triangulation2& lower_plane, const Triangulation2& upper_plane)
     : lower(lower_plane, std::max(reach_of(lower_plane.points), reach_of(upper_plane.points))),
       upper(upper_plane, std::max(reach_of(lower_plane.points), reach_of(upper_plane.points))),
-      lower_edges(lower),
-      upper_edges(upper) {}
+      lower_edges(lower, lower_plane),
+      upper_edges(upper, upper_plane) {}
 
 std::optional<UpperTrace> trace_upper_edges(const SlabDiagrams& planes, const WatchedWork& work,
                                             std::size_t most_tets) {

@@ -31,7 +31,7 @@ struct SlabDiagrams {
 
 /// Where the Voronoi edge of one plane crosses that of an edge of the other. Seen from the upper
 /// Voronoi edge as traced: into the cell of the lower edge's higher end, or into that of its lower
-/// end.
+/// end. Planes have fewer than 3 · 2^29 edges, so twice their numbers fit.
 class Crossing {
  public:
   [[nodiscard]] static Crossing unpacked(std::uint32_t packed) { return Crossing(packed); }

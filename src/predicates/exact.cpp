@@ -18,7 +18,7 @@
 #include <utility>
 
 #include "arithmetic/bounded_integer.hpp"
-#include "arithmetic/double_double.hpp"
+#include "arithmetic/corrected.hpp"
 #include "arithmetic/expansion.hpp"
 #include "predicates/axis_filter.hpp"
 #include "predicates/determinants.hpp"
@@ -200,7 +200,7 @@ class PreciseDifferences {
   /// The largest magnitude by axis.
   [[nodiscard]] const std::array<double, 3>& most() const { return most_; }
 
-  /// The determinant of their array, rounded; 10 u² for u in the error bounds.
+  /// The determinant of their array, with its correction.
   template <class Determinant>
   [[nodiscard]] double evaluate(const Determinant& determinant) const {
     return evaluate(determinant, std::make_index_sequence<3 * n>());
@@ -209,8 +209,9 @@ class PreciseDifferences {
  private:
   template <class Determinant, std::size_t... k>
   [[nodiscard]] double evaluate(const Determinant& determinant, std::index_sequence<k...>) const {
-    if (!rounded_) return determinant(Halves(value_[k])...).high;
-    return determinant(DoubleDouble{value_[k], error_[k]}...).high;
+    const Corrected result = rounded_ ? determinant(Corrected{value_[k], error_[k]}...)
+                                      : determinant(Halves(value_[k])...);
+    return result.value + result.correction;
   }
 
   std::array<double, 3 * n> value_{};
@@ -219,7 +220,10 @@ class PreciseDifferences {
   bool rounded_ = false;
 };
 
-constexpr double kPrecise = kDoubleDoubleRounding / kRounding;
+// Of corrected determinants: the error of second order times the number of monomials. One more
+// covers terms of third order and the roundings of the bound, as in filter.hpp.
+constexpr double kPreciseOrient3dError = (kOrient3dSecondOrder + 1) * 6 * kRounding * kRounding;
+constexpr double kPreciseInsphereError = (kInsphereSecondOrder + 1) * 24 * kRounding * kRounding;
 
 int precise_orient3d(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
   const PreciseDifferences<3> p({&b, &c, &d}, a);
@@ -227,7 +231,7 @@ int precise_orient3d(const Point3& a, const Point3& b, const Point3& c, const Po
   const auto& most = p.most();
   return certain_sign(
       p.evaluate([](const auto&... difference) { return orient3d_determinant(difference...); }),
-      kPrecise * kOrient3dError * most[0] * most[1] * most[2] + kTiny);
+      kPreciseOrient3dError * most[0] * most[1] * most[2] + kTiny);
 }
 
 int precise_insphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
@@ -238,7 +242,7 @@ int precise_insphere(const Point3& a, const Point3& b, const Point3& c, const Po
   const double squares = most[0] * most[0] + most[1] * most[1] + most[2] * most[2];
   return certain_sign(
       p.evaluate([](const auto&... difference) { return insphere_determinant(difference...); }),
-      kPrecise * kInsphereError * most[0] * most[1] * most[2] * squares + kTiny);
+      kPreciseInsphereError * most[0] * most[1] * most[2] * squares + kTiny);
 }
 
 Answer times(Sign s, const Answer& answer) {

@@ -28,13 +28,12 @@ std::optional<std::array<std::int64_t, n>> to_lattice(const std::array<double, n
   const double unit = std::bit_cast<double>((biased + 1 - bits) << 52);
   const double inverse = std::bit_cast<double>((2046 - (biased + 1 - bits)) << 52);
   std::array<std::int64_t, n> result;
-  bool exact = true;
   for (std::size_t i = 0; i < n; ++i) {
     result[i] = static_cast<std::int64_t>(differences[i] * inverse);
-    // Exact: fewer than 53 bits times a power of two, not below the normal range.
-    exact &= static_cast<double>(result[i]) * unit == differences[i];
+    // Exact: fewer than 53 bits times a power of two, not below the normal range. Where it fails it
+    // mostly does at once.
+    if (static_cast<double>(result[i]) * unit != differences[i]) return std::nullopt;
   }
-  if (!exact) return std::nullopt;
   return result;
 }
 

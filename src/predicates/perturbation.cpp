@@ -13,8 +13,10 @@
 // Edelsbrunner and Mücke, "Simulation of simplicity", ACM TOG 9, 1990; for Delaunay
 // triangulations: Devillers and Teillaud, "Perturbations for Delaunay and weighted Delaunay
 // 3D triangulations", CGTA 44, 2011.
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 
 #include <tetloft/predicates.hpp>
@@ -102,21 +104,24 @@ Sign predicates::perturbed_insphere_of_cospherical(const Point3& a, const Point3
   return perturbed_sign(std::array{a, b, c, d}, e);
 }
 
-Sign predicates::perturbed_insphere_of_cospherical(const SetFilter& filter, const Point3& a,
-                                                   const Point3& b, const Point3& c,
-                                                   const Point3& d, const Point3& e) {
+Sign predicates::perturbed_insphere_of_cospherical(const SetFilter& filter,
+                                                   const std::array<const Point3*, 5>& p,
+                                                   std::array<std::uint32_t, 5> rank) {
   count_answer(&PredicateCounters::insphere, &Stages::symbolic);
-  std::array<const Point3*, 5> left{&a, &b, &c, &d, &e};
-  for (std::size_t count = left.size(); count > 0;) {
+  for (std::uint32_t& r : rank) ++r;  // 0 for those that were tried
+  for (std::size_t left = p.size(); left > 0; --left) {
+    // No branch depends on which it is.
     std::size_t latest = 0;
-    for (std::size_t k = 1; k < count; ++k) {
-      if (canonical_less(*left[latest], *left[k])) latest = k;
+    std::uint32_t most = 0;
+    for (std::size_t k = 0; k < p.size(); ++k) {
+      latest = rank[k] > most ? k : latest;
+      most = std::max(rank[k], most);
     }
-    const Point3* const raised = left[latest];
-    left[latest] = left[--count];
-    const auto other = [&](const Point3& p) -> const Point3& { return &p == raised ? e : p; };
-    const int s = filter.orient3d(other(a), other(b), other(c), other(d));
-    if (s != 0) return static_cast<Sign>(raised == &e ? -s : s);
+    rank[latest] = 0;
+    std::array<const Point3*, 5> cofactor = p;
+    cofactor[latest] = p[4];
+    const int s = filter.orient3d(*cofactor[0], *cofactor[1], *cofactor[2], *cofactor[3]);
+    if (s != 0) return static_cast<Sign>(latest == 4 ? -s : s);
   }
   return Sign::zero;  // all points in one plane
 }
@@ -162,6 +167,11 @@ Sign insphere_perturbed(const Point3& a, const Point3& b, const Point3& c, const
     count_answer(&PredicateCounters::insphere, &Stages::filter);
     return static_cast<Sign>(s);
   }
+  return predicates::perturbed_insphere_beyond_filter(a, b, c, d, e);
+}
+
+Sign predicates::perturbed_insphere_beyond_filter(const Point3& a, const Point3& b, const Point3& c,
+                                                  const Point3& d, const Point3& e) {
   const Answer exact = predicates::exact_insphere(a, b, c, d, e);
   if (exact.sign != Sign::zero) {
     count_answer(&PredicateCounters::insphere, exact.stage);

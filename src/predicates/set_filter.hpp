@@ -6,6 +6,9 @@
 // included, is final.
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <span>
 
 #include <tetloft/point.hpp>
@@ -13,6 +16,7 @@
 
 #include "predicates/determinants.hpp"
 #include "predicates/filter.hpp"
+#include "predicates/two_doubles.hpp"
 
 namespace tetloft::internal::predicates {
 
@@ -41,20 +45,45 @@ class SetFilter {
         insphere_bound_);
   }
 
+  /// The same of two simplices and one point.
+  [[nodiscard]] std::array<int, 2> insphere(const std::array<const Point3*, 4>& s,
+                                            const std::array<const Point3*, 4>& t,
+                                            const Point3& e) const {
+    const auto x = [&](std::size_t i) {
+      return TwoDoubles(s[i]->x, t[i]->x) - TwoDoubles(e.x, e.x);
+    };
+    const auto y = [&](std::size_t i) {
+      return TwoDoubles(s[i]->y, t[i]->y) - TwoDoubles(e.y, e.y);
+    };
+    const auto z = [&](std::size_t i) {
+      return TwoDoubles(s[i]->z, t[i]->z) - TwoDoubles(e.z, e.z);
+    };
+    const TwoDoubles both = insphere_determinant(x(0), y(0), z(0), x(1), y(1), z(1), x(2), y(2),
+                                                 z(2), x(3), y(3), z(3));
+    return {certain_sign(both.first(), insphere_bound_),
+            certain_sign(both.second(), insphere_bound_)};
+  }
+
  private:
   double orient3d_bound_;
   double insphere_bound_;
   bool exact_ = false;
 };
 
+/// insphere_perturbed where insphere_filter does not answer.
+[[nodiscard]] Sign perturbed_insphere_beyond_filter(const Point3& a, const Point3& b,
+                                                    const Point3& c, const Point3& d,
+                                                    const Point3& e);
+
 /// insphere_perturbed where insphere is known to be zero.
 [[nodiscard]] Sign perturbed_insphere_of_cospherical(const Point3& a, const Point3& b,
                                                      const Point3& c, const Point3& d,
                                                      const Point3& e);
 
-/// The same for distinct points of a set whose filter is exact: that tells orientations, too.
-[[nodiscard]] Sign perturbed_insphere_of_cospherical(const SetFilter& filter, const Point3& a,
-                                                     const Point3& b, const Point3& c,
-                                                     const Point3& d, const Point3& e);
+/// The same for distinct points of a set whose filter is exact, which tells orientations, too.
+/// rank[i] is the place of p[i] in the canonical order of the set.
+[[nodiscard]] Sign perturbed_insphere_of_cospherical(const SetFilter& filter,
+                                                     const std::array<const Point3*, 5>& p,
+                                                     std::array<std::uint32_t, 5> rank);
 
 }  // namespace tetloft::internal::predicates

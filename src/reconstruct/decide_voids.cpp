@@ -60,7 +60,7 @@ VoidDecision::VoidDecision(const PreparedStack& prepared, const ReconstructOptio
 }
 
 Result<std::optional<Correspondence>> VoidDecision::make(
-    const IdVector<SlabId, std::vector<Link>>& of_regions, const WatchedWork& work) const {
+    const IdVector<SlabId, std::vector<Link>>& of_regions, const WatchedWork& work) {
   // Names that are none are refused, whatever there is to decide.
   const Result<Asked> asked = asked_of_voids(prepared_.nestings, options_.correspondence.voids);
   if (!asked) return asked.error();
@@ -78,8 +78,7 @@ Result<std::optional<Correspondence>> VoidDecision::make(
 
 // V0 to V3.
 std::optional<Error> VoidDecision::find(const IdVector<SlabId, std::vector<Link>>& of_regions,
-                                        const WatchedWork& work,
-                                        StackCandidates& candidates) const {
+                                        const WatchedWork& work, StackCandidates& candidates) {
   const auto around = [&](SectionId s) {
     IdVector<RegionId, RegionId> regions(nestings_[s].outer.size());
     for (const RegionId v : regions.ids()) {
@@ -101,11 +100,14 @@ std::optional<Error> VoidDecision::find(const IdVector<SlabId, std::vector<Link>
                          return std::nullopt;
                        });
   };
+  overlays_.assign(candidates.size(), {});
   auto error = in_each_slab([&](SlabId slab, SectionId below, SectionId above) {
-    const sections::FaceOverlay overlay(prepared_.stack.sections[below], prepared_.nestings[below],
-                                        prepared_.stack.sections[above], prepared_.nestings[above]);
+    sections::FaceOverlay& overlay =
+        overlays_[slab].emplace(prepared_.stack.sections[below], prepared_.nestings[below],
+                                prepared_.stack.sections[above], prepared_.nestings[above]);
     candidates[slab] = overlapping_voids(slab, sections_[below], sections_[above], overlay,
                                          {of_regions[slab], around(below), around(above)});
+    overlay.forget_plane();
   });
   if (error) return error;
   const StackCandidates overlapping = candidates;

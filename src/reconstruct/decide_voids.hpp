@@ -3,12 +3,14 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <tetloft/voids.hpp>
 
 #include "correspondence/correspondence.hpp"
 #include "reconstruct/prepare.hpp"
+#include "sections/face_overlay.hpp"
 
 namespace tetloft::internal {
 
@@ -23,7 +25,11 @@ class VoidDecision {
   /// unrepresentable for labels that cannot be realised.
   /// `of_regions`: their accepted links, sorted.
   [[nodiscard]] Result<std::optional<Correspondence>> make(
-      const IdVector<SlabId, std::vector<Link>>& of_regions, const WatchedWork& work) const;
+      const IdVector<SlabId, std::vector<Link>>& of_regions, const WatchedWork& work);
+  /// The overlay of each slab that make() had to look at, without its plane.
+  [[nodiscard]] IdVector<SlabId, std::optional<sections::FaceOverlay>> take_overlays() {
+    return std::move(overlays_);
+  }
 
   /// Of the complements; none by VoidRule::free, nor of a stack without holes.
   [[nodiscard]] const IdVector<SectionId, Nesting>& complements() const { return nestings_; }
@@ -32,8 +38,7 @@ class VoidDecision {
 
  private:
   [[nodiscard]] std::optional<Error> find(const IdVector<SlabId, std::vector<Link>>& of_regions,
-                                          const WatchedWork& work,
-                                          StackCandidates& candidates) const;
+                                          const WatchedWork& work, StackCandidates& candidates);
 
   const PreparedStack& prepared_;
   const ReconstructOptions& options_;
@@ -41,6 +46,7 @@ class VoidDecision {
   SectionStack stack_;
   IdVector<SectionId, Nesting> nestings_;
   StackSections sections_;
+  IdVector<SlabId, std::optional<sections::FaceOverlay>> overlays_;
 };
 
 /// Components of voids but those that are open: to the exterior, or, in the first or last section,

@@ -141,9 +141,11 @@ class LayeredSlab {
         continue;
       }
       const SlabId slab(k);
-      Result<SlabOutcome> outcome = build_slab(
-          slab, layer(k), layer(k + 1),
-          {region_links_[slab], void_links_.empty() ? nullptr : &void_links_[slab]}, options_);
+      Result<SlabOutcome> outcome =
+          build_slab(slab, layer(k), layer(k + 1),
+                     {region_links_[slab], void_links_.empty() ? nullptr : &void_links_[slab],
+                      voids_ ? voids_->faces(slab) : nullptr},
+                     options_);
       if (!accepted(outcome)) return false;
       if (auto* solid = std::get_if<SlabSolid>(&*outcome)) {
         work_ += solid->work;

@@ -63,7 +63,7 @@ LayeredVoids::LayeredVoids(const Layers& layers, const std::vector<Link>& links)
 }
 
 std::optional<IdVector<SlabId, std::vector<Link>>> LayeredVoids::decide(
-    const IdVector<SlabId, std::vector<Link>>& of_regions) const {
+    const IdVector<SlabId, std::vector<Link>>& of_regions) {
   PreparedStack stack;
   for (const NestedSection& layer : layers_) {
     stack.stack.sections.push_back(layer.section);
@@ -72,8 +72,10 @@ std::optional<IdVector<SlabId, std::vector<Link>>> LayeredVoids::decide(
   ReconstructOptions by_rule;
   by_rule.execution.threads = 1;  // as slabs share the threads
   const WatchedWork work(by_rule.execution, 0);
-  Result<std::optional<Correspondence>> voids = VoidDecision(stack, by_rule).make(of_regions, work);
+  VoidDecision decision(stack, by_rule);
+  Result<std::optional<Correspondence>> voids = decision.make(of_regions, work);
   if (!accepted(voids) || !*voids) return std::nullopt;
+  overlays_ = decision.take_overlays();
   return parted(std::move((*voids)->candidates));
 }
 

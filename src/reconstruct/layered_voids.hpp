@@ -10,6 +10,7 @@
 #include "reconstruct/inner_links.hpp"
 #include "reconstruct/layer_numbering.hpp"
 #include "reconstruct/slab_solid.hpp"
+#include "sections/face_overlay.hpp"
 #include "slab/link.hpp"
 
 namespace tetloft::internal {
@@ -30,7 +31,11 @@ class LayeredVoids {
   /// layers, surest first, but for what would join voids that the slab's links do not. Nothing if
   /// the rule refuses.
   [[nodiscard]] std::optional<IdVector<SlabId, std::vector<Link>>> decide(
-      const IdVector<SlabId, std::vector<Link>>& of_regions) const;
+      const IdVector<SlabId, std::vector<Link>>& of_regions);
+  /// What deciding has seen of the faces of a slab between, without their plane; null if nothing.
+  [[nodiscard]] const sections::FaceOverlay* faces(SlabId slab) const {
+    return overlays_.empty() || !overlays_[slab] ? nullptr : &*overlays_[slab];
+  }
 
   /// What of the slab's links these solids have, or, without any, what they have at best; `links`:
   /// as decided. Nothing where voids of two classes hang together, or some without any of the
@@ -51,6 +56,7 @@ class LayeredVoids {
   LayerNumbering numbering_;
   /// By void: the class it has by the slab's links, none() between.
   std::vector<std::size_t> class_of_;
+  IdVector<SlabId, std::optional<sections::FaceOverlay>> overlays_;
 };
 
 }  // namespace tetloft::internal

@@ -40,7 +40,7 @@ Result<StackLinks> links_of(const SectionStack& stack, const ReconstructOptions&
   }
   result.motions = decision.motions();
   for (RegionMotion& motion : result.motions) motion.by = scaled(motion.by, -prepared->exponent);
-  const VoidDecision void_decision(*prepared, options);
+  VoidDecision void_decision(*prepared, options);
   const Result<std::optional<Correspondence>> voids = void_decision.make(decided->links, work);
   if (!voids) return voids.error();
   if (*voids) {

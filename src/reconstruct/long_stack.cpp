@@ -153,7 +153,7 @@ Result<CorrespondenceOptions> settled(const LongLayers& layers, const Execution&
   const Result<Correspondence> of_regions =
       Decision(stack, options).make(all_ids<SlabId>(stack.slab_count()), work);
   if (!of_regions) return of_regions.error();
-  const VoidDecision void_decision(stack, options);
+  VoidDecision void_decision(stack, options);
   const Result<std::optional<Correspondence>> of_voids = void_decision.make(layers.regions, work);
   if (!of_voids) return of_voids.error();
   CorrespondenceOptions result = rule;

@@ -65,7 +65,7 @@ void warn(BuiltStack& built, const ReconstructOptions& options) {
 [[nodiscard]] std::optional<Error> decide_about_voids(BuiltStack& built,
                                                       const ReconstructOptions& options,
                                                       const WatchedWork& work) {
-  const VoidDecision decision(built.prepared, options);
+  VoidDecision decision(built.prepared, options);
   Result<std::optional<Correspondence>> voids =
       decision.make(built.plan.correspondence.links, work);
   if (!voids) return voids.error();

@@ -16,6 +16,7 @@
 
 #include "completion/passages.hpp"
 #include "reconstruct/slab_topology.hpp"
+#include "sections/face_overlay.hpp"
 #include "slab/link.hpp"
 #include "slab/rules.hpp"
 #include "subdivision/truncation.hpp"
@@ -27,6 +28,8 @@ struct SlabLinks {
   const std::vector<Link>& regions;
   /// Of voids (sections/complement.hpp numbers them); null where nothing was decided about them.
   const std::vector<Link>* voids = nullptr;
+  /// The sections' overlay, maybe without its plane, where it has been made before.
+  const sections::FaceOverlay* faces = nullptr;
 };
 
 /// Tets over the vertices of two sections and constructed ones, and what making them took.

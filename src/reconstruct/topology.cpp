@@ -51,10 +51,18 @@ bool is_open_link(const SlabVoidNumbering& numbering, const std::vector<SlabVoid
 
 Topology::Topology(const ConformingSection& lower, const ConformingSection& upper,
                    const SlabLinks& links, Pits& pits)
-    : links_(links), pits_(pits) {
-  if (links.voids == nullptr) return;
-  faces_.emplace(sections::given_section(lower), lower.nesting, sections::given_section(upper),
-                 upper.nesting);
+    : lower_(lower), upper_(upper), links_(links), pits_(pits) {}
+
+const sections::FaceOverlay& Topology::faces() {
+  return links_.faces != nullptr ? *links_.faces : placed_faces();
+}
+
+const sections::FaceOverlay& Topology::placed_faces() {
+  if (!faces_) {
+    faces_.emplace(sections::given_section(lower_), lower_.nesting, sections::given_section(upper_),
+                   upper_.nesting);
+  }
+  return *faces_;
 }
 
 Topology::Next Topology::make(const SlabView& view, Completion& completion, bool may_ask,
@@ -62,7 +70,7 @@ Topology::Next Topology::make(const SlabView& view, Completion& completion, bool
   if (links_.voids == nullptr) return Next::go_on;
   SlabVoids voids(view.slab.lower(), view.slab.upper(), *links_.voids);
   if (!part_voids(view, voids, completion, may_ask, rules)) return Next::refine;
-  groups_ = expected_topology(*faces_, view.slab.lower(), view.slab.upper(),
+  groups_ = expected_topology(faces(), view.slab.lower(), view.slab.upper(),
                               {links_.regions, *links_.voids, united_});
   const ChiGroups groups(view.slab, view.classes, view.active, chi_ranges(view));
   ComplexShape shape{groups.sums(completion.complex()), {}};
@@ -129,7 +137,7 @@ void Topology::drop_unrealised(const SlabView& view, const SlabVoids& voids,
     united_.push_back({joined[v], here});
     rest.unite(joined[v], here);
   }
-  groups_ = expected_topology(*faces_, view.slab.lower(), view.slab.upper(),
+  groups_ = expected_topology(faces(), view.slab.lower(), view.slab.upper(),
                               {links_.regions, realised, united_});
 }
 
@@ -164,13 +172,14 @@ void Topology::bridge_faces(const SlabView& view, const ChiGroups& groups, TetsO
   const SlabVoids voids(view.slab.lower(), view.slab.upper(), *links_.voids);
   const VoidSpace space(view.slab, view.classes, voids, completion.complex());
   const SlabRegions& regions = view.classes.regions();
-  for (const sections::FaceId f : faces_->faces().ids()) {
-    const sections::OverlayFace& face = faces_->faces()[f];
+  const sections::FaceOverlay& overlay = placed_faces();
+  for (const sections::FaceId f : overlay.faces().ids()) {
+    const sections::OverlayFace& face = overlay.faces()[f];
     if (!face.lower.solid || !face.upper.solid) continue;
     const ClassId c = view.classes.of_region(regions.in_slab(false, face.lower.id));
     if (view.classes.of_region(regions.in_slab(true, face.upper.id)) != c) continue;
     if (!groups.is_high(c, sums)) continue;
-    const std::optional<Point2> p = sections::inner_point(*faces_, f);
+    const std::optional<Point2> p = sections::inner_point(overlay, f);
     if (!p) continue;
     std::vector<Wall> walls;
     for (const TetId t : tets_over(*p)) {
@@ -215,8 +224,9 @@ Topology::Next Topology::open_faces(const SlabView& view, const SlabVoids& voids
   wanted_ = {};
   wanted_.optional = true;
   bool opened = false;
-  for (const sections::FaceId f : faces_->faces().ids()) {
-    const sections::OverlayFace& face = faces_->faces()[f];
+  const sections::FaceOverlay& overlay = placed_faces();
+  for (const sections::FaceId f : overlay.faces().ids()) {
+    const sections::OverlayFace& face = overlay.faces()[f];
     if (face.lower.solid || face.upper.solid || f == sections::kUnboundedFace) continue;
     const SlabVoidId below = voids.numbering().in_slab(false, face.lower.id);
     const SlabVoidId above = voids.numbering().in_slab(true, face.upper.id);
@@ -226,7 +236,7 @@ Topology::Next Topology::open_faces(const SlabView& view, const SlabVoids& voids
                             sums);
     });
     if (!high && joined[below.index()] == joined[above.index()]) continue;
-    const std::optional<Point2> p = sections::inner_point(*faces_, f);
+    const std::optional<Point2> p = sections::inner_point(overlay, f);
     if (!p || is_open(view.slab, space, tets_over(*p), *p)) continue;
     if (pits_.has_room(*p)) {
       opened = pits_.open_at(*p) || opened;

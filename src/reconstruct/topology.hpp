@@ -61,9 +61,15 @@ class Topology {
                                 const Completion& completion, const ComplexShape& shape,
                                 bool may_ask);
 
+  // What the sections' overlay tells of its faces; with the places of these.
+  [[nodiscard]] const sections::FaceOverlay& faces();
+  [[nodiscard]] const sections::FaceOverlay& placed_faces();
+
+  const ConformingSection& lower_;
+  const ConformingSection& upper_;
   const SlabLinks& links_;
   Pits& pits_;
-  std::optional<sections::FaceOverlay> faces_;
+  std::optional<sections::FaceOverlay> faces_;  // once made here
   std::vector<Inseparable> united_;
   std::vector<Link> unrealised_;
   std::vector<TopologyGroup> groups_;

@@ -83,6 +83,10 @@ class FaceOverlay {
   /// times; crossings are rounded.
   [[nodiscard]] std::vector<Point2> border_points(FaceId face) const;
 
+  /// Forgets where faces lie, which is nearly all that an overlay holds: locate() and
+  /// border_points() may not be asked any more.
+  void forget_plane() { plane_.reset(); }
+
  private:
   struct Plane;
   IdVector<FaceId, OverlayFace> faces_;

@@ -53,6 +53,7 @@ class Trimmer {
       const Point3 end = slab_.point(v);
       if (std::hypot(end.x - p.x, end.y - p.y) <= enough) return 0;
     }
+    if (lower_.contains(p) || upper_.contains(p)) return 0;
     const double below = lower_.distance(p, enough);
     return below <= enough ? 0 : std::min(below, upper_.distance(p, enough));
   }

@@ -31,6 +31,10 @@ double RegionDistance::tolerance(const Point2& p) const {
   return 0x1p-44 * std::max(largest_, magnitude(p));
 }
 
+bool RegionDistance::contains(const Point2& p) const {
+  return contours_.locate(p) != sections::ContourEdges::Where::outside;
+}
+
 double RegionDistance::distance(const Point2& p, double enough) const {
   double best = std::numeric_limits<double>::infinity();
   const double tolerated = tolerance(p);
@@ -41,8 +45,7 @@ double RegionDistance::distance(const Point2& p, double enough) const {
         best = std::min(best, distance_to_edge(p, a, b));
       },
       [&] { return best <= enough ? -1.0 : best + tolerated; });
-  if (best <= enough) return best;
-  return contours_.locate(p) == sections::ContourEdges::Where::outside ? best : 0;
+  return best;
 }
 
 }  // namespace tetloft::internal

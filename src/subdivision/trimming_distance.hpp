@@ -14,9 +14,12 @@ class RegionDistance {
  public:
   explicit RegionDistance(const ConformingSection& section);
 
-  /// Distance from p to the region, rounded, 0 inside; infinite without contours. Where it is at
-  /// most `enough`, some distance up to `enough`. What is returned beyond `enough` is the least of
-  /// all edges as rounded, whatever the tree.
+  /// Does p lie in the closed region? Exact.
+  [[nodiscard]] bool contains(const Point2& p) const;
+
+  /// Distance from p to the contours, rounded; infinite without any. Where it is at most `enough`,
+  /// some distance up to `enough`. What is returned beyond `enough` is the least of all edges as
+  /// rounded, whatever the tree.
   [[nodiscard]] double distance(const Point2& p, double enough) const;
 
  private:

@@ -137,6 +137,61 @@ TEST(FindContacts, OfFansAgreesWithAllPairs) {
   }
 }
 
+/// Strips of slivers that lie one above the other and cross, `gap` apart: each as long as 100 of
+/// them are wide at `slivers` = 100. Triangles of a strip share vertices; at some places one pokes
+/// through.
+Soup crossing_strips(std::size_t slivers, double gap, std::size_t pokes, Prng& random) {
+  Soup soup;
+  for (std::size_t layer = 0; layer < 2; ++layer) {
+    const double angle = layer == 0 ? 0.6 : 1.3;
+    const double x = std::cos(angle), y = std::sin(angle);
+    const std::size_t first = soup.points.size();
+    for (std::size_t k = 0; k <= slivers; ++k) {
+      const double aside = 1.0 / 3 * static_cast<double>(k) / static_cast<double>(slivers);
+      for (const double along : {-1.0, 1.0}) {
+        soup.points.push_back({along * x - aside * y, along * y + aside * x,
+                               gap * static_cast<double>(layer) + 0.02 * along});
+      }
+    }
+    for (std::size_t k = first; k + 2 < soup.points.size(); ++k) {
+      soup.triangles.push_back({VertexId(k), VertexId(k + 1), VertexId(k + 2)});
+    }
+  }
+  const std::size_t half = soup.points.size() / 2;
+  for (; pokes > 0; --pokes) soup.points[random.below(half)].z += 4 * gap;
+  return soup;
+}
+
+TEST(FindContacts, OfCrossingStripsAgreesWithAllPairs) {
+  Prng random(12);
+  for (const std::size_t pokes : {0U, 1U, 3U}) {
+    const Soup soup = crossing_strips(150, 0.02, pokes, random);
+    const std::vector<Contact> expected = all_pairs(soup);
+    EXPECT_EQ(expected.empty(), pokes == 0);
+    EXPECT_EQ(find_contacts(soup.points, soup.triangles), expected);
+    // Some active and many, and very few.
+    for (const std::size_t one_in : {3U, 100U}) {
+      std::vector<std::uint8_t> active(soup.triangles.size());
+      for (std::uint8_t& flag : active) flag = random.below(one_in) == 0 ? 1 : 0;
+      EXPECT_EQ(find_contacts(soup.points, soup.triangles, static_cast<std::size_t>(-1), active),
+                all_pairs(soup, active));
+    }
+  }
+}
+
+// All boxes of one strip meet most of the other's; by pairs the work would grow with the square.
+TEST(FindContacts, OfCrossingStripsTestsAboutAsManyPairsAsThereAreTriangles) {
+  Prng random(13);
+  for (const std::size_t slivers : {500U, 2000U}) {
+    const Soup soup = crossing_strips(slivers, 0.02, 0, random);
+    std::uint64_t tested = 0;
+    EXPECT_TRUE(
+        find_contacts(soup.points, soup.triangles, static_cast<std::size_t>(-1), {}, &tested)
+            .empty());
+    EXPECT_LT(tested, 20 * soup.triangles.size());
+  }
+}
+
 // A fan alone, its blades far from each other but at the apex: the pairs tested grow with the
 // blades, not with their square.
 TEST(FindContacts, OfAFanTestsFewPairs) {

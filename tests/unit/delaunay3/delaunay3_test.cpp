@@ -64,6 +64,22 @@ TEST(Delaunay3, SixtyThousandPointsAreTheSameOnSeveralThreads) {
   EXPECT_TRUE(std::ranges::equal(several.mesh.opposites(), alone.mesh.opposites()));
 }
 
+// A point far below all others sees many facets of their hull.
+TEST(Delaunay3, ManyTetsOfTheLowestVertexAreInOrder) {
+  Prng prng(5);
+  Points points;
+  for (int i = 0; i < 400; ++i) {
+    const double x = prng.unit() - 0.5, y = prng.unit() - 0.5;
+    points.push_back({x, y, x * x + y * y});
+  }
+  points.push_back({0, 0, -100});
+  expect_delaunay(points);
+  const Delaunay3 d = triangulate(points);
+  std::size_t of_lowest = 0;
+  for (const TetVertices& tet : d.mesh.tets()) of_lowest += tet[0] == VertexId(400) ? 1U : 0U;
+  EXPECT_GT(of_lowest, 300U);
+}
+
 TEST(Delaunay3, ClusteredPointsAreDelaunay) {
   Prng prng(4);
   Points points;

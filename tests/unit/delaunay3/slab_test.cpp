@@ -298,6 +298,22 @@ TEST(SlabOverlay, NamesTheTriangleOrTheEdgesOfEveryTet) {
   expect_bases(plane_of(pixels(7000, 150, prng)), plane_of(pixels(7000, 150, prng)));
 }
 
+TEST(SlabDelaunay3, RefusesTrianglesOutOfOrder) {
+  const Triangulation2 good = plane_of({{0, 0}, {0, 2}, {1, 1}, {2, 0}, {2, 2}});
+  ASSERT_GE(good.triangles.size(), 2U);
+  EXPECT_TRUE(slab_delaunay3(good, good).ok());
+  // The first two exchange their numbers, everywhere.
+  Triangulation2 exchanged = good;
+  std::swap(exchanged.triangles[TriangleId(0)], exchanged.triangles[TriangleId(1)]);
+  std::swap(exchanged.neighbours[TriangleId(0)], exchanged.neighbours[TriangleId(1)]);
+  for (auto& neighbours : exchanged.neighbours) {
+    for (TriangleId& n : neighbours) {
+      if (n.valid() && n.index() < 2) n = TriangleId(1 - n.index());
+    }
+  }
+  EXPECT_FALSE(slab_delaunay3(good, exchanged).ok());
+}
+
 TEST(SlabDelaunay3, RefusesPlanesThatAreNoInput) {
   const std::vector<Point2> sorted{{0, 0}, {0, 1}, {1, 0}};
   const std::vector<Point2> unsorted{{1, 0}, {0, 1}, {0, 0}};
@@ -311,6 +327,10 @@ TEST(SlabDelaunay3, RefusesPlanesThatAreNoInput) {
   Triangulation2 cut = *good;
   cut.neighbours.clear();
   EXPECT_FALSE(slab_delaunay3(cut, *good).ok());
+  Triangulation2 turned = *good;
+  std::rotate(turned.triangles[TriangleId(0)].begin(), turned.triangles[TriangleId(0)].begin() + 1,
+              turned.triangles[TriangleId(0)].end());
+  EXPECT_FALSE(slab_delaunay3(*good, turned).ok());
 }
 
 }  // namespace

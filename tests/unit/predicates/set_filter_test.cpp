@@ -3,12 +3,15 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include <tetloft/predicates.hpp>
 
 #include "core/prng.hpp"
 #include "predicates/set_filter.hpp"
+#include "predicates/two_doubles.hpp"
 
 namespace tetloft::test {
 
@@ -54,7 +57,11 @@ Tally expect_agreement(const std::vector<Point3>& points, Prng& prng) {
       for (std::size_t k = 0; k < i; ++k) distinct = distinct && *all[i] != *all[k];
     }
     if (s == 0 && filter.is_exact() && distinct) {
-      EXPECT_EQ(predicates::perturbed_insphere_of_cospherical(filter, a, b, c, d, e),
+      std::array<std::uint32_t, 5> rank{};
+      for (std::size_t i = 0; i < 5; ++i) {
+        for (const Point3* other : all) rank[i] += canonical_less(*other, *all[i]) ? 1U : 0U;
+      }
+      EXPECT_EQ(predicates::perturbed_insphere_of_cospherical(filter, all, rank),
                 insphere_perturbed(a, b, c, d, e));
       ++tally.perturbed;
     }
@@ -102,6 +109,45 @@ TEST(SetFilter, DoesNotAnswerWhereDeterminantsCouldOverflow) {
   EXPECT_FALSE(filter.is_exact());
   EXPECT_EQ(filter.insphere(far[0], far[1], far[2], far[3], far[4]), 0);
   EXPECT_EQ(filter.orient3d(far[0], far[1], far[2], far[4]), 0);
+}
+
+// Of two simplices at once, bit by bit: what their determinants are one after the other.
+TEST(SetFilter, DecidesTwoSimplicesAsEachAlone) {
+  Prng prng(73);
+  const auto unit = [](Prng& r) { return r.unit(); };
+  const auto tenths = [](Prng& r) { return static_cast<double>(r.below(5)) / 10; };
+  int answers[3] = {};
+  for (const std::vector<Point3>& points : {draw(200, prng, unit), draw(60, prng, tenths)}) {
+    const SetFilter filter(points);
+    for (int round = 0; round < 1000; ++round) {
+      std::array<const Point3*, 4> s, t;
+      for (const Point3*& p : s) p = &points[prng.below(points.size())];
+      for (const Point3*& p : t) p = &points[prng.below(points.size())];
+      const Point3& e = points[prng.below(points.size())];
+      const std::array<int, 2> both = filter.insphere(s, t, e);
+      EXPECT_EQ(both[0], filter.insphere(*s[0], *s[1], *s[2], *s[3], e));
+      EXPECT_EQ(both[1], filter.insphere(*t[0], *t[1], *t[2], *t[3], e));
+      ++answers[both[0] + 1];
+    }
+  }
+  for (const int count : answers) EXPECT_GT(count, 100);
+}
+
+TEST(TwoDoubles, AreRoundedAsEachAlone) {
+  Prng prng(74);
+  for (int round = 0; round < 1000; ++round) {
+    std::array<double, 12> s, t;
+    for (double& v : s) v = std::ldexp(prng.unit() - 0.5, static_cast<int>(prng.below(40)));
+    for (double& v : t) v = std::ldexp(prng.unit() - 0.5, static_cast<int>(prng.below(40)));
+    const auto determinant = [](const auto& v) {
+      return predicates::insphere_determinant(v(0), v(1), v(2), v(3), v(4), v(5), v(6), v(7), v(8),
+                                              v(9), v(10), v(11));
+    };
+    const predicates::TwoDoubles both =
+        determinant([&](std::size_t i) { return predicates::TwoDoubles(s[i], t[i]); });
+    EXPECT_EQ(both.first(), determinant([&](std::size_t i) { return s[i]; }));
+    EXPECT_EQ(both.second(), determinant([&](std::size_t i) { return t[i]; }));
+  }
 }
 
 TEST(SetFilter, TakesAnyNumberOfPoints) {
