@@ -9,6 +9,7 @@
 
 #include <tetloft/version.hpp>
 
+#include "cli/allocator.hpp"
 #include "cli/commands.hpp"
 #include "cli/file_formats.hpp"
 #include "cli/help.hpp"
@@ -113,6 +114,7 @@ int run(const std::vector<std::string>& words) {
 
 int main(int argc, char** argv) {
   tetloft::cli::handle_signals();
+  tetloft::cli::keep_freed_memory();
   try {
     tetloft::cli::occupy_standard_streams();
     return tetloft::cli::run({argv + (argc > 0 ? 1 : 0), argv + argc});
