@@ -59,21 +59,18 @@ class EdgeMeasure {
   double dx_, dy_, length2_;
 };
 
-// Distances in the making: squared in the tiles that come near some edge.
+// Distances in the making: squared, until roots are taken.
 class Squares {
  public:
   Squares(DistanceSamples& samples, double farthest)
       : samples_(samples), farthest_(farthest), most_(farthest * farthest) {
-    constexpr std::size_t kTile = DistanceSamples::kTile;
-    samples_.value.assign(samples_.window.size(), farthest);
-    samples_.near.assign(samples_.tiles_in_row() * ((samples_.window.ny() + kTile - 1) / kTile), 0);
+    samples_.value.assign(samples_.window.size(), most_);
   }
 
   /// Lowers the values within `reach` of the edge.
   void measure(const Edge& e, double reach) {
     const LatticeWindow near = near_edge(e, samples_.window, reach);
-    if (near.i0 >= near.i1 || near.j0 >= near.j1) return;
-    begin(near);
+    if (near.i0 >= near.i1) return;
     const EdgeMeasure measured(e);
     for (std::int64_t j = near.j0; j < near.j1; ++j) {
       measured.lower(near.i0, j, near.i1 - near.i0, squares(near.i0, j));
@@ -84,7 +81,6 @@ class Squares {
   void measure_nearest(const Edge& e, double reach) {
     const LatticeWindow near = near_edge(e, samples_.window, reach);
     if (near.i0 >= near.i1 || near.j0 >= near.j1) return;
-    begin(near);
     const EdgeMeasure measured(e);
     const NearestRegion region(e, near);
     const IndexRange rows = region.rows();
@@ -100,8 +96,10 @@ class Squares {
   /// Makes distances of them, and tells what tiles are near. The root of a square that was rounded
   /// is the number squared: what is farther stays so.
   void take_roots() {
+    constexpr std::size_t kTile = DistanceSamples::kTile;
+    const std::size_t tiles = samples_.tiles_in_row();
+    samples_.near.assign(tiles * ((samples_.window.ny() + kTile - 1) / kTile), 0);
     for (std::size_t tile = 0; tile < samples_.near.size(); ++tile) {
-      if (samples_.near[tile] == 0) continue;
       bool near = false;
       visit_rows(tile, [&](const double* row, std::size_t n) {
         near = near || std::any_of(row, row + n, [&](double d) { return d < most_; });
@@ -115,26 +113,6 @@ class Squares {
   }
 
  private:
-  // Of the tiles that have samples of a part of the window. Edges in a row often share them.
-  void begin(const LatticeWindow& part) {
-    const LatticeWindow& w = samples_.window;
-    constexpr auto kTile = static_cast<std::int64_t>(DistanceSamples::kTile);
-    const LatticeWindow tiles{(part.i0 - w.i0) / kTile, (part.j0 - w.j0) / kTile,
-                              (part.i1 - w.i0 + kTile - 1) / kTile,
-                              (part.j1 - w.j0 + kTile - 1) / kTile};
-    if (tiles == begun_) return;
-    begun_ = tiles;
-    for (std::int64_t j = tiles.j0; j < tiles.j1; ++j) {
-      std::size_t tile = static_cast<std::size_t>(j) * samples_.tiles_in_row() +
-                         static_cast<std::size_t>(tiles.i0);
-      for (std::int64_t i = tiles.i0; i < tiles.i1; ++i, ++tile) {
-        if (samples_.near[tile] != 0) continue;
-        samples_.near[tile] = 1;
-        visit_rows(tile, [&](double* row, std::size_t n) { std::fill_n(row, n, most_); });
-      }
-    }
-  }
-
   [[nodiscard]] double* squares(std::int64_t i, std::int64_t j) {
     return samples_.value.data() + samples_.window.place(i, j);
   }
@@ -154,7 +132,6 @@ class Squares {
 
   DistanceSamples& samples_;
   double farthest_, most_;
-  LatticeWindow begun_;  // in tiles, the last
 };
 
 // Calls visit(i, j) for the samples at distance 0, or one that vanishes in doubles.

@@ -29,7 +29,6 @@ struct LatticeWindow {
   [[nodiscard]] LatticeWindow joined(const LatticeWindow& w) const {
     return {std::min(i0, w.i0), std::min(j0, w.j0), std::max(i1, w.i1), std::max(j1, w.j1)};
   }
-  friend bool operator==(const LatticeWindow&, const LatticeWindow&) = default;
 };
 
 }  // namespace tetloft::internal::motion
