@@ -89,8 +89,9 @@ RunCursor::RunCursor(const std::vector<LabelledRun>& runs, const motion::Lattice
 }
 
 void RunCursor::move_to(std::size_t row, std::size_t place) {
-  const auto begin = runs_.begin() + static_cast<std::ptrdiff_t>(in_row_[row]);
-  const auto end = runs_.begin() + static_cast<std::ptrdiff_t>(in_row_[row + 1]);
+  const std::span<const LabelledRun> runs = in_row(row);
+  const auto begin = runs.begin();
+  const auto end = runs.end();
   const auto run = std::partition_point(
       begin, end, [&](const LabelledRun& before) { return before.end <= place; });
   if (run != end && run->first <= place) {

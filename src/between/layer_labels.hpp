@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "motion/lattice_window.hpp"
@@ -52,6 +53,10 @@ class RunCursor {
   [[nodiscard]] std::uint32_t node_at(std::size_t row, std::size_t place) {
     if (place < first_ || place >= end_) move_to(row, place);
     return node_;
+  }
+  /// The runs of a row of the window.
+  [[nodiscard]] std::span<const LabelledRun> in_row(std::size_t row) const {
+    return {runs_.data() + in_row_[row], runs_.data() + in_row_[row + 1]};
   }
 
  private:

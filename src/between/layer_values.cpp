@@ -132,7 +132,7 @@ class LayerFiller {
       const auto distance = of(around_.field[s]);
       const double by = by_[s];
       TileRow& row = p[s];
-      row.fill(around_.reach);
+      if (n < kTileSide) row.fill(around_.reach);
       for (std::size_t k = 0; k < n; ++k) {
         const auto x = static_cast<double>(tile.i0 + static_cast<std::int64_t>(k));
         row[k] = distance.at(x + by * motion[k].x, y + by * motion[k].y);
@@ -178,14 +178,19 @@ class LayerFiller {
     const double overgrown = overgrown_;
     TileRow v = cubic_.at<kTileSide>(p);
     for (std::size_t k = 0; k < kTileSide; ++k) {
-      const double least = std::min(p[lower][k], p[upper][k]);
-      const double most = std::max(p[lower][k], p[upper][k]);
+      const double low = p[lower][k];
+      const double high = p[upper][k];
+      const double cubic = v[k];
+      const double least = high < low ? high : low;
+      const double most = low < high ? high : low;
       // What both sections share is not given up.
-      const double shared = std::min(v[k], 0.5 * most);
-      const double beside = most < 0 ? shared : v[k];
+      const double half = 0.5 * most;
+      const double shared = half < cubic ? half : cubic;
+      const double beside = most < 0 ? shared : cubic;
       const double within = most <= far_inside ? far_inside : beside;
-      v[k] = never_zero(least >= overgrown ? least : within);
+      v[k] = least >= overgrown ? least : within;
     }
+    for (double& value : v) value = never_zero(value);
     return v;
   }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <utility>
 
 namespace tetloft::internal::between {
@@ -94,13 +95,18 @@ class MovedPair {
         below_(pair.below.runs, pair.shape.window),
         above_(pair.above.runs, pair.shape.window),
         share_(share),
+        by_(farthest()),
+        until_(nx_, 0),
         outside_(pair.kind == NodeKind::solid ? kNoNode : kExterior) {}
 
   void share(Shares& shares) {
     const Bounds where = looked_at();
     if (pair_.kind == NodeKind::empty) share_exterior(shares);
+    std::size_t seen = where.j0 - std::min(where.j0, by_);  // rows, from there on
     for (std::size_t j = where.j0; j < where.j1 && !shares.suffice(pair_); ++j) {
+      for (; seen < std::min(j + by_ + 1, ny_); ++seen) see_row(seen);
       for (std::size_t i = where.i0; i < where.i1; ++i) {
+        if (j >= until_[i]) continue;
         const Moved at = moved(i, j);
         const std::uint32_t below = node_at(below_, at.below);
         if (below == kNoNode) continue;
@@ -111,17 +117,36 @@ class MovedPair {
   }
 
  private:
+  // No sample is moved by more, in samples along an axis, to the nearest one.
+  [[nodiscard]] std::size_t farthest() const {
+    const double most = std::min(share_ * pair_.longest, static_cast<double>(std::max(nx_, ny_)));
+    return static_cast<std::size_t>(most) + 2;
+  }
+
   // Where samples of which the number counts may be moved from: those of two solids, or of a void
   // that is not the exterior.
   [[nodiscard]] Bounds looked_at() const {
-    const double most = std::min(share_ * pair_.longest, static_cast<double>(std::max(nx_, ny_)));
-    const std::size_t by = static_cast<std::size_t>(most) + 2;
-    const Bounds below = bounds_of(pair_.below, nx_).widened(by, nx_, ny_);
-    const Bounds above = bounds_of(pair_.above, nx_).widened(by, nx_, ny_);
+    const Bounds below = bounds_of(pair_.below, nx_).widened(by_, nx_, ny_);
+    const Bounds above = bounds_of(pair_.above, nx_).widened(by_, nx_, ny_);
     if (pair_.kind == NodeKind::solid) return below.common(above);
     Bounds both = below;
     both.add(above);
     return both;
+  }
+  // The same, for the samples of a row: what is moved from no solid below counts no more.
+  void see_row(std::size_t row) {
+    see(below_.in_row(row), pair_.below, row);
+    if (pair_.kind == NodeKind::empty) see(above_.in_row(row), pair_.above, row);
+  }
+  void see(std::span<const LabelledRun> runs, const LayerLabels& labels, std::size_t row) {
+    for (const LabelledRun& run : runs) {
+      if (labels.size[run.node] == kUnbounded) continue;
+      const std::size_t first = run.first - row * nx_;
+      const std::size_t end = run.end - row * nx_;
+      std::fill(until_.begin() + static_cast<std::ptrdiff_t>(first - std::min(first, by_)),
+                until_.begin() + static_cast<std::ptrdiff_t>(std::min(end + by_, nx_)),
+                row + by_ + 1);
+    }
   }
 
   // Whether the exteriors have a sample in common, which is enough: nearly always the first one.
@@ -164,7 +189,9 @@ class MovedPair {
   std::size_t nx_, ny_;
   RunCursor below_, above_;
   double share_;
-  std::uint32_t outside_;  // the node beyond the window
+  std::size_t by_;
+  std::vector<std::size_t> until_;  // by column: rows before are looked at, of those seen by now
+  std::uint32_t outside_;           // the node beyond the window
 };
 
 }  // namespace

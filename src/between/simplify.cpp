@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <utility>
 
+#include <tetloft/valid_stack.hpp>
+
 #include "between/chords.hpp"
 #include "sections/segments.hpp"
 #include "spatial/box_tree.hpp"
@@ -18,14 +20,14 @@ namespace {
 // divides by two or so.
 constexpr int kDivisions = 24;
 
-bool is_valid(const Section& section, std::size_t& faulty) {
-  if (section.contours.empty()) return true;
+// The nesting of a valid section; of another one the faulty contour, or how many there are.
+std::optional<Nesting> nest_valid(const Section& section, std::size_t& faulty) {
   SectionStack stack;
   stack.sections.push_back(section);
-  const Result<void> result = validate(stack);
-  if (result.ok()) return true;
-  faulty = result.error().where.contour.value_or(section.contours.size());
-  return false;
+  Result<IdVector<SectionId, Nesting>> nested = nest_if_valid(stack);
+  if (nested) return std::move((*nested)[SectionId(0)]);
+  faulty = nested.error().where.contour.value_or(section.contours.size());
+  return std::nullopt;
 }
 
 class Simplifier {
@@ -123,23 +125,22 @@ std::vector<ContourId> misplaced(const Nesting& nesting, const Nesting& wanted) 
 
 std::optional<SimplifiedSection> simplify(const Section& section, double tolerance,
                                           double longest) {
-  std::size_t faulty = 0;
-  if (!is_valid(section, faulty)) return std::nullopt;
   if (section.contours.empty()) return SimplifiedSection{section, {}};
-  const Nesting wanted = nest(section);
+  std::size_t faulty = 0;
+  const std::optional<Nesting> wanted = nest_valid(section, faulty);
+  if (!wanted) return std::nullopt;
   Simplifier simplifier(section, tolerance, longest);
   for (;;) {
     simplifier.part();
-    SimplifiedSection result{simplifier.simplified(), {}};
+    Section result = simplifier.simplified();
     // Every round gives a contour all of its vertices back, or ends.
     bool changed = false;
-    if (!is_valid(result.section, faulty)) {
-      changed = faulty < section.contours.size() && simplifier.restore(ContourId(faulty));
-    } else {
-      result.nesting = nest(result.section);
-      const std::vector<ContourId> wrong = misplaced(result.nesting, wanted);
-      if (wrong.empty()) return result;
+    if (std::optional<Nesting> nesting = nest_valid(result, faulty)) {
+      const std::vector<ContourId> wrong = misplaced(*nesting, *wanted);
+      if (wrong.empty()) return SimplifiedSection{std::move(result), *std::move(nesting)};
       for (const ContourId c : wrong) changed |= simplifier.restore(c);
+    } else {
+      changed = faulty < section.contours.size() && simplifier.restore(ContourId(faulty));
     }
     if (!changed && !simplifier.restore_all()) return std::nullopt;
   }

@@ -59,14 +59,12 @@ class EdgeMeasure {
   double dx_, dy_, length2_;
 };
 
-// Distances in the making: squared where some edge was measured, in tiles.
+// Distances in the making: squared, until roots are taken.
 class Squares {
  public:
   Squares(DistanceSamples& samples, double farthest)
-      : samples_(samples), most_(farthest * farthest), tiles_(samples.tiles_in_row()) {
-    constexpr std::size_t kTile = DistanceSamples::kTile;
-    samples_.value.assign(samples_.window.size(), farthest);
-    samples_.near.assign(tiles_ * ((samples_.window.ny() + kTile - 1) / kTile), 0);
+      : samples_(samples), farthest_(farthest), most_(farthest * farthest) {
+    samples_.value.assign(samples_.window.size(), most_);
   }
 
   /// Lowers the values within `reach` of the edge.
@@ -75,7 +73,7 @@ class Squares {
     if (near.i0 >= near.i1) return;
     const EdgeMeasure measured(e);
     for (std::int64_t j = near.j0; j < near.j1; ++j) {
-      lower(measured, near.i0, j, near.i1 - near.i0);
+      measured.lower(near.i0, j, near.i1 - near.i0, squares(near.i0, j));
     }
   }
 
@@ -86,39 +84,37 @@ class Squares {
     const EdgeMeasure measured(e);
     const NearestRegion region(e, near);
     const IndexRange rows = region.rows();
+    double* const first = squares(near.i0, near.j0);
+    const auto nx = static_cast<std::int64_t>(samples_.window.nx());
     for (std::int64_t row = rows.first; row < rows.end; ++row) {
       const IndexRange columns = region.in_row(row);
-      if (columns.empty()) continue;
-      lower(measured, near.i0 + columns.first, near.j0 + row, columns.end - columns.first);
+      measured.lower(near.i0 + columns.first, near.j0 + row, columns.end - columns.first,
+                     first + (row * nx + columns.first));
     }
   }
 
-  /// Makes distances of them. The root of a square that was rounded is the number squared: what is
-  /// farther stays so.
+  /// Makes distances of them, and tells what tiles are near. The root of a square that was rounded
+  /// is the number squared: what is farther stays so.
   void take_roots() {
+    constexpr std::size_t kTile = DistanceSamples::kTile;
+    const std::size_t tiles = samples_.tiles_in_row();
+    samples_.near.assign(tiles * ((samples_.window.ny() + kTile - 1) / kTile), 0);
     for (std::size_t tile = 0; tile < samples_.near.size(); ++tile) {
-      if (samples_.near[tile] == 0) continue;
-      visit_rows(tile, [](double* row, std::size_t n) {
-        for (std::size_t k = 0; k < n; ++k) row[k] = std::sqrt(row[k]);
+      bool near = false;
+      visit_rows(tile, [&](const double* row, std::size_t n) {
+        near = near || std::any_of(row, row + n, [&](double d) { return d < most_; });
+      });
+      samples_.near[tile] = near ? 1 : 0;
+      visit_rows(tile, [&](double* row, std::size_t n) {
+        if (!near) std::fill_n(row, n, farthest_);
+        for (std::size_t k = 0; near && k < n; ++k) row[k] = std::sqrt(row[k]);
       });
     }
   }
 
  private:
-  void lower(const EdgeMeasure& measured, std::int64_t i, std::int64_t j, std::int64_t n) {
-    const LatticeWindow& w = samples_.window;
-    const auto first = static_cast<std::size_t>(i - w.i0);
-    const auto last = static_cast<std::size_t>(i - w.i0 + n - 1);
-    const std::size_t row = static_cast<std::size_t>(j - w.j0) / DistanceSamples::kTile * tiles_;
-    for (std::size_t k = first / DistanceSamples::kTile; k <= last / DistanceSamples::kTile; ++k) {
-      if (samples_.near[row + k] == 0) begin(row + k);
-    }
-    measured.lower(i, j, n, samples_.value.data() + w.place(i, j));
-  }
-
-  void begin(std::size_t tile) {
-    samples_.near[tile] = 1;
-    visit_rows(tile, [&](double* row, std::size_t n) { std::fill_n(row, n, most_); });
+  [[nodiscard]] double* squares(std::int64_t i, std::int64_t j) {
+    return samples_.value.data() + samples_.window.place(i, j);
   }
 
   // Calls visit(first, how many) for the rows of a tile.
@@ -126,8 +122,8 @@ class Squares {
   void visit_rows(std::size_t tile, const Visit& visit) {
     constexpr std::size_t kTile = DistanceSamples::kTile;
     const std::size_t nx = samples_.window.nx();
-    const std::size_t i = tile % tiles_ * kTile;
-    const std::size_t j = tile / tiles_ * kTile;
+    const std::size_t i = tile % samples_.tiles_in_row() * kTile;
+    const std::size_t j = tile / samples_.tiles_in_row() * kTile;
     const std::size_t end = std::min(j + kTile, samples_.window.ny());
     for (std::size_t row = j; row < end; ++row) {
       visit(samples_.value.data() + row * nx + i, std::min(kTile, nx - i));
@@ -135,8 +131,7 @@ class Squares {
   }
 
   DistanceSamples& samples_;
-  double most_;
-  std::size_t tiles_;
+  double farthest_, most_;
 };
 
 // Calls visit(i, j) for the samples at distance 0, or one that vanishes in doubles.

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace tetloft::internal::motion {
 
@@ -40,10 +41,21 @@ NearestRegion::NearestRegion(const LatticeEdges::Edge& e, const LatticeWindow& w
   const Point2 origin{static_cast<double>(window.i0), static_cast<double>(window.j0)};
   const auto minus = [](const Point2& p, const Point2& q) { return Point2{p.x - q.x, p.y - q.y}; };
   const Point2 along = minus(e.b, e.a);
-  ends_ = {{{half_plane(minus(e.a, origin), {-along.x, -along.y}),
-             half_plane(minus(e.a, origin), minus(e.past_a, e.a))},
-            {half_plane(minus(e.b, origin), along),
-             half_plane(minus(e.b, origin), minus(e.past_b, e.b))}}};
+  const std::array<std::array<HalfPlane, 2>, 2> ends{
+      {{half_plane(minus(e.a, origin), {-along.x, -along.y}),
+        half_plane(minus(e.a, origin), minus(e.past_a, e.a))},
+       {half_plane(minus(e.b, origin), along),
+        half_plane(minus(e.b, origin), minus(e.past_b, e.b))}}};
+  for (std::size_t end = 0; end < 2; ++end) {
+    ends_[end] = {ends[end][0].along_y, ends[end][1].along_y};
+    std::array<Line, 2> lines{ends[end][0].along_x, ends[end][1].along_x};
+    if (lines[1].upwards && !lines[0].upwards) std::swap(lines[0], lines[1]);
+    sides_[end] = lines[1].upwards ? Sides::above : lines[0].upwards ? Sides::either : Sides::below;
+    for (std::size_t k = 0; k < 2; ++k) {
+      cuts_.at_0[2 * end + k] = lines[k].at_0 + 1;
+      cuts_.slope[2 * end + k] = lines[k].slope;
+    }
+  }
 }
 
 IndexRange NearestRegion::rows() const {
@@ -51,10 +63,9 @@ IndexRange NearestRegion::rows() const {
   const auto last = static_cast<double>(columns_ - 1);
   for (const auto& end : ends_) {
     IndexRange of_end;
-    for (const HalfPlane& half : end) {
+    for (const Line& line : end) {
       // A line is highest and lowest in the first or last column.
-      of_end =
-          of_end.joined(half.along_y.behind(0, rows_).joined(half.along_y.behind(last, rows_)));
+      of_end = of_end.joined(line.behind(0, rows_).joined(line.behind(last, rows_)));
     }
     all = all.common(of_end);
   }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include <tetloft/point.hpp>
@@ -42,13 +43,16 @@ class NearestRegion {
   [[nodiscard]] IndexRange rows() const;
   /// Its samples in a row, from the first to the last; maybe some more.
   [[nodiscard]] IndexRange in_row(std::int64_t row) const {
-    IndexRange all{0, columns_};
-    for (const auto& end : ends_) {
-      all = all.common(end[0]
-                           .along_x.behind(static_cast<double>(row), columns_)
-                           .joined(end[1].along_x.behind(static_cast<double>(row), columns_)));
+    const auto y = static_cast<double>(row);
+    const auto size = static_cast<double>(columns_);
+    std::array<std::int32_t, 4> cut;
+    for (std::size_t k = 0; k < 4; ++k) {
+      double at = cuts_.at_0[k] + cuts_.slope[k] * y;
+      at = at > 0 ? at : 0;
+      at = at < size ? at : size;
+      cut[k] = static_cast<std::int32_t>(at);
     }
-    return all;
+    return at_end(sides_[0], cut[0], cut[1]).common(at_end(sides_[1], cut[2], cut[3]));
   }
 
  private:
@@ -69,11 +73,30 @@ class NearestRegion {
   struct HalfPlane {
     Line along_x, along_y;
   };
+  /// Which sides of the two lines at an end count; of two different ones `above` comes first.
+  enum class Sides : std::uint8_t { above, below, either };
+  /// Where a row is cut, by the lines at a, then those at b. A cut is the number of samples not
+  /// above the line: the whole part of where the line is, and 1.
+  struct Cuts {
+    std::array<double, 4> at_0, slope;
+  };
+
   [[nodiscard]] static HalfPlane half_plane(const Point2& vertex, const Point2& direction);
 
+  /// What counts of a row with these cuts.
+  [[nodiscard]] IndexRange at_end(Sides sides, std::int64_t first, std::int64_t second) const {
+    if (sides == Sides::above) return {std::min(first, second), columns_};
+    if (sides == Sides::below) return {0, std::max(first, second)};
+    if (second == 0) return {first, columns_};
+    return {0, first == columns_ ? second : columns_};
+  }
+
   std::int64_t columns_, rows_;
-  /// At a and b: what lies behind them on the edge, and on the next one, turned away.
-  std::array<std::array<HalfPlane, 2>, 2> ends_;
+  /// At a and b, by column: what lies behind them on the edge, and on the next one, turned away.
+  std::array<std::array<Line, 2>, 2> ends_;
+  /// The same by row.
+  std::array<Sides, 2> sides_{};
+  Cuts cuts_{};
 };
 
 }  // namespace tetloft::internal::motion

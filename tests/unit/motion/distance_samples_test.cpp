@@ -86,6 +86,7 @@ void expect_by_all_edges(const Section& section, double step, double farthest) {
   const LatticeWindow window{-31, -29, 30, 33};
   const DistanceSamples samples = sample_distances(edges, window, farthest);
   const motion::InsideSamples inside(edges, window);
+  std::vector<std::uint8_t> near(samples.near.size(), 0);
   for (std::int64_t j = window.j0; j < window.j1; ++j) {
     std::int64_t count = 0;
     for (std::int64_t i = window.i0; i < window.i1; ++i) {
@@ -104,6 +105,7 @@ void expect_by_all_edges(const Section& section, double step, double farthest) {
       const std::int64_t column = (i - window.i0) / kTile;
       const auto tile =
           static_cast<std::size_t>(row) * samples.tiles_in_row() + static_cast<std::size_t>(column);
+      if (std::abs(*samples.at(i, j)) < farthest) near[tile] = 1;
       if (samples.near[tile] != 0) continue;
       ASSERT_EQ(std::abs(*samples.at(i, j)), farthest) << i << ' ' << j;
       const double* const first = samples.at(window.i0 + kTile * column, window.j0 + kTile * row);
@@ -113,6 +115,7 @@ void expect_by_all_edges(const Section& section, double step, double farthest) {
     for (const auto& run : inside.row(j)) length += run.end - run.first;
     EXPECT_EQ(length, count);
   }
+  EXPECT_EQ(samples.near, near);
 }
 
 TEST(DistanceSamples, AreThoseOfAllEdgesBitByBit) {
