@@ -6,6 +6,8 @@
 #include <tetloft/check.hpp>
 #include <tetloft/correspondence.hpp>
 #include <tetloft/delaunay.hpp>
+#include <tetloft/delaunay_triangulation3.hpp>
+#include <tetloft/delaunay_vertex.hpp>
 #include <tetloft/execution.hpp>
 #include <tetloft/export.hpp>
 #include <tetloft/formats.hpp>

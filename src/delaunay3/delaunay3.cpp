@@ -17,13 +17,11 @@
 #include "core/pages.hpp"
 #include "core/parallel.hpp"
 #include "core/watched_work.hpp"
-#include "delaunay3/affine_basis.hpp"
+#include "delaunay3/batch.hpp"
 #include "delaunay3/canonical_mesh.hpp"
 #include "delaunay3/canonical_order.hpp"
 #include "delaunay3/incremental.hpp"
 #include "delaunay3/slab_overlay.hpp"
-#include "delaunay3/spatial_order.hpp"
-#include "delaunay3/stretches.hpp"
 
 namespace tetloft {
 
@@ -50,19 +48,6 @@ Result<void> check_points(std::span<const Point3> points) {
   return error;
 }
 
-// items[places[0]], items[places[1]], …
-template <class T, class Items>
-std::vector<T> picked(const Items& items, std::span<const std::uint32_t> places, unsigned threads) {
-  constexpr std::size_t kPicked = std::size_t{1} << 15;
-  std::vector<T> result(places.size());
-  const delaunay3_detail::Stretches all =
-      delaunay3_detail::Stretches::of(places.size(), kPicked, places.size());
-  parallel_for(all.count, threads, [&](std::size_t k) {
-    for (std::size_t i = all.begin(k); i < all.end(k); ++i) result[i] = items[places[i]];
-  });
-  return result;
-}
-
 IdVector<VertexId, VertexId> own_representatives(std::size_t n) {
   IdVector<VertexId, VertexId> all;
   all.reserve(n);
@@ -82,7 +67,7 @@ RankedPoints rank_points(std::span<const Point3> points, unsigned threads, Delau
   const std::vector<std::uint32_t> order = delaunay3_detail::canonical_order(points, threads);
   RankedPoints ranked;
   ranked.input_count = points.size();
-  ranked.point = picked<Point3>(points, order, threads);
+  ranked.point = delaunay3_detail::picked<Point3>(points, order, threads);
   ranked.input_of.reserve(points.size());
   // In place, from the first duplicate on.
   for (std::size_t i = 0; i < order.size(); ++i) {
@@ -97,29 +82,6 @@ RankedPoints rank_points(std::span<const Point3> points, unsigned threads, Delau
   }
   ranked.point.resize(ranked.input_of.size());
   return ranked;
-}
-
-// The first four places of `order` whose points are affinely independent.
-delaunay3_detail::AffineBasis basis_of(std::span<const Point3> points,
-                                       std::span<const std::uint32_t> order, unsigned threads) {
-  // Almost always among the first few.
-  constexpr std::size_t kFew = 64;
-  delaunay3_detail::AffineBasis basis;
-  for (const std::size_t count : {std::min(kFew, order.size()), order.size()}) {
-    basis = delaunay3_detail::affine_basis(picked<Point3>(points, order.first(count), threads));
-    if (basis.dimension == 3) break;
-  }
-  return basis;
-}
-
-// Brings the places of `basis`, which increase, to the front of `order`; the others keep
-// their order.
-void move_to_front(std::vector<std::uint32_t>& order, const std::array<std::size_t, 4>& basis) {
-  for (std::size_t k = 0; k < basis.size(); ++k) {
-    const auto begin = order.begin();
-    const auto at = begin + static_cast<std::ptrdiff_t>(basis[k]);
-    std::rotate(begin + static_cast<std::ptrdiff_t>(k), at, at + 1);
-  }
 }
 
 // Of points on two planes of constant z in canonical order: how many lie on the lower one; 0
@@ -189,28 +151,28 @@ Result<bool> overlay_planes(const RankedPoints& ranked, const Delaunay3Options& 
 Result<bool> insert_points(RankedPoints& ranked, const Delaunay3Options& options, Delaunay3& out) {
   out.engine = DelaunayEngine::incremental;
   const unsigned threads = options.execution.threads;
-  // order[v]: rank of the vertex inserted as v-th.
-  std::vector<std::uint32_t> order = delaunay3_detail::insertion_order(ranked.point, threads);
-  const delaunay3_detail::AffineBasis basis = basis_of(ranked.point, order, threads);
-  out.dimension = basis.dimension;
-  if (basis.dimension < 3) {
+  // order.places[v]: rank of the vertex inserted as v-th.
+  const delaunay3_detail::BatchOrder order = delaunay3_detail::batch_order(ranked.point, threads);
+  out.dimension = order.dimension;
+  if (order.dimension < 3) {
     out.mesh = TetMesh::from_adjacency(ranked.input_count, {}, {});
     return true;
   }
-  move_to_front(order, basis.place);
 
   using delaunay3_detail::Delaunay3Builder;
-  WatchedWork work(options.execution, order.size() / Delaunay3Builder::kPointsOfStep + 1);
+  WatchedWork work(options.execution, order.places.size() / Delaunay3Builder::kPointsOfStep + 1);
   work.go_on();
   // How many tets there are at a time depends on the order: a limit is that of one thread's.
-  Delaunay3Builder builder(ranked.point, order, {.threads = options.most_tets == 0 ? threads : 1});
+  Delaunay3Builder builder(ranked.point, order.places,
+                           {.threads = options.most_tets == 0 ? threads : 1});
   core::release(ranked.point);
   if (!builder.insert_all(work, bound_on_tets(options.most_tets))) {
     return too_many_tets(options.most_tets);
   }
   out.mesh = delaunay3_detail::canonical_mesh(
       builder.slots(),
-      {.rank_of = order, .input_of = ranked.input_of, .input_count = ranked.input_count}, threads);
+      {.rank_of = order.places, .input_of = ranked.input_of, .input_count = ranked.input_count},
+      threads);
   work.step_done();
   return true;
 }

@@ -25,7 +25,7 @@ static_assert(std::is_trivially_copyable_v<TetSlot> && std::is_trivially_destruc
 
 GrowingTets::GrowingTets(std::span<const Point3> points, std::span<const std::uint32_t> order,
                          std::size_t tets_of_point, unsigned threads)
-    : vertices_(order.size()), filter_(points) {
+    : vertices_(order.size()), filter_(points), is_ranked_(true) {
   const Stretches all = Stretches::of(order.size(), kVerticesGathered, order.size());
   parallel_for(all.count, threads, [&](std::size_t k) {
     for (std::size_t i = all.begin(k); i < all.end(k); ++i) {
@@ -33,6 +33,45 @@ GrowingTets::GrowingTets(std::span<const Point3> points, std::span<const std::ui
     }
   });
   reserve(tets_of_point * vertices_.size());
+}
+
+GrowingTets::GrowingTets(const GrowingTets& other)
+    : vertices_(other.vertices_), filter_(other.filter_), is_ranked_(other.is_ranked_) {
+  reserve(other.taken());
+  std::copy_n(other.slots_.get(), other.taken(), slots_.get());
+  taken_.store(other.taken(), std::memory_order_relaxed);
+}
+
+void GrowingTets::take_over(std::span<const Point3> points, std::span<const TetSlot> slots) {
+  std::vector<Vertex> vertices(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) vertices[i].point = points[i];
+  predicates::SetFilter filter(points);
+  reserve(slots.size() - std::min(slots.size(), taken()));
+  vertices_ = std::move(vertices);
+  filter_ = filter;
+  is_ranked_ = false;
+  std::copy(slots.begin(), slots.end(), slots_.get());
+  taken_.store(slots.size(), std::memory_order_relaxed);
+}
+
+VertexId GrowingTets::add_vertex(const Point3& point) {
+  vertices_.push_back({.point = point, .rank = 0, .part = 0, .on_horizon = 0});
+  filter_.add(point);
+  return VertexId(vertices_.size() - 1);
+}
+
+void GrowingTets::replace_vertex(VertexId v, const Point3& point) {
+  vertex(v).point = point;
+  filter_.add(point);
+}
+
+void GrowingTets::unmark_all() { std::fill(marks_.begin(), marks_.end(), Mark::unvisited); }
+
+void GrowingTets::start_again(const predicates::SetFilter& filter) {
+  vertices_.clear();
+  filter_ = filter;
+  is_ranked_ = false;
+  taken_.store(0, std::memory_order_relaxed);
 }
 
 std::size_t GrowingTets::take(std::size_t count) {

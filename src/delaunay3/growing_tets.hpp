@@ -44,7 +44,7 @@ class GrowingTets {
 
   struct Vertex {
     Point3 point;
-    /// Its place in `points`.
+    /// Its place in canonical order, where vertices are ranked.
     std::uint32_t rank = 0;
     Part part = 0;
     /// The number among the vertices of the current horizon: a guess left by some earlier insertion
@@ -60,6 +60,24 @@ class GrowingTets {
   /// each.
   GrowingTets(std::span<const Point3> points, std::span<const std::uint32_t> order,
               std::size_t tets_of_point, unsigned threads);
+  /// Without vertices, which come one by one then and have no ranks.
+  GrowingTets() = default;
+  GrowingTets(const GrowingTets& other);
+  GrowingTets& operator=(const GrowingTets&) = delete;
+
+  /// Takes vertices without ranks, and slots as another one has filled them.
+  void take_over(std::span<const Point3> points, std::span<const TetSlot> slots);
+  /// Takes a vertex without a rank. It is in no tet.
+  VertexId add_vertex(const Point3& point);
+  /// Gives the place of a vertex that is in no tet to another one.
+  void replace_vertex(VertexId v, const Point3& point);
+  /// Drops all vertices and tets, and keeps the memory. `filter` is that of a set that has all
+  /// vertices to come.
+  void start_again(const predicates::SetFilter& filter);
+  /// After an insertion that failed halfway, with no slot written yet.
+  void unmark_all();
+  /// Whether vertices have ranks.
+  [[nodiscard]] bool is_ranked() const { return is_ranked_; }
 
   [[nodiscard]] std::size_t vertex_count() const { return vertices_.size(); }
   [[nodiscard]] Vertex& vertex(VertexId v) { return vertices_[v.index()]; }
@@ -106,6 +124,7 @@ class GrowingTets {
  private:
   std::vector<Vertex> vertices_;
   predicates::SetFilter filter_;
+  bool is_ranked_ = false;
   // Not initialised beyond what was taken: pages that are never used take no memory, and the
   // others come where the thread is that writes them first.
   std::unique_ptr<TetSlot[], FreeSlots> slots_;

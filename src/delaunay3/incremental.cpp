@@ -30,7 +30,7 @@ Delaunay3Builder::Delaunay3Builder(std::span<const Point3> points,
                                    std::size_t tets_of_point)
     : tets_(points, order, tets_of_point, sharing.threads), alone_(tets_), sharing_(sharing) {
   sharing_.threads = thread_count(sharing.threads);
-  make_first_tets();
+  alone_.start_with({VertexId(0), VertexId(1), VertexId(2), VertexId(3)});
 }
 
 bool Delaunay3Builder::insert_all(WatchedWork& work, std::size_t most_tets) {
@@ -50,34 +50,6 @@ bool Delaunay3Builder::insert_all(WatchedWork& work, std::size_t most_tets) {
   for (Inserter& inserter : within_) inserter.mark_dead_slots();
   tets_.keep_slots_only();
   return complete;
-}
-
-void Delaunay3Builder::make_first_tets() {
-  TetVertices first{VertexId(0), VertexId(1), VertexId(2), VertexId(3)};
-  const Sign sign = orient3d(tets_.point(first[0]), tets_.point(first[1]), tets_.point(first[2]),
-                             tets_.point(first[3]));
-  TETLOFT_CHECK(sign != Sign::zero);
-  if (sign == Sign::negative) std::swap(first[0], first[1]);
-  tets_.take(5);
-  const TetId inner(0U);
-  alone_.start_at(inner);
-  tets_.slot(inner).vertices = first;
-  std::array<TetId, 4> ghosts;
-  for (std::size_t i = 0; i < 4; ++i) {
-    // Seen from the ghost the facet turns counter-clockwise, so (a, b, c, ghost) is
-    // positive and with it (ghost, a, c, b).
-    const TriangleVertices facet = facet_of(first, i);
-    ghosts[i] = TetId(i + 1);
-    tets_.slot(ghosts[i]).vertices = {kGhost, facet[0], facet[2], facet[1]};
-    tets_.glue(half_face(inner, i), half_face(ghosts[i], 0));
-  }
-  // Ghosts i and j meet in the face that lacks vertex j of `first` in ghost i.
-  for (std::size_t i = 0; i < 4; ++i) {
-    for (std::size_t j = i + 1; j < 4; ++j) {
-      tets_.glue(half_face(ghosts[i], index_of(tets_.tet(ghosts[i]), first[j])),
-                 half_face(ghosts[j], index_of(tets_.tet(ghosts[j]), first[i])));
-    }
-  }
 }
 
 bool Delaunay3Builder::insert_alone(std::span<const VertexId> vertices) {

@@ -61,7 +61,6 @@ class Delaunay3Builder {
   [[nodiscard]] std::span<TetSlot> slots() { return tets_.slots(); }
 
  private:
-  void make_first_tets();
   // Inserts vertices one by one. False where out of slots.
   bool insert_alone(std::span<const VertexId> vertices);
   // Inserts the vertices from `first` to `end`, on all threads as long as that pays.

@@ -8,6 +8,7 @@
 
 #include "core/guard.hpp"
 #include "core/prefetch.hpp"
+#include "delaunay3/walk.hpp"
 
 namespace tetloft::internal::delaunay3_detail {
 
@@ -15,13 +16,56 @@ namespace tetloft::internal::delaunay3_detail {
 // vertex 0 of the tets built on their facets.
 static_assert(kFaceVertex[1][0] == 0 && kFaceVertex[2][0] == 0 && kFaceVertex[3][0] == 0);
 
+void Inserter::start_with(const TetVertices& vertices) {
+  TetVertices first = vertices;
+  const Sign sign = orient3d(point(first[0]), point(first[1]), point(first[2]), point(first[3]));
+  TETLOFT_CHECK(sign != Sign::zero);
+  if (sign == Sign::negative) std::swap(first[0], first[1]);
+  hint_ = TetId(tets_->take(5));
+  tets_->slot(hint_).vertices = first;
+  std::array<TetId, 4> ghosts;
+  for (std::size_t i = 0; i < 4; ++i) {
+    // Seen from the ghost the facet turns counter-clockwise, so (a, b, c, ghost) is
+    // positive and with it (ghost, a, c, b).
+    const TriangleVertices facet = facet_of(first, i);
+    ghosts[i] = TetId(hint_.index() + i + 1);
+    tets_->slot(ghosts[i]).vertices = {kGhost, facet[0], facet[2], facet[1]};
+    tets_->glue(half_face(hint_, i), half_face(ghosts[i], 0));
+  }
+  // Ghosts i and j meet in the face that lacks vertex j of `first` in ghost i.
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = i + 1; j < 4; ++j) {
+      tets_->glue(half_face(ghosts[i], index_of(tet(ghosts[i]), first[j])),
+                  half_face(ghosts[j], index_of(tet(ghosts[j]), first[i])));
+    }
+  }
+}
+
+void Inserter::start_again(std::vector<TetId> free) {
+  hint_ = TetId();
+  walk_state_ = 1;
+  free_ = std::move(free);
+  fresh_ = fresh_end_ = 0;
+}
+
+TetId Inserter::take_slot() {
+  if (free_.empty()) return TetId(tets_->take(1));
+  const TetId t = free_.back();
+  free_.pop_back();
+  return t;
+}
+
 bool Inserter::insert(VertexId v, std::size_t most_tets) {
-  const Point3 p = point(v);
-  collect_conflict_zone(v, walk(p, Alone{}), Alone{});
+  return insert_at(v, walk(point(v), Alone{}), most_tets);
+}
+
+bool Inserter::insert_at(VertexId v, TetId in_conflict, std::size_t most_tets) {
+  collect_conflict_zone(v, in_conflict, Alone{});
   if (tets_->taken() + horizon_.size() > most_tets) {
     unmark_zone();
     return false;
   }
+  reserve_free(conflict_.size());
   const std::size_t recycled = std::min(free_.size(), horizon_.size());
   take_slots(tets_->take(horizon_.size() - recycled));
   hint_ = star_cavity(v);
@@ -44,34 +88,17 @@ Inserter::Outcome Inserter::insert_within(VertexId v, Part part) {
   return Outcome::inserted;
 }
 
+void Inserter::find_zone(VertexId v, TetId in_conflict) {
+  collect_conflict_zone(v, in_conflict, Alone{});
+}
+
 TetId Inserter::locate(const Point3& p) { return walk(p, Alone{}); }
 
-// Remembering visibility walk (Devillers, Pion and Teillaud, "Walking in a triangulation",
-// IJFCS 13, 2002). It ends in every Delaunay triangulation, the perturbed ones included:
-// the power of p decreases with each tet. The first face tried is drawn at random for
-// speed alone, by an own generator: the walk is the same in every run.
 template <class Use>
 TetId Inserter::walk(const Point3& p, const Use& use) {
-  TetId t = hint_;
-  std::size_t entered = 4;
-  for (std::size_t steps = 0;; ++steps) {
-    TETLOFT_CHECK(steps <= tets_->taken());
-    walk_state_ = walk_state_ * 1664525U + 1013904223U;
-    const TetSlot& slot = tets_->slot(t);
-    HalfFaceId crossing;
-    for (std::size_t k = 0; k < 4; ++k) {
-      const std::size_t i = ((walk_state_ >> 30) + k) & 3U;
-      if (i == entered) continue;
-      if (!is_beyond(slot.vertices, i, p)) continue;
-      crossing = slot.opposite[i];
-      break;
-    }
-    if (!crossing.valid()) return t;
-    t = TetMesh::tet_of(crossing);
-    if (is_ghost(t)) return t;
-    if (!use.owns(*tets_, t)) return TetId();
-    entered = static_cast<std::size_t>(TetMesh::face_of(crossing));
-  }
+  return delaunay3_detail::walk(
+      *tets_, hint_, walk_state_, use,
+      [&](const TetVertices& tet, std::size_t i) { return is_beyond(tet, i, p); });
 }
 
 // In waves: all tets that joined the zone in the last one show their neighbours, then those that
@@ -205,9 +232,13 @@ bool Inserter::in_doubtful_sphere(const TetVertices& tet, VertexId v) const {
   const GrowingTets::Vertex &a = record(tet[0]), &b = record(tet[1]), &c = record(tet[2]),
                             &d = record(tet[3]), &e = record(v);
   if (tets_->filter().is_exact()) {
-    return predicates::perturbed_insphere_of_cospherical(
-               tets_->filter(), {&a.point, &b.point, &c.point, &d.point, &e.point},
-               {a.rank, b.rank, c.rank, d.rank, e.rank}) == Sign::positive;
+    const Sign sign = tets_->is_ranked()
+                          ? predicates::perturbed_insphere_of_cospherical(
+                                tets_->filter(), {&a.point, &b.point, &c.point, &d.point, &e.point},
+                                {a.rank, b.rank, c.rank, d.rank, e.rank})
+                          : predicates::perturbed_insphere_of_cospherical(a.point, b.point, c.point,
+                                                                          d.point, e.point);
+    return sign == Sign::positive;
   }
   // The bound of the whole set can be far above that of five near points.
   if (const int s = predicates::insphere_filter(a.point, b.point, c.point, d.point, e.point);

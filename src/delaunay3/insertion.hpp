@@ -18,6 +18,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -48,15 +49,50 @@ class Inserter {
   /// Slots that a thread takes at a time while others are at work.
   static constexpr std::size_t kSlotsAtATime = 4096;
 
+  /// A facet of the horizon, the boundary of the conflict zone: its half-face in the tet that stays
+  /// and in the tet that goes, and the tet that joins it to the new vertex.
+  struct HorizonFacet {
+    HalfFaceId outer;
+    HalfFaceId inner;
+    TetId filler;
+  };
+
   explicit Inserter(GrowingTets& tets) : tets_(&tets), edge_table_(kTableSide * kTableSide) {}
+  /// At work on a copy of those that `other` is at work on.
+  Inserter(GrowingTets& tets, const Inserter& other) : Inserter(other) { tets_ = &tets; }
 
   /// A live finite tet, where the next walk starts; of the part, where there is one.
   [[nodiscard]] TetId hint() const { return hint_; }
   void start_at(TetId hint) { hint_ = hint; }
 
+  /// Makes the first tet, of four vertices not in a plane, and the ghost tets about it. Requires
+  /// that there are no tets.
+  void start_with(const TetVertices& first);
+  /// Forgets all that it knows of tets: there are others now, whose slots these are free.
+  void start_again(std::vector<TetId> free = {});
+
   /// Adds vertex v, with no other thread at work. False where more than `most_tets` slots would be
   /// taken, nothing changed.
   bool insert(VertexId v, std::size_t most_tets);
+  /// The same with a tet known that is in conflict with v.
+  bool insert_at(VertexId v, TetId in_conflict, std::size_t most_tets);
+  /// The zone of the last insertion, whose slots are free now, and its horizon.
+  [[nodiscard]] std::span<const TetId> zone() const { return conflict_; }
+  [[nodiscard]] std::span<const HorizonFacet> horizon() const { return horizon_; }
+
+  /// Finds the zone() of a vertex that is in no tet, given a tet of it, and marks it until
+  /// leave_zone().
+  void find_zone(VertexId v, TetId in_conflict);
+  [[nodiscard]] bool is_in_zone(TetId t) const { return mark(t) == Mark::in_conflict; }
+  void leave_zone() { unmark_zone(); }
+
+  /// A slot for a tet, with no other thread at work; and back.
+  [[nodiscard]] TetId take_slot();
+  void free_slot(TetId t) { free_.push_back(t); }
+  /// Makes room so that so many slots can be freed without memory.
+  void reserve_free(std::size_t more) {
+    if (free_.size() + more > free_.capacity()) free_.reserve(2 * (free_.size() + more));
+  }
 
   enum class Outcome : std::uint8_t { inserted, given_up, no_room };
   /// Adds vertex v of part `part`. Nothing changed where the point was given up, as it needs tets
@@ -75,14 +111,6 @@ class Inserter {
   void mark_dead_slots();
 
  private:
-  // A facet of the horizon, the boundary of the conflict zone: its half-face in the tet
-  // that stays and in the tet that goes, and the tet that will join it to the new vertex.
-  struct HorizonFacet {
-    HalfFaceId outer;
-    HalfFaceId inner;
-    TetId filler;
-  };
-
   using Mark = GrowingTets::Mark;
 
   // Which tets may be used: all of them …

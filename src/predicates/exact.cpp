@@ -43,6 +43,8 @@ struct Range {
 };
 
 constexpr Range kOrient2dRange{0x1p-485, 0x1p+495};  // 2 · -537 = -1074, 2 · 496 + 30 = 1022
+// Six monomials, s = 3.
+constexpr Range kDistanceRange{0x1p-485, 0x1p+494};  // 2 · -537 = -1074, 2 · 495 + 32 = 1022
 constexpr Range kOrient3dRange{0x1p-306, 0x1p+329};  // 3 · -358 = -1074, 3 · 330 + 32 = 1022
 constexpr Range kIncircleRange{0x1p-216, 0x1p+246};  // 4 · -268 = -1072, 4 · 247 + 34 = 1022
 constexpr Range kInsphereRange{0x1p-162, 0x1p+196};  // 5 · -214 = -1070, 5 · 197 + 36 = 1021
@@ -101,6 +103,7 @@ Answer exact_sign(const std::array<double, n>& p, const std::array<double, n>& q
 
 // Bits of the lattice stage: (monomials) · 2^(degree · bits) < 2^63.
 constexpr int kOrient2dBits = 30;  // 2 · 2^60
+constexpr int kDistanceBits = 30;  // 6 · 2^60
 constexpr int kOrient3dBits = 20;  // 6 · 2^60
 constexpr int kIncircleBits = 14;  // 20 · 2^56
 constexpr int kInsphereBits = 11;  // 72 · 2^55
@@ -272,6 +275,21 @@ Answer exact_two_plane_insphere(const Point2& p, const Point2& q, const Point2& 
         return two_plane_insphere_determinant(d[0], d[1], d[2], d[3], d[4], d[5], d[6], d[7], d[8],
                                               d[9], d[10], d[11]);
       });
+}
+
+Answer exact_distances(const Point3& p, const Point3& a, const Point3& b) {
+  return exact_sign<kDistanceBits>(
+      std::array{a.x, a.y, a.z, b.x, b.y, b.z}, std::array{p.x, p.y, p.z, p.x, p.y, p.z},
+      kDistanceRange, [](const auto& d) {
+        return ((d[0] * d[0] - d[3] * d[3]) + (d[1] * d[1] - d[4] * d[4])) +
+               (d[2] * d[2] - d[5] * d[5]);
+      });
+}
+
+Answer exact_distance(const Point3& p, const Point3& a, double radius) {
+  return exact_sign<kDistanceBits>(
+      std::array{a.x, a.y, a.z, radius}, std::array{p.x, p.y, p.z, 0.0}, kDistanceRange,
+      [](const auto& d) { return (d[0] * d[0] + d[1] * d[1]) + (d[2] * d[2] - d[3] * d[3]); });
 }
 
 Answer exact_orient3d(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {

@@ -14,6 +14,10 @@ struct Answer {
 };
 
 [[nodiscard]] Answer exact_orient2d(const Point2& a, const Point2& b, const Point2& c);
+/// The sign of |a − p|² − |b − p|².
+[[nodiscard]] Answer exact_distances(const Point3& p, const Point3& a, const Point3& b);
+/// The sign of |a − p|² − radius².
+[[nodiscard]] Answer exact_distance(const Point3& p, const Point3& a, double radius);
 [[nodiscard]] Answer exact_orient3d(const Point3& a, const Point3& b, const Point3& c,
                                     const Point3& d);
 [[nodiscard]] Answer exact_incircle(const Point2& a, const Point2& b, const Point2& c,

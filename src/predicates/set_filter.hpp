@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -22,8 +23,25 @@ namespace tetloft::internal::predicates {
 
 class SetFilter {
  public:
+  /// Of no points: it answers nothing.
+  SetFilter() = default;
   /// Requires finite coordinates; answers for points of the set only.
   explicit SetFilter(std::span<const Point3> points);
+
+  /// Takes a point into the set. Requires finite coordinates.
+  void add(const Point3& p) {
+    if (p.x >= low_.x && p.x <= high_.x && p.y >= low_.y && p.y <= high_.y && p.z >= low_.z &&
+        p.z <= high_.z && !exact_) [[likely]]
+      return;
+    extend(p);
+  }
+  /// That of the set and one point more, whose orientations it answers for as well. It is exact for
+  /// none.
+  [[nodiscard]] SetFilter with(const Point3& p) const;
+
+  /// The set's box; low above high without points.
+  [[nodiscard]] const Point3& low() const { return low_; }
+  [[nodiscard]] const Point3& high() const { return high_; }
 
   /// Whether a zero of these filters is the exact sign.
   [[nodiscard]] bool is_exact() const { return exact_; }
@@ -65,9 +83,21 @@ class SetFilter {
   }
 
  private:
-  double orient3d_bound_;
-  double insphere_bound_;
+  void extend(const Point3& p);
+  void take(const Point3& p);
+  void set_bounds();
+
+  // The set's box, and the exponent of a power of two that divides all coordinates.
+  Point3 low_{HUGE_VAL, HUGE_VAL, HUGE_VAL};
+  Point3 high_{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+  int unit_ = kUnitOfZero;
+  double orient3d_bound_ = HUGE_VAL;
+  double insphere_bound_ = HUGE_VAL;
   bool exact_ = false;
+
+  // Zero is divided by all there are.
+  static constexpr int kUnitOfZero = 971;
+  static constexpr int kNoUnit = -2000;
 };
 
 /// insphere_perturbed where insphere_filter does not answer.
