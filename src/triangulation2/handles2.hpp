@@ -15,9 +15,7 @@
 
 #include "triangulation2/live_plane.hpp"
 
-namespace tetloft {
-
-namespace internal::triangulation2 {
+namespace tetloft::internal::triangulation2 {
 
 [[nodiscard]] inline Result<void> check_point(const Point2& p) {
   if (std::isfinite(p.x) && std::isfinite(p.y)) return {};
@@ -26,9 +24,9 @@ namespace internal::triangulation2 {
   return error;
 }
 
-}  // namespace internal::triangulation2
+}  // namespace tetloft::internal::triangulation2
 
-class DelaunayTriangulation2::Impl {
+class tetloft::DelaunayTriangulation2::Impl {
   using Incremental2 = internal::triangulation2::Incremental2;
 
  public:
@@ -106,5 +104,3 @@ class DelaunayTriangulation2::Impl {
   [[nodiscard]] std::vector<DelaunayVertex> insert_all(std::span<const Point2> points,
                                                        const Execution& execution);
 };
-
-}  // namespace tetloft
