@@ -96,7 +96,9 @@ ConstraintId DelaunayTriangulation2::Impl::constrain_dividing(VertexId u, Vertex
     const std::optional<Point2> at = triangulation2::crossing_of(
         plane.point(piece.from), plane.point(piece.to), plane.point(p), plane.point(q));
     if (!at) {
-      throw Failed({ErrorCode::unrepresentable, "a crossing of constraints overflows", {}});
+      throw Failed({ErrorCode::unrepresentable,
+                    "where constraints cross is beyond the range of doubles",
+                    {}});
     }
     const VertexId x(insert(*at, p).vertex.index);
     pieces.push_back({piece.of, x, piece.to});

@@ -40,8 +40,9 @@ std::optional<Point2> crossing_of(Point2 a, Point2 b, Point2 c, Point2 d) {
     std::swap(b, d);
   }
   const double t = cross_of(a, c, c, d).high / cross_of(a, b, c, d).high;
-  if (!std::isfinite(t)) return {};
-  return Point2{between_both(t, a.x, b.x, c.x, d.x), between_both(t, a.y, b.y, c.y, d.y)};
+  const Point2 at{between_both(t, a.x, b.x, c.x, d.x), between_both(t, a.y, b.y, c.y, d.y)};
+  if (!std::isfinite(at.x) || !std::isfinite(at.y)) return {};
+  return at;
 }
 
 }  // namespace tetloft::internal::triangulation2
