@@ -32,3 +32,4 @@
 #include <tetloft/tet_mesh.hpp>
 #include <tetloft/version.hpp>
 #include <tetloft/voids.hpp>
+#include <tetloft/voronoi.hpp>
