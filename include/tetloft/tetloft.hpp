@@ -18,6 +18,7 @@
 #include <tetloft/io.hpp>
 #include <tetloft/links.hpp>
 #include <tetloft/model.hpp>
+#include <tetloft/periodic.hpp>
 #include <tetloft/point.hpp>
 #include <tetloft/predicates.hpp>
 #include <tetloft/reconstruct.hpp>

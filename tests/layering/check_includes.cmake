@@ -18,6 +18,7 @@ set(may_delaunay2 core arithmetic spatial predicates)
 set(may_delaunay3 core spatial predicates mesh delaunay2)
 set(may_triangulation3 core predicates mesh delaunay3)
 set(may_voronoi core arithmetic predicates triangulation3)
+set(may_periodic core arithmetic predicates mesh delaunay3 voronoi)
 set(may_sections core arithmetic spatial predicates delaunay2)
 set(may_motion core spatial sections)
 set(may_contact core predicates mesh)
@@ -33,7 +34,7 @@ set(may_check core arithmetic predicates mesh sections motion contact model)
 set(may_io core predicates sections model)
 set(may_render core mesh sections model io)
 set(may_report core mesh sections model check io render)
-set(modules core arithmetic spatial predicates mesh delaunay2 delaunay3 triangulation3 voronoi sections motion contact model slab correspondence between completion subdivision
+set(modules core arithmetic spatial predicates mesh delaunay2 delaunay3 triangulation3 voronoi periodic sections motion contact model slab correspondence between completion subdivision
   reconstruct geiger check io render report c)
 # The C interface stands beside the command line: all of the public API, and core.
 set(may_c core model)
