@@ -9,9 +9,15 @@ namespace tetloft::internal::triangulation3 {
 
 Nearest::Nearest(const LiveTets& tets, const Point3& p, VertexId near) : tets_(tets), p_(p) {
   Candidate at = nearer_corner(near);
-  while (step(at)) {
+  bool tied = false;
+  while (step(at, tied)) {
   }
-  collect_nearest(at);
+  seen_.insert(at.vertex);
+  if (tied) {
+    collect_nearest(at);
+  } else {
+    candidates_.push_back(at);
+  }
 }
 
 Nearest::Candidate Nearest::candidate(VertexId v) const {
@@ -44,21 +50,23 @@ Nearest::Candidate Nearest::nearer_corner(VertexId near) const {
   return best;
 }
 
-// To a neighbour that is nearer, if there is one.
-bool Nearest::step(Candidate& at) {
+// To a neighbour that is nearer, if there is one; else tells whether one is as near.
+bool Nearest::step(Candidate& at, bool& tied) {
   const Candidate from = at;
+  tied = false;
   for_each_around(tets_, from.vertex, around_, [&](TetId /*t*/, VertexId v) {
     if (!LiveTets::is_point(v)) return true;
     const Candidate other = candidate(v);
-    if (compare(other, at) == Sign::negative) at = other;
-    return at.vertex == from.vertex;
+    const Sign s = compare(other, from);
+    if (s == Sign::negative) at = other;
+    tied = tied || s == Sign::zero;
+    return s != Sign::negative;
   });
   return at.vertex != from.vertex;
 }
 
 void Nearest::collect_nearest(const Candidate& nearest) {
   std::vector<Candidate> equal{nearest};
-  seen_.insert(nearest.vertex);
   for (std::size_t next = 0; next < equal.size(); ++next) {
     for_each_around(tets_, equal[next].vertex, around_, [&](TetId /*t*/, VertexId v) {
       if (!LiveTets::is_point(v) || seen_.contains(v)) return true;

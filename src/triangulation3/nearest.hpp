@@ -37,7 +37,7 @@ class Nearest {
   [[nodiscard]] Sign compare(const Candidate& a, const Candidate& b) const;
   [[nodiscard]] bool comes_later(const Candidate& a, const Candidate& b) const;
   [[nodiscard]] Candidate nearer_corner(VertexId near) const;
-  [[nodiscard]] bool step(Candidate& at);
+  [[nodiscard]] bool step(Candidate& at, bool& tied);
   void collect_nearest(const Candidate& nearest);
   void add(const Candidate& c);
 

@@ -1,12 +1,14 @@
 // Walks around vertices that change nothing, so that several threads may take them at once.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include <tetloft/ids.hpp>
 
+#include "core/prefetch.hpp"
 #include "triangulation3/live_tets.hpp"
 
 namespace tetloft::internal::triangulation3 {
@@ -15,30 +17,32 @@ namespace tetloft::internal::triangulation3 {
 template <class IdType>
 class IdSet {
  public:
-  IdSet() : table_(kFirstTable) {}
-
   /// False where it was there.
   bool insert(IdType id) {
-    if (2 * (ids_.size() + 1) > table_.size()) grow();
+    if (ids_.empty()) ids_.reserve(kFirstTable / 2);
+    if (2 * (ids_.size() + 1) > mask_ + 1) grow();
+    IdType* const table = this->table();
     std::size_t at = place(id);
-    for (; table_[at].valid(); at = (at + 1) & (table_.size() - 1)) {
-      if (table_[at] == id) return false;
+    for (; table[at].valid(); at = (at + 1) & mask_) {
+      if (table[at] == id) return false;
     }
     ids_.push_back(id);
-    table_[at] = id;
+    table[at] = id;
     return true;
   }
   [[nodiscard]] bool contains(IdType id) const {
-    for (std::size_t at = place(id); table_[at].valid(); at = (at + 1) & (table_.size() - 1)) {
-      if (table_[at] == id) return true;
+    const IdType* const table = large_.empty() ? first_.data() : large_.data();
+    for (std::size_t at = place(id); table[at].valid(); at = (at + 1) & mask_) {
+      if (table[at] == id) return true;
     }
     return false;
   }
   [[nodiscard]] const std::vector<IdType>& ids() const { return ids_; }
   void clear() {
+    IdType* const table = this->table();
     for (const IdType id : ids_) {
-      for (std::size_t at = place(id); table_[at].valid(); at = (at + 1) & (table_.size() - 1)) {
-        table_[at] = IdType();
+      for (std::size_t at = place(id); table[at].valid(); at = (at + 1) & mask_) {
+        table[at] = IdType();
       }
     }
     ids_.clear();
@@ -49,19 +53,24 @@ class IdSet {
   [[nodiscard]] std::size_t place(IdType id) const {
     // Fibonacci hashing (Knuth, TAOCP 3, 6.4).
     return static_cast<std::size_t>(id.value() * std::uint64_t{0x9E37'79B9'7F4A'7C15U} >> 32) &
-           (table_.size() - 1);
+           mask_;
   }
+  [[nodiscard]] IdType* table() { return large_.empty() ? first_.data() : large_.data(); }
   void grow() {
-    table_.assign(2 * table_.size(), IdType());
+    large_.assign(2 * (mask_ + 1), IdType());
+    mask_ = large_.size() - 1;
     for (const IdType id : ids_) {
       std::size_t at = place(id);
-      while (table_[at].valid()) at = (at + 1) & (table_.size() - 1);
-      table_[at] = id;
+      while (large_[at].valid()) at = (at + 1) & mask_;
+      large_[at] = id;
     }
   }
 
   std::vector<IdType> ids_;
-  std::vector<IdType> table_;
+  // The table, of mask_ + 1 places: in the set itself while it is small, as most stars are.
+  std::array<IdType, kFirstTable> first_{};
+  std::vector<IdType> large_;
+  std::size_t mask_ = kFirstTable - 1;
 };
 
 /// Visits the tets of v's star once each, ghosts included, each with its vertex that the ones
@@ -69,6 +78,13 @@ class IdSet {
 /// tet all three. Who comes twice comes in tets apart. `seen` is scratch.
 template <class Visit>
 void for_each_around(const LiveTets& tets, VertexId v, IdSet<TetId>& seen, const Visit& visit) {
+  // Tets lie far apart in memory: each is fetched when it is found, and looked at when its turn
+  // comes. Of large stars the later ones are looked at when they are found.
+  std::array<HalfFaceId, 64> entered;
+  const auto shown = [&](HalfFaceId h) {
+    const TetId t = TetMesh::tet_of(h);
+    return visit(t, tets.tets().tet(t)[h.index() & 3]);
+  };
   seen.clear();
   const TetId first = tets.tet_of(v);
   seen.insert(first);
@@ -77,13 +93,20 @@ void for_each_around(const LiveTets& tets, VertexId v, IdSet<TetId>& seen, const
   }
   for (std::size_t next = 0; next < seen.ids().size(); ++next) {
     const TetId t = seen.ids()[next];
+    if (next > 0 && next < entered.size() && !shown(entered[next])) return;
     const std::size_t at = index_of(tets.tets().tet(t), v);
     for (std::size_t i = 0; i < 4; ++i) {
       if (i == at) continue;
       const HalfFaceId across = tets.tets().opposite(half_face(t, i));
       const TetId neighbour = TetMesh::tet_of(across);
+      const std::size_t turn = seen.ids().size();
       if (!seen.insert(neighbour)) continue;
-      if (!visit(neighbour, tets.tets().tet(neighbour)[across.index() & 3])) return;
+      if (turn < entered.size()) {
+        core::prefetch(&tets.tets().slot(neighbour));
+        entered[turn] = across;
+      } else if (!shown(across)) {
+        return;
+      }
     }
   }
 }
