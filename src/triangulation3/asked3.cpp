@@ -42,17 +42,6 @@ Result<Answer> asked_of(const Point3& p, std::size_t vertices, const Answer& not
 
 }  // namespace
 
-const char* name_of(LocationKind kind) {
-  switch (kind) {
-    case LocationKind::vertex: return "vertex";
-    case LocationKind::edge: return "edge";
-    case LocationKind::facet: return "facet";
-    case LocationKind::tet: return "tet";
-    case LocationKind::outside: return "outside";
-  }
-  return "unknown";
-}
-
 Result<Location3> DelaunayTriangulation3::locate(const Point3& point, DelaunayVertex near) const {
   const Impl& impl = get();
   return asked_of<Location3>(point, vertex_count(), {}, [&] {
