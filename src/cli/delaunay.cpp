@@ -14,6 +14,7 @@
 #include "cli/point_questions.hpp"
 #include "cli/read_options.hpp"
 #include "cli/signals.hpp"
+#include "cli/voronoi_output.hpp"
 #include "core/text.hpp"
 #include "io/stage.hpp"
 
@@ -27,6 +28,7 @@ Usage delaunay_usage() {
   std::vector<Option> options{{"--output", output_word("OUT", Contents::model),
                                "write the tets: " + described_outputs(Contents::model), "-o"}};
   for (Option& option : point_question_options()) options.push_back(std::move(option));
+  options.push_back(voronoi_option());
   const std::vector<Option> others{
       format_option("--format", "POINTS", Contents::points),
       {"--engine",
@@ -88,6 +90,7 @@ struct DelaunayRequest {
   std::string format;
   std::optional<PointQuestion> question;
   std::optional<std::string> output;
+  std::optional<std::string> voronoi;
   Encoding encoding = Encoding::binary;
   DelaunayEngine engine = DelaunayEngine::automatic;
   double limit = kTetsPerPoint;
@@ -113,9 +116,15 @@ Result<DelaunayRequest> delaunay_request_of(const Arguments& arguments) {
   if (!question) return question.error();
   request.question = *question;
   request.output = arguments.text("--output");
+  request.voronoi = arguments.text("--voronoi");
+  std::vector<std::string> inputs{request.input};
+  if (request.question) inputs.push_back(request.question->queries);
+  if (request.voronoi) {
+    Result<void> checked = check_output("--voronoi", *request.voronoi, {kVoronoiExtension}, inputs);
+    if (!checked) return checked.error();
+    inputs.push_back(*request.voronoi);
+  }
   if (request.output) {
-    std::vector<std::string> inputs{request.input};
-    if (request.question) inputs.push_back(request.question->queries);
     Result<void> checked =
         check_output("--output (-o)", *request.output, output_extensions(Contents::model), inputs);
     if (!checked) return checked.error();
@@ -209,6 +218,14 @@ Result<int> run_delaunay(const Arguments& arguments, Console& console) {
     answers = *std::move(found);
   }
   StagedFiles files;
+  if (request->voronoi) {
+    const auto cells = voronoi_polyhedra(read->points, request->threads);
+    if (!cells) return in_file(cells.error(), request->input);
+    Result<void> staged = take_staged(
+        io::stage_polyhedra(*request->voronoi, *cells, request->encoding, temporary_watcher()),
+        files, console);
+    if (!staged) return staged.error();
+  }
   std::string told;
   if (!answers || request->output) {
     Result<std::string> summary = triangulate(*request, std::move(read->points), files, console);

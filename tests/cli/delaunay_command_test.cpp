@@ -211,5 +211,31 @@ TEST(DelaunayCommand, TellsWhatIsWrong) {
   expect_failure({"delaunay", points, "--threads", "many"}, 2, "usage", "--threads");
 }
 
+TEST(DelaunayCommand, WritesVoronoiCellsAsPolyhedra) {
+  TempFolder folder;
+  test::put(folder.file("p.txt"), kOctahedron);
+  const std::string out = folder.file("cells.vtu");
+  const Outcome done = run({"delaunay", folder.file("p.txt"), "--voronoi", out, "--ascii"});
+  EXPECT_EQ(done.code, 0) << done.err;
+  EXPECT_NE(done.out.find("cells.vtu"), std::string::npos);
+  const std::string text = test::get(out);
+  // Six sites, the seventh point is one of them; each has a pyramid's share of the box.
+  EXPECT_NE(text.find("NumberOfCells=\"6\""), std::string::npos);
+  for (const char* name : {"point", "volume", "neighbours", "clipped", "faces", "faceoffsets"}) {
+    EXPECT_NE(text.find("Name=\"" + std::string(name) + '"'), std::string::npos) << name;
+  }
+  EXPECT_NE(text.find("42 42 42 42 42 42"), std::string::npos);
+}
+
+TEST(DelaunayCommand, RefusesPlacesForVoronoiCells) {
+  TempFolder folder;
+  const std::string points = folder.file("p.txt");
+  test::put(points, kOctahedron);
+  expect_failure({"delaunay", points, "--voronoi", folder.file("cells.obj")}, 2, "usage", ".vtu");
+  const std::string both = folder.file("both.vtu");
+  expect_failure({"delaunay", points, "--voronoi", both, "-o", both}, 2, "usage", "overwrite",
+                 {both});
+}
+
 }  // namespace
 }  // namespace tetloft
