@@ -12,6 +12,7 @@
 
 #include <tetloft/delaunay_triangulation2.hpp>
 
+#include "core/provide_room.hpp"
 #include "triangulation2/live_plane.hpp"
 
 namespace tetloft::internal::triangulation2 {
@@ -83,7 +84,7 @@ class tetloft::DelaunayTriangulation2::Impl {
     return {handle(found), found == v};
   }
   void remove(VertexId v) {
-    free.reserve(free.size() + 1);
+    internal::provide_room(free, 1);
     plane.remove(v);
     ++generation[v.index()];
     free.push_back(v.value());
