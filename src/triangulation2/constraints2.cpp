@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 #include <set>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -45,6 +46,20 @@ Error crossed_by(const LivePlane& plane, const std::array<VertexId, 2>& wall, Ve
 }
 
 }  // namespace
+
+Result<void> DelaunayTriangulation2::Impl::check_ends(
+    const std::array<DelaunayVertex, 2>& segment) const {
+  for (const DelaunayVertex end : segment) {
+    if (is_live(end)) continue;
+    Error error{ErrorCode::invalid_input, "there is no such vertex, or no longer", {}};
+    if (end.valid()) error.where.vertex = end.index;
+    return error;
+  }
+  if (segment[0] != segment[1]) return {};
+  Error error{ErrorCode::invalid_input, "a constraint from a vertex to itself", {}};
+  error.where.vertex = segment[0].index;
+  return error;
+}
 
 // All is looked at before anything changes.
 Result<ConstraintId> DelaunayTriangulation2::Impl::constrain(VertexId u, VertexId v) {
@@ -134,23 +149,41 @@ std::vector<std::array<VertexId, 2>> DelaunayTriangulation2::Impl::edges_of(Cons
 Result<ConstraintId> DelaunayTriangulation2::insert_constraint(DelaunayVertex u, DelaunayVertex v,
                                                                Crossing crossing) {
   return guard_internal([&]() -> Result<ConstraintId> {
-    for (const DelaunayVertex end : {u, v}) {
-      if (is_live(end)) continue;
-      Error error{ErrorCode::invalid_input, "there is no such vertex, or no longer", {}};
-      if (end.valid()) error.where.vertex = end.index;
-      return error;
-    }
-    if (u == v) {
-      Error error{ErrorCode::invalid_input, "a constraint from a vertex to itself", {}};
-      error.where.vertex = u.index;
-      return error;
-    }
+    if (Result<void> fine = get().check_ends({u, v}); !fine) return fine.error();
     Result<ConstraintId> made = impl_->constrain(impl_->id(u), impl_->id(v));
     if (made || crossing == Crossing::refuse) return made;
     auto copy = std::make_unique<Impl>(*impl_);
     const ConstraintId c = copy->constrain_dividing(copy->id(u), copy->id(v));
     impl_ = std::move(copy);
     return c;
+  });
+}
+
+Result<std::vector<ConstraintId>> DelaunayTriangulation2::insert_constraints(
+    std::span<const std::array<DelaunayVertex, 2>> segments, Crossing crossing) {
+  return guard_internal([&]() -> Result<std::vector<ConstraintId>> {
+    std::vector<ConstraintId> result;
+    if (segments.empty()) return result;
+    auto copy = std::make_unique<Impl>(get());
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+      Result<void> fine = copy->check_ends(segments[i]);
+      if (fine) {
+        const VertexId u = copy->id(segments[i][0]);
+        const VertexId v = copy->id(segments[i][1]);
+        Result<ConstraintId> made = copy->constrain(u, v);
+        if (!made && crossing == Crossing::split) made = copy->constrain_dividing(u, v);
+        if (made) {
+          result.push_back(*made);
+          continue;
+        }
+        fine = made.error();
+      }
+      Error error = fine.error();
+      error.message = "segment " + std::to_string(i) + ": " + error.message;
+      return error;
+    }
+    impl_ = std::move(copy);
+    return result;
   });
 }
 

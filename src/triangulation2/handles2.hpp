@@ -118,7 +118,9 @@ class tetloft::DelaunayTriangulation2::Impl {
   [[nodiscard]] bool is_live(ConstraintId c) const {
     return c.index() < ends.size() && ends[c][0].valid();
   }
+  [[nodiscard]] Result<void> check_ends(const std::array<DelaunayVertex, 2>& segment) const;
   [[nodiscard]] Result<ConstraintId> constrain(VertexId u, VertexId v);
+  /// Throws Failed; what it has done by then stays.
   [[nodiscard]] ConstraintId constrain_dividing(VertexId u, VertexId v);
   [[nodiscard]] std::vector<std::array<VertexId, 2>> edges_of(ConstraintId c) const;
 

@@ -19,6 +19,7 @@ set(may_delaunay3 core spatial predicates mesh delaunay2)
 set(may_triangulation2 core arithmetic spatial predicates delaunay2)
 set(may_triangulation3 core spatial predicates mesh delaunay3)
 set(may_voronoi core arithmetic predicates triangulation3)
+set(may_periodic core arithmetic predicates mesh delaunay3 voronoi)
 set(may_sections core arithmetic spatial predicates delaunay2)
 set(may_motion core spatial sections)
 set(may_contact core predicates mesh)
@@ -34,7 +35,7 @@ set(may_check core arithmetic predicates mesh sections motion contact model)
 set(may_io core predicates sections model)
 set(may_render core mesh sections model io)
 set(may_report core mesh sections model check io render)
-set(modules core arithmetic spatial predicates mesh delaunay2 delaunay3 triangulation2 triangulation3 voronoi sections motion contact model slab correspondence between completion subdivision
+set(modules core arithmetic spatial predicates mesh delaunay2 delaunay3 triangulation2 triangulation3 voronoi periodic sections motion contact model slab correspondence between completion subdivision
   reconstruct geiger check io render report c)
 # The C interface stands beside the command line: all of the public API, and core.
 set(may_c core model)
