@@ -1,6 +1,8 @@
 // Constraints: inserted, removed, asked for.
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <memory>
 #include <optional>
 #include <set>
 #include <span>
@@ -83,7 +85,7 @@ Result<ConstraintId> DelaunayTriangulation2::Impl::constrain(VertexId u, VertexI
 }
 
 // Piece by piece: what crosses a wall is divided where it does, and the wall with it.
-ConstraintId DelaunayTriangulation2::Impl::constrain_dividing(VertexId u, VertexId v) {
+Result<ConstraintId> DelaunayTriangulation2::Impl::constrain_dividing(VertexId u, VertexId v) {
   struct Piece {
     std::vector<ConstraintId> of;
     VertexId from;
@@ -94,8 +96,8 @@ ConstraintId DelaunayTriangulation2::Impl::constrain_dividing(VertexId u, Vertex
   std::vector<Piece> pieces{{{c}, u, v}};
   for (std::size_t work = 0; !pieces.empty(); ++work) {
     if (work == kMostPieces) {
-      throw Failed(
-          {ErrorCode::work_limit, "constraints that cross end in more than 2^16 pieces", {}});
+      return Error{
+          ErrorCode::work_limit, "constraints that cross end in more than 2^16 pieces", {}};
     }
     const Piece piece = std::move(pieces.back());
     pieces.pop_back();
@@ -111,9 +113,8 @@ ConstraintId DelaunayTriangulation2::Impl::constrain_dividing(VertexId u, Vertex
     const std::optional<Point2> at = triangulation2::crossing_of(
         plane.point(piece.from), plane.point(piece.to), plane.point(p), plane.point(q));
     if (!at) {
-      throw Failed({ErrorCode::unrepresentable,
-                    "where constraints cross is beyond the range of doubles",
-                    {}});
+      return Error{
+          ErrorCode::unrepresentable, "where constraints cross is beyond the range of doubles", {}};
     }
     const VertexId x(insert(*at, p).vertex.index);
     pieces.push_back({piece.of, x, piece.to});
@@ -146,6 +147,15 @@ std::vector<std::array<VertexId, 2>> DelaunayTriangulation2::Impl::edges_of(Cons
   return {edges.begin(), edges.end()};
 }
 
+// On a copy: what was done when one is refused stays.
+Result<ConstraintId> DelaunayTriangulation2::Impl::constrain_one(
+    const std::array<DelaunayVertex, 2>& segment, Crossing crossing) {
+  if (Result<void> fine = check_ends(segment); !fine) return fine.error();
+  Result<ConstraintId> made = constrain(id(segment[0]), id(segment[1]));
+  if (made || crossing == Crossing::refuse) return made;
+  return constrain_dividing(id(segment[0]), id(segment[1]));
+}
+
 Result<ConstraintId> DelaunayTriangulation2::insert_constraint(DelaunayVertex u, DelaunayVertex v,
                                                                Crossing crossing) {
   return guard_internal([&]() -> Result<ConstraintId> {
@@ -153,9 +163,9 @@ Result<ConstraintId> DelaunayTriangulation2::insert_constraint(DelaunayVertex u,
     Result<ConstraintId> made = impl_->constrain(impl_->id(u), impl_->id(v));
     if (made || crossing == Crossing::refuse) return made;
     auto copy = std::make_unique<Impl>(*impl_);
-    const ConstraintId c = copy->constrain_dividing(copy->id(u), copy->id(v));
-    impl_ = std::move(copy);
-    return c;
+    made = copy->constrain_dividing(copy->id(u), copy->id(v));
+    if (made) impl_ = std::move(copy);
+    return made;
   });
 }
 
@@ -166,21 +176,13 @@ Result<std::vector<ConstraintId>> DelaunayTriangulation2::insert_constraints(
     if (segments.empty()) return result;
     auto copy = std::make_unique<Impl>(get());
     for (std::size_t i = 0; i < segments.size(); ++i) {
-      Result<void> fine = copy->check_ends(segments[i]);
-      if (fine) {
-        const VertexId u = copy->id(segments[i][0]);
-        const VertexId v = copy->id(segments[i][1]);
-        Result<ConstraintId> made = copy->constrain(u, v);
-        if (!made && crossing == Crossing::split) made = copy->constrain_dividing(u, v);
-        if (made) {
-          result.push_back(*made);
-          continue;
-        }
-        fine = made.error();
+      Result<ConstraintId> made = copy->constrain_one(segments[i], crossing);
+      if (!made) {
+        Error error = made.error();
+        error.message = "segment " + std::to_string(i) + ": " + error.message;
+        return error;
       }
-      Error error = fine.error();
-      error.message = "segment " + std::to_string(i) + ": " + error.message;
-      return error;
+      result.push_back(*made);
     }
     impl_ = std::move(copy);
     return result;
@@ -254,6 +256,12 @@ Result<std::vector<TriangleId>> DelaunayTriangulation2::inside() const {
     std::vector<TriangleId> result;
     if (dimension() < 2) return result;
     const Incremental2& plane = impl.plane.triangles();
+    const auto is_odd_wall = [&](HalfEdgeId h) {
+      if (!plane.is_wall(h)) return false;
+      const VertexId from = impl.plane.vertex(plane.origin(h));
+      const VertexId to = impl.plane.vertex(plane.destination(h));
+      return impl.plane.walls().over(from, to)->size() % 2 != 0;
+    };
     enum class Side : std::uint8_t { unknown, outside, inside };
     std::vector<Side> side(plane.triangle_count(), Side::unknown);
     std::vector<TriangleId> open{Incremental2::triangle(plane.out(Incremental2::kGhost))};
@@ -266,14 +274,7 @@ Result<std::vector<TriangleId>> DelaunayTriangulation2::inside() const {
         Side& beyond = side[Incremental2::triangle(plane.opposite(h)).index()];
         if (beyond != Side::unknown) continue;
         beyond = side[t.index()];
-        if (plane.is_wall(h) && impl.plane.walls()
-                                            .over(impl.plane.vertex(plane.origin(h)),
-                                                  impl.plane.vertex(plane.destination(h)))
-                                            ->size() %
-                                        2 !=
-                                    0) {
-          beyond = beyond == Side::inside ? Side::outside : Side::inside;
-        }
+        if (is_odd_wall(h)) beyond = beyond == Side::inside ? Side::outside : Side::inside;
         open.push_back(Incremental2::triangle(plane.opposite(h)));
       }
     }

@@ -120,8 +120,10 @@ class tetloft::DelaunayTriangulation2::Impl {
   }
   [[nodiscard]] Result<void> check_ends(const std::array<DelaunayVertex, 2>& segment) const;
   [[nodiscard]] Result<ConstraintId> constrain(VertexId u, VertexId v);
-  /// Throws Failed; what it has done by then stays.
-  [[nodiscard]] ConstraintId constrain_dividing(VertexId u, VertexId v);
+  /// What it has done when it fails stays.
+  [[nodiscard]] Result<ConstraintId> constrain_dividing(VertexId u, VertexId v);
+  [[nodiscard]] Result<ConstraintId> constrain_one(const std::array<DelaunayVertex, 2>& segment,
+                                                   Crossing crossing);
   [[nodiscard]] std::vector<std::array<VertexId, 2>> edges_of(ConstraintId c) const;
 
   /// Points one after the other, along a curve: each search starts at the last one.

@@ -269,6 +269,33 @@ TEST(Constrained, CrossingOnesAreDividedWhereTheyCross) {
   }
 }
 
+TEST(Constrained, ManyAreInsertedOrNone) {
+  Prng prng(31);
+  DelaunayTriangulation2 one;
+  for (int i = 0; i < 60; ++i) (void)value_of(one.insert({prng.unit(), prng.unit()}));
+  const std::vector<DelaunayVertex> live = live_vertices(one);
+  std::vector<Edge> segments;
+  for (std::size_t i = 0; i + 1 < live.size(); i += 2) segments.push_back({live[i], live[i + 1]});
+  DelaunayTriangulation2 many = one;
+  const Error refused = many.insert_constraints(segments).error();
+  EXPECT_EQ(refused.code, ErrorCode::invalid_input);
+  EXPECT_EQ(refused.message.find("segment "), 0U);
+  EXPECT_EQ(many.constraint_count(), 0U);
+  EXPECT_TRUE(equals_batch(many));
+
+  const std::vector<ConstraintId> ids =
+      value_of(many.insert_constraints(segments, Crossing::split));
+  for (const Edge& e : segments) {
+    (void)value_of(one.insert_constraint(e[0], e[1], Crossing::split));
+  }
+  EXPECT_GT(many.vertex_count(), live.size());
+  EXPECT_EQ(many.edges(), one.edges());
+  for (std::size_t i = 0; i < ids.size(); ++i) EXPECT_EQ(many.ends(ids[i]), segments[i]);
+  segments.push_back({live[0], live[0]});
+  EXPECT_FALSE(many.insert_constraints(segments, Crossing::split).ok());
+  EXPECT_EQ(many.constraint_count(), ids.size());
+}
+
 // On a grid of ulps no crossing has a point of its own: pieces go over what is there.
 TEST(Constrained, PiecesOfAFewUlpsEnd) {
   std::size_t refused = 0;
