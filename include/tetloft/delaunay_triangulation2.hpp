@@ -107,9 +107,15 @@ class TETLOFT_API DelaunayTriangulation2 {
   /// (invalid_input, naming the other one, where.point about where), or the crossing point, rounded
   /// once, is inserted, if it is no vertex yet, and both go over it: that bends them by ulps. Bent
   /// pieces that cross others are divided in turn, at most 2^16 times (work_limit; nothing has
-  /// happened then). Splitting takes a copy of everything, once for each constraint that crosses.
+  /// happened then). Splitting takes a copy of everything, once for each constraint that crosses:
+  /// for many there is insert_constraints().
   [[nodiscard]] Result<ConstraintId> insert_constraint(DelaunayVertex u, DelaunayVertex v,
                                                        Crossing crossing = Crossing::refuse);
+  /// Many, one after the other, on one copy of everything; result[i] is that of segments[i]. If one
+  /// is refused none is inserted; the message names it by its index.
+  [[nodiscard]] Result<std::vector<ConstraintId>> insert_constraints(
+      std::span<const std::array<DelaunayVertex, 2>> segments,
+      Crossing crossing = Crossing::refuse);
   /// Its vertices stay.
   [[nodiscard]] Result<void> remove_constraint(ConstraintId c);
   [[nodiscard]] bool is_live(ConstraintId c) const;

@@ -1,9 +1,9 @@
 #include "delaunay2/incremental.hpp"
 
-#include <algorithm>
 #include <limits>
 
 #include "core/guard.hpp"
+#include "core/provide_room.hpp"
 
 namespace tetloft::internal::delaunay2_detail {
 
@@ -62,16 +62,6 @@ SiteId Incremental2::divide(HalfEdgeId wall, const Point2& p, TriangleId at) {
   for (const SiteId end : ends) set_label(find_edge(v, end), closed);
   return v;
 }
-
-namespace {
-
-template <class T>
-void provide_room(std::vector<T>& items, std::size_t more) {
-  if (items.capacity() - items.size() >= more) return;
-  items.reserve(std::max(2 * items.capacity(), items.size() + more));
-}
-
-}  // namespace
 
 /// For one vertex: what follows cannot fail.
 void Incremental2::provide_memory() {

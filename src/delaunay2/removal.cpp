@@ -11,12 +11,13 @@
 #include <utility>
 
 #include "core/guard.hpp"
+#include "core/provide_room.hpp"
 #include "delaunay2/incremental.hpp"
 
 namespace tetloft::internal::delaunay2_detail {
 
 void Incremental2::remove(SiteId v) {
-  free_.reserve(free_.size() + 1);
+  provide_room(free_, 1);
   // From here on nothing fails: a stack that memory ends for is made up for.
   stack_.clear();
   stack_is_short_ = false;
@@ -178,12 +179,13 @@ std::array<TriangleId, 2> Incremental2::take_from_hull(HalfEdgeId first) {
   return {before, after};
 }
 
-/// All edges that flips move about are to be looked at again.
+/// Edges that flips move about are to be looked at again.
 void Incremental2::flip_with_sides(HalfEdgeId h) {
   const std::array<TriangleId, 2> both{triangle(h), triangle(opposite(h))};
   flip(h);
   for (const TriangleId t : both) {
-    for (std::uint32_t i = 0; i < 3; ++i) push(half_edge(t, i));
+    push(half_edge(t, 1));
+    push(half_edge(t, 2));
   }
 }
 

@@ -91,7 +91,9 @@ void Incremental2::cut_off(const Corner& corner) {
       TETLOFT_CHECK(false);
     }
     if (turn(destination(h), r, destination(rotate(crossed))) == Sign::positive) {
+      const TriangleId t = triangle(crossed);
       flip_with_sides(crossed);
+      push(half_edge(t, 0));
       h = out(corner.vertex);  // to the one before r
       if (destination(h) != corner.from) h = rotate_back(h);
     } else {

@@ -1,8 +1,11 @@
 // Constraints: inserted, removed, asked for.
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -46,6 +49,20 @@ Error crossed_by(const LivePlane& plane, const std::array<VertexId, 2>& wall, Ve
 
 }  // namespace
 
+Result<void> DelaunayTriangulation2::Impl::check_ends(
+    const std::array<DelaunayVertex, 2>& segment) const {
+  for (const DelaunayVertex end : segment) {
+    if (is_live(end)) continue;
+    Error error{ErrorCode::invalid_input, "there is no such vertex, or no longer", {}};
+    if (end.valid()) error.where.vertex = end.index;
+    return error;
+  }
+  if (segment[0] != segment[1]) return {};
+  Error error{ErrorCode::invalid_input, "a constraint from a vertex to itself", {}};
+  error.where.vertex = segment[0].index;
+  return error;
+}
+
 // All is looked at before anything changes.
 Result<ConstraintId> DelaunayTriangulation2::Impl::constrain(VertexId u, VertexId v) {
   std::vector<VertexId> path{u};
@@ -68,7 +85,7 @@ Result<ConstraintId> DelaunayTriangulation2::Impl::constrain(VertexId u, VertexI
 }
 
 // Piece by piece: what crosses a wall is divided where it does, and the wall with it.
-ConstraintId DelaunayTriangulation2::Impl::constrain_dividing(VertexId u, VertexId v) {
+Result<ConstraintId> DelaunayTriangulation2::Impl::constrain_dividing(VertexId u, VertexId v) {
   struct Piece {
     std::vector<ConstraintId> of;
     VertexId from;
@@ -79,8 +96,8 @@ ConstraintId DelaunayTriangulation2::Impl::constrain_dividing(VertexId u, Vertex
   std::vector<Piece> pieces{{{c}, u, v}};
   for (std::size_t work = 0; !pieces.empty(); ++work) {
     if (work == kMostPieces) {
-      throw Failed(
-          {ErrorCode::work_limit, "constraints that cross end in more than 2^16 pieces", {}});
+      return Error{
+          ErrorCode::work_limit, "constraints that cross end in more than 2^16 pieces", {}};
     }
     const Piece piece = std::move(pieces.back());
     pieces.pop_back();
@@ -96,9 +113,8 @@ ConstraintId DelaunayTriangulation2::Impl::constrain_dividing(VertexId u, Vertex
     const std::optional<Point2> at = triangulation2::crossing_of(
         plane.point(piece.from), plane.point(piece.to), plane.point(p), plane.point(q));
     if (!at) {
-      throw Failed({ErrorCode::unrepresentable,
-                    "where constraints cross is beyond the range of doubles",
-                    {}});
+      return Error{
+          ErrorCode::unrepresentable, "where constraints cross is beyond the range of doubles", {}};
     }
     const VertexId x(insert(*at, p).vertex.index);
     pieces.push_back({piece.of, x, piece.to});
@@ -131,26 +147,45 @@ std::vector<std::array<VertexId, 2>> DelaunayTriangulation2::Impl::edges_of(Cons
   return {edges.begin(), edges.end()};
 }
 
+// On a copy: what was done when one is refused stays.
+Result<ConstraintId> DelaunayTriangulation2::Impl::constrain_one(
+    const std::array<DelaunayVertex, 2>& segment, Crossing crossing) {
+  if (Result<void> fine = check_ends(segment); !fine) return fine.error();
+  Result<ConstraintId> made = constrain(id(segment[0]), id(segment[1]));
+  if (made || crossing == Crossing::refuse) return made;
+  return constrain_dividing(id(segment[0]), id(segment[1]));
+}
+
 Result<ConstraintId> DelaunayTriangulation2::insert_constraint(DelaunayVertex u, DelaunayVertex v,
                                                                Crossing crossing) {
   return guard_internal([&]() -> Result<ConstraintId> {
-    for (const DelaunayVertex end : {u, v}) {
-      if (is_live(end)) continue;
-      Error error{ErrorCode::invalid_input, "there is no such vertex, or no longer", {}};
-      if (end.valid()) error.where.vertex = end.index;
-      return error;
-    }
-    if (u == v) {
-      Error error{ErrorCode::invalid_input, "a constraint from a vertex to itself", {}};
-      error.where.vertex = u.index;
-      return error;
-    }
+    if (Result<void> fine = get().check_ends({u, v}); !fine) return fine.error();
     Result<ConstraintId> made = impl_->constrain(impl_->id(u), impl_->id(v));
     if (made || crossing == Crossing::refuse) return made;
     auto copy = std::make_unique<Impl>(*impl_);
-    const ConstraintId c = copy->constrain_dividing(copy->id(u), copy->id(v));
+    made = copy->constrain_dividing(copy->id(u), copy->id(v));
+    if (made) impl_ = std::move(copy);
+    return made;
+  });
+}
+
+Result<std::vector<ConstraintId>> DelaunayTriangulation2::insert_constraints(
+    std::span<const std::array<DelaunayVertex, 2>> segments, Crossing crossing) {
+  return guard_internal([&]() -> Result<std::vector<ConstraintId>> {
+    std::vector<ConstraintId> result;
+    if (segments.empty()) return result;
+    auto copy = std::make_unique<Impl>(get());
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+      Result<ConstraintId> made = copy->constrain_one(segments[i], crossing);
+      if (!made) {
+        Error error = made.error();
+        error.message = "segment " + std::to_string(i) + ": " + error.message;
+        return error;
+      }
+      result.push_back(*made);
+    }
     impl_ = std::move(copy);
-    return c;
+    return result;
   });
 }
 
@@ -221,6 +256,12 @@ Result<std::vector<TriangleId>> DelaunayTriangulation2::inside() const {
     std::vector<TriangleId> result;
     if (dimension() < 2) return result;
     const Incremental2& plane = impl.plane.triangles();
+    const auto is_odd_wall = [&](HalfEdgeId h) {
+      if (!plane.is_wall(h)) return false;
+      const VertexId from = impl.plane.vertex(plane.origin(h));
+      const VertexId to = impl.plane.vertex(plane.destination(h));
+      return impl.plane.walls().over(from, to)->size() % 2 != 0;
+    };
     enum class Side : std::uint8_t { unknown, outside, inside };
     std::vector<Side> side(plane.triangle_count(), Side::unknown);
     std::vector<TriangleId> open{Incremental2::triangle(plane.out(Incremental2::kGhost))};
@@ -233,14 +274,7 @@ Result<std::vector<TriangleId>> DelaunayTriangulation2::inside() const {
         Side& beyond = side[Incremental2::triangle(plane.opposite(h)).index()];
         if (beyond != Side::unknown) continue;
         beyond = side[t.index()];
-        if (plane.is_wall(h) && impl.plane.walls()
-                                            .over(impl.plane.vertex(plane.origin(h)),
-                                                  impl.plane.vertex(plane.destination(h)))
-                                            ->size() %
-                                        2 !=
-                                    0) {
-          beyond = beyond == Side::inside ? Side::outside : Side::inside;
-        }
+        if (is_odd_wall(h)) beyond = beyond == Side::inside ? Side::outside : Side::inside;
         open.push_back(Incremental2::triangle(plane.opposite(h)));
       }
     }

@@ -120,7 +120,7 @@ std::vector<DelaunayVertex> DelaunayTriangulation2::Impl::insert_all(std::span<c
   std::vector<DelaunayVertex> handles(points.size());
   std::vector<VertexId> inserted;
   inserted.reserve(points.size());
-  free.reserve(free.size() + points.size());
+  provide_room(free, points.size());
   try {
     VertexId last;
     std::size_t done = 0;

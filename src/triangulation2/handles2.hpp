@@ -12,6 +12,7 @@
 
 #include <tetloft/delaunay_triangulation2.hpp>
 
+#include "core/provide_room.hpp"
 #include "triangulation2/live_plane.hpp"
 
 namespace tetloft::internal::triangulation2 {
@@ -83,7 +84,7 @@ class tetloft::DelaunayTriangulation2::Impl {
     return {handle(found), found == v};
   }
   void remove(VertexId v) {
-    free.reserve(free.size() + 1);
+    internal::provide_room(free, 1);
     plane.remove(v);
     ++generation[v.index()];
     free.push_back(v.value());
@@ -117,8 +118,12 @@ class tetloft::DelaunayTriangulation2::Impl {
   [[nodiscard]] bool is_live(ConstraintId c) const {
     return c.index() < ends.size() && ends[c][0].valid();
   }
+  [[nodiscard]] Result<void> check_ends(const std::array<DelaunayVertex, 2>& segment) const;
   [[nodiscard]] Result<ConstraintId> constrain(VertexId u, VertexId v);
-  [[nodiscard]] ConstraintId constrain_dividing(VertexId u, VertexId v);
+  /// What it has done when it fails stays.
+  [[nodiscard]] Result<ConstraintId> constrain_dividing(VertexId u, VertexId v);
+  [[nodiscard]] Result<ConstraintId> constrain_one(const std::array<DelaunayVertex, 2>& segment,
+                                                   Crossing crossing);
   [[nodiscard]] std::vector<std::array<VertexId, 2>> edges_of(ConstraintId c) const;
 
   /// Points one after the other, along a curve: each search starts at the last one.

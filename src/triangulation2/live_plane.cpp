@@ -132,19 +132,21 @@ void LivePlane::remove(VertexId v) {
 
 // A point that is no neighbour of v has a triangle without v.
 bool LivePlane::spans_plane_without(VertexId v) const {
-  std::vector<SiteId> neighbours;
-  HalfEdgeId h = plane_->out(site_of_[v]);
-  const HalfEdgeId first = h;
-  do {
-    const SiteId u = plane_->destination(h);
-    if (u != Incremental2::kGhost) neighbours.push_back(u);
-    h = plane_->rotate(h);
-  } while (h != first);
-  if (neighbours.size() + 1 < vertex_count_) return true;
-  return std::any_of(neighbours.begin() + 2, neighbours.end(), [&](SiteId u) {
-    return orient2d(plane_->point(neighbours[0]), plane_->point(neighbours[1]), plane_->point(u)) !=
-           Sign::zero;
+  const EdgesOfPlane edges(*this);
+  std::size_t neighbours = 0;
+  edges.for_each_neighbour(v, [&](VertexId /*u*/) { return ++neighbours != 0; });
+  if (neighbours + 1 < vertex_count_) return true;
+  std::vector<Point2> basis;
+  bool spans = false;
+  edges.for_each_neighbour(v, [&](VertexId u) {
+    if (basis.size() < 2) {
+      basis.push_back(point(u));
+    } else {
+      spans = orient2d(basis[0], basis[1], point(u)) != Sign::zero;
+    }
+    return !spans;
   });
+  return spans;
 }
 
 std::vector<VertexId> LivePlane::live_vertices() const {

@@ -12,6 +12,7 @@
 
 #include <tetloft/delaunay_triangulation3.hpp>
 
+#include "core/provide_room.hpp"
 #include "delaunay3/canonical_order.hpp"
 #include "triangulation3/live_tets.hpp"
 
@@ -112,7 +113,7 @@ class tetloft::DelaunayTriangulation3::Impl {
   [[nodiscard]] std::vector<DelaunayVertex> insert_all(std::span<const Point3> points,
                                                        const Execution& execution);
   void remove(VertexId v) {
-    if (free.size() == free.capacity()) free.reserve(2 * free.size() + 1);
+    internal::provide_room(free, 1);
     tets.remove(v);
     release(v);
   }
