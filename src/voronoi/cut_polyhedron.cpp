@@ -43,8 +43,8 @@ HalfSpace nearer_to_origin(const Point3& p) {
   return {divided(p, length), 0.5 * length};
 }
 
-HalfSpace nearer_to_first(const Point3& a, const Point3& b) {
-  const Point3 normal = divided(b - a, length_of(b - a));
+HalfSpace nearer_to_first(const Point3& a, const Point3& b, const Point3& difference) {
+  const Point3 normal = divided(difference, length_of(difference));
   return {normal, 0.5 * (dot(normal, a) + dot(normal, b))};
 }
 
