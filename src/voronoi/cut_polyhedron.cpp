@@ -13,8 +13,10 @@ using namespace vectors;
 
 namespace {
 
-// Without overflow or underflow, and correctly rounded steps alone.
+// By correctly rounded steps alone, without overflow or underflow.
 double length_of(const Point3& p) {
+  const double square = dot(p, p);
+  if (square > 0x1p-900 && square < 0x1p900) return std::sqrt(square);
   const double largest = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
   if (largest == 0) return 0;
   const int exponent = std::ilogb(largest);
