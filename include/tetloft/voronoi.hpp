@@ -27,8 +27,8 @@ struct Sphere3 {
   double radius = 0;
 };
 /// The sphere through four points, rounded: from exact determinants where the tet is nearly flat.
-/// Of coplanar points the radius is infinite, and the centre not a number. Does not depend on the
-/// orientation.
+/// Of coplanar points, and of such that are not finite, the radius is infinite, and the centre not
+/// a number. Does not depend on the orientation.
 [[nodiscard]] TETLOFT_API Sphere3 circumsphere(const Point3& a, const Point3& b, const Point3& c,
                                                const Point3& d);
 

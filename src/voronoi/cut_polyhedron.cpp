@@ -18,7 +18,7 @@ double length_of(const Point3& p) {
   const double square = dot(p, p);
   if (square > 0x1p-900 && square < 0x1p900) return std::sqrt(square);
   const double largest = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  if (largest == 0) return 0;
+  if (largest == 0 || !std::isfinite(largest)) return largest;  // as of planes that are parallel
   const int exponent = std::ilogb(largest);
   const Point3 scaled{std::ldexp(p.x, -exponent), std::ldexp(p.y, -exponent),
                       std::ldexp(p.z, -exponent)};
