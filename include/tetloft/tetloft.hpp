@@ -34,3 +34,4 @@
 #include <tetloft/version.hpp>
 #include <tetloft/voids.hpp>
 #include <tetloft/voronoi.hpp>
+#include <tetloft/voronoi2.hpp>

@@ -27,8 +27,8 @@ struct Sphere3 {
   double radius = 0;
 };
 /// The sphere through four points, rounded: from exact determinants where the tet is nearly flat.
-/// Of coplanar points the radius is infinite, and the centre not a number. Does not depend on the
-/// orientation.
+/// Of coplanar points, and of such that are not finite, the radius is infinite, and the centre not
+/// a number. Does not depend on the orientation.
 [[nodiscard]] TETLOFT_API Sphere3 circumsphere(const Point3& a, const Point3& b, const Point3& c,
                                                const Point3& d);
 
@@ -96,15 +96,14 @@ enum class NaturalWeights : std::uint8_t { sibson, laplace };
 struct NaturalNeighbours {
   std::vector<DelaunayVertex> vertices;  ///< by index
   /// Theirs: not negative, of sum 1, and to rounding the point is the weighted mean of the
-  /// vertices.
+  /// vertices; nearer to the hull than some 10^-5 of their distance, to as much of that.
   std::vector<double> weights;
 };
 /// The vertices that would be neighbours of a new one at the point, weighted; at a vertex it alone.
 /// On the hull those of its plane or edge, as the weights tend to. `near` is a vertex to start the
 /// search at. Refused (invalid_input) where the point is outside of the hull, not finite or, as
 /// its neighbours, beyond 2^300, and where the vertices span no space; (usage) for weights that
-/// there are none of; (unrepresentable) so near the hull that the cell is 2^300 times as large
-/// as the distances of its neighbours.
+/// there are none of.
 [[nodiscard]] TETLOFT_API Result<NaturalNeighbours> natural_neighbours(
     const DelaunayTriangulation3& triangulation, const Point3& point,
     NaturalWeights weights = NaturalWeights::sibson, DelaunayVertex near = {});

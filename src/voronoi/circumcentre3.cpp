@@ -94,11 +94,15 @@ Point3 circumcentre_from(const Point3& a, const Point3& b, const Point3& c, cons
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   std::array<Point3, 4> p{a, b, c, d};
   const double largest = largest_difference(p);
-  if (largest == 0) return {kNone, kNone, kNone};
-  // A power of two brings differences below 1.
-  const int exponent = std::ilogb(largest) + 1;
-  for (Point3& q : p) {
-    q = {std::ldexp(q.x, -exponent), std::ldexp(q.y, -exponent), std::ldexp(q.z, -exponent)};
+  if (largest == 0 || !std::isfinite(largest)) return {kNone, kNone, kNone};
+  // A power of two brings differences near 1 where products might leave the range of doubles, or
+  // what they are exact by.
+  const bool moderate = largest > 0x1p-40 && largest < 0x1p200;
+  const int exponent = moderate ? 0 : std::ilogb(largest) + 1;
+  if (!moderate) {
+    for (Point3& q : p) {
+      q = {std::ldexp(q.x, -exponent), std::ldexp(q.y, -exponent), std::ldexp(q.z, -exponent)};
+    }
   }
   const SphereMinors found = sphere_minors_within(p);
   if (found.determinant == 0) return {kNone, kNone, kNone};

@@ -13,10 +13,12 @@ using namespace vectors;
 
 namespace {
 
-// Without overflow or underflow, and correctly rounded steps alone.
+// By correctly rounded steps alone, without overflow or underflow.
 double length_of(const Point3& p) {
+  const double square = dot(p, p);
+  if (square > 0x1p-900 && square < 0x1p900) return std::sqrt(square);
   const double largest = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  if (largest == 0) return 0;
+  if (largest == 0 || !std::isfinite(largest)) return largest;  // as of planes that are parallel
   const int exponent = std::ilogb(largest);
   const Point3 scaled{std::ldexp(p.x, -exponent), std::ldexp(p.y, -exponent),
                       std::ldexp(p.z, -exponent)};
@@ -43,8 +45,8 @@ HalfSpace nearer_to_origin(const Point3& p) {
   return {divided(p, length), 0.5 * length};
 }
 
-HalfSpace nearer_to_first(const Point3& a, const Point3& b) {
-  const Point3 normal = divided(b - a, length_of(b - a));
+HalfSpace nearer_to_first(const Point3& a, const Point3& b, const Point3& difference) {
+  const Point3 normal = divided(difference, length_of(difference));
   return {normal, 0.5 * (dot(normal, a) + dot(normal, b))};
 }
 

@@ -28,8 +28,9 @@ struct HalfSpace {
 
 /// All that is at least as near to the origin as to p, which is not the origin.
 [[nodiscard]] HalfSpace nearer_to_origin(const Point3& p);
-/// All that is at least as near to a as to b; a != b.
-[[nodiscard]] HalfSpace nearer_to_first(const Point3& a, const Point3& b);
+/// All that is at least as near to a as to b, where b − a is `difference`, in any unit; not zero,
+/// though those of a and b as they are given, relative to something far away, may be.
+[[nodiscard]] HalfSpace nearer_to_first(const Point3& a, const Point3& b, const Point3& difference);
 
 /// A face as corners, counter-clockwise as seen from outside, and its measure.
 struct CutFace {

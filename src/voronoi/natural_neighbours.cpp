@@ -26,7 +26,8 @@ namespace {
 // weights only ratios count, and so no volume leaves the range of doubles.
 struct Surroundings {
   std::vector<DelaunayVertex> vertices;
-  std::vector<Point3> offsets;
+  std::vector<Point3> points;    // as they are
+  std::vector<Point3> offsets;   // relative, scaled
   std::optional<Point3> normal;  // on the hull: of its plane
 };
 
@@ -75,23 +76,31 @@ Surroundings surroundings_of(const DelaunayTriangulation3& triangulation, const 
     });
     if (!inside) continue;
     result.vertices.push_back(v);
+    result.points.push_back(q);
     result.offsets.push_back(q - p);
   }
   scale_to_unit(result.offsets);
-  if (!planes.empty()) {
-    const std::array<Point3, 3>& plane = planes[0];
-    const Point3 u = unit(plane[1] - plane[0]), v = unit(plane[2] - plane[0]);
-    result.normal = unit(cross(u, v));
+  // The normal of the widest facet.
+  double widest = -1;
+  for (const std::array<Point3, 3>& plane : planes) {
+    const Point3 n = cross(voronoi::nearer_to_origin(plane[1] - plane[0]).normal,
+                           voronoi::nearer_to_origin(plane[2] - plane[0]).normal);
+    if (!(dot(n, n) > widest)) continue;
+    widest = dot(n, n);
+    result.normal = unit(n);
   }
   return result;
 }
 
-// The cell of the origin among points, in a cube that holds it; nothing where none does. On the
-// hull it has no end across the plane, and the slice of a constant thickness is as good.
-std::optional<CutPolyhedron> cell_among(const Surroundings& around) {
-  constexpr double kLarger = 0x1p8;
+// The cell of the origin among points, in a cube that holds it. On the hull it has no end across
+// the plane, and a slice of constant thickness is as good. So near the hull that the cell is more
+// than 2^18 times as large as the distances, what is in the cube of that size: what is missing
+// changes the weights by some 2^-18, and in larger cells rounding of the bisectors' directions
+// tells.
+CutPolyhedron cell_among(const Surroundings& around) {
+  constexpr double kFirst = 0x1p2, kLarger = 0x1p8, kLast = 0x1p18;
   constexpr double kThickness = 1;
-  for (double half = 4; half <= voronoi::kMostCoordinate; half *= kLarger) {
+  for (double half = kFirst;; half *= kLarger) {
     CutPolyhedron cell({-half, -half, -half}, {half, half, half});
     for (const Point3& offset : around.offsets) cell.cut(voronoi::nearer_to_origin(offset));
     if (around.normal) {
@@ -100,35 +109,37 @@ std::optional<CutPolyhedron> cell_among(const Surroundings& around) {
       cell.cut({{-n.x, -n.y, -n.z}, kThickness});
     }
     const std::vector<voronoi::CutFace> faces = cell.faces();
-    if (std::all_of(faces.begin(), faces.begin() + CutPolyhedron::kBoxFaces,
-                    [](const voronoi::CutFace& side) { return side.corners.empty(); })) {
+    if (half >= kLast || std::all_of(faces.begin(), faces.begin() + CutPolyhedron::kBoxFaces,
+                                     [](const auto& side) { return side.corners.empty(); })) {
       return cell;
     }
   }
-  return std::nullopt;
 }
 
-// What is nearest to points[i] of the cell.
-double taken_from(const CutPolyhedron& cell, const std::vector<Point3>& points, std::size_t i) {
+// What of the cell is nearest to neighbour i.
+double taken_from(const CutPolyhedron& cell, const Surroundings& around, std::size_t i) {
+  using namespace vectors;
   CutPolyhedron part = cell;
-  for (std::size_t j = 0; j < points.size() && !part.empty(); ++j) {
-    if (j != i) part.cut(voronoi::nearer_to_first(points[i], points[j]));
+  for (std::size_t j = 0; j < around.points.size() && !part.empty(); ++j) {
+    if (j == i) continue;
+    part.cut(voronoi::nearer_to_first(around.offsets[i], around.offsets[j],
+                                      around.points[j] - around.points[i]));
   }
   return part.volume();
 }
 
-std::vector<double> natural_weights(const CutPolyhedron& cell, const std::vector<Point3>& points,
+std::vector<double> natural_weights(const CutPolyhedron& cell, const Surroundings& around,
                                     NaturalWeights kind) {
   std::vector<double> weights;
   if (kind == NaturalWeights::sibson) {
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      weights.push_back(taken_from(cell, points, i));
+    for (std::size_t i = 0; i < around.points.size(); ++i) {
+      weights.push_back(taken_from(cell, around, i));
     }
     return weights;
   }
   const std::vector<voronoi::CutFace> faces = cell.faces();
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const double distance = 2 * voronoi::nearer_to_origin(points[i]).offset;
+  for (std::size_t i = 0; i < around.points.size(); ++i) {
+    const double distance = 2 * voronoi::nearer_to_origin(around.offsets[i]).offset;
     weights.push_back(faces[CutPolyhedron::kBoxFaces + i].area / distance);
   }
   return weights;
@@ -156,17 +167,17 @@ Result<NaturalNeighbours> weighted_neighbours(const DelaunayTriangulation3& tria
       result.weights.push_back(voronoi::nearer_to_origin(around.offsets[other]).offset);
     }
   } else {
-    const std::optional<CutPolyhedron> cell = cell_among(around);
-    if (!cell) {
-      Error error = outside_of_hull(
-          "so near the hull that the cell is 2^300 times as large as the distances", p);
-      error.code = ErrorCode::unrepresentable;
-      return error;
-    }
-    result.weights = natural_weights(*cell, around.offsets, kind);
+    result.weights = natural_weights(cell_among(around), around, kind);
   }
   double sum = 0;
   for (const double w : result.weights) sum += w;
+  if (!(sum > 0 && std::isfinite(sum))) {  // vertices within ulps: nothing is left of the cell
+    const auto nearest = std::min_element(
+        around.offsets.begin(), around.offsets.end(),
+        [](const Point3& a, const Point3& b) { return vectors::dot(a, a) < vectors::dot(b, b); });
+    result.weights.assign(around.offsets.size(), 0);
+    result.weights[static_cast<std::size_t>(nearest - around.offsets.begin())] = sum = 1;
+  }
   for (double& w : result.weights) w /= sum;
   return result;
 }

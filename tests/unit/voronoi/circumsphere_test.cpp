@@ -42,6 +42,10 @@ TEST(Circumsphere, OfCoplanarPointsIsInfinite) {
   EXPECT_EQ(s.radius, std::numeric_limits<double>::infinity());
   EXPECT_TRUE(std::isnan(s.centre.x));
   EXPECT_EQ(circumsphere({}, {}, {}, {}).radius, std::numeric_limits<double>::infinity());
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), HUGE_VAL}) {
+    EXPECT_EQ(circumsphere({bad, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}).radius,
+              std::numeric_limits<double>::infinity());
+  }
 }
 
 TEST(Circumsphere, ScalesWithPowersOfTwo) {

@@ -1,0 +1,63 @@
+// Voronoi cells of a DelaunayTriangulation2, clipped to a rectangle.
+//
+// As in voronoi.hpp the neighbours of a cell are the triangulation's, exact, and measures are
+// doubles, computed relative to the site.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <tetloft/delaunay_triangulation2.hpp>
+#include <tetloft/delaunay_vertex.hpp>
+#include <tetloft/execution.hpp>
+#include <tetloft/export.hpp>
+#include <tetloft/point.hpp>
+#include <tetloft/result.hpp>
+#include <tetloft/voronoi.hpp>
+
+namespace tetloft {
+
+/// What cells are clipped to: low <= high in both coordinates.
+struct ClippingRectangle {
+  Point2 low;
+  Point2 high;
+};
+
+struct VoronoiEdge2 {
+  /// Whose cell is across; none where the edge lies on the rectangle.
+  DelaunayVertex neighbour{};
+  BoxSide side = BoxSide::none;
+  /// Is anything of it in the rectangle?
+  bool inside = false;
+  /// Where it is, places in the cell's `corners`, counter-clockwise around the cell.
+  std::array<std::uint32_t, 2> ends{};
+  double length = 0;
+};
+
+struct VoronoiCell2 {
+  DelaunayVertex site{};
+  /// Of the whole cell: false where it goes on without end beyond the rectangle, as those of
+  /// vertices on the hull do, and all of points in a row.
+  bool bounded = true;
+  /// Counter-clockwise; they may coincide.
+  std::vector<Point2> corners;
+  /// One for each neighbour of the triangulation, by index; then the sides of the rectangle, in
+  /// order, that the cell has an edge on.
+  std::vector<VoronoiEdge2> edges;
+  double area = 0;
+};
+
+/// What of a vertex's cell is in a rectangle, which the site need not be in; perhaps nothing. The
+/// areas of all sum to the rectangle's. Refused (invalid_input) where the vertex is none, where
+/// coordinates of it, its neighbours or the rectangle are not finite or beyond 2^300, and where the
+/// rectangle's low corner is not low.
+[[nodiscard]] TETLOFT_API Result<VoronoiCell2> voronoi_cell(
+    const DelaunayTriangulation2& triangulation, DelaunayVertex site,
+    const ClippingRectangle& rectangle);
+/// The cells of all vertices, by increasing index.
+[[nodiscard]] TETLOFT_API Result<std::vector<VoronoiCell2>> voronoi_cells(
+    const DelaunayTriangulation2& triangulation, const ClippingRectangle& rectangle,
+    const Execution& execution = {});
+
+}  // namespace tetloft

@@ -1,0 +1,133 @@
+// The API boundary of Voronoi cells in the plane: polygons that bisectors cut.
+#include <tetloft/voronoi2.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/guard.hpp"
+#include "core/parallel.hpp"
+#include "core/watched_work.hpp"
+#include "voronoi/cut_polygon.hpp"
+#include "voronoi/moderate.hpp"
+
+namespace tetloft {
+
+using namespace internal;
+using voronoi::CutPolygon;
+
+namespace {
+
+bool is_moderate_in_plane(const Point2& p) { return voronoi::is_moderate({p.x, p.y, 0}); }
+
+Result<void> check_rectangle(const ClippingRectangle& rectangle) {
+  if (!is_moderate_in_plane(rectangle.low) || !is_moderate_in_plane(rectangle.high)) {
+    return Error{
+        ErrorCode::invalid_input, "a corner of the rectangle is not finite, or beyond 2^300", {}};
+  }
+  if (rectangle.low.x <= rectangle.high.x && rectangle.low.y <= rectangle.high.y) return {};
+  return Error{
+      ErrorCode::invalid_input, "the low corner of the rectangle is above the high one", {}};
+}
+
+Error immoderate_site(DelaunayVertex v) {
+  Error error{ErrorCode::invalid_input, "a coordinate is beyond 2^300", {}};
+  error.where.vertex = v.index;
+  return error;
+}
+
+// Each edge of the polygon is that of its number; `place` tells which of the cell's that is.
+void put_edges(const CutPolygon& polygon, const std::vector<std::size_t>& place,
+               VoronoiCell2& cell) {
+  const std::vector<CutPolygon::Corner>& corners = polygon.corners();
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const std::size_t next = (i + 1) % corners.size();
+    VoronoiEdge2& edge = cell.edges[place[corners[i].edge]];
+    edge.inside = true;
+    edge.ends = {static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(next)};
+    edge.length = std::hypot(corners[next].point.x - corners[i].point.x,
+                             corners[next].point.y - corners[i].point.y);
+  }
+}
+
+Result<VoronoiCell2> cell_in_rectangle(const DelaunayTriangulation2& triangulation,
+                                       DelaunayVertex site, const ClippingRectangle& rectangle) {
+  const std::vector<DelaunayVertex> neighbours = triangulation.neighbours(site);
+  const Point2& at = triangulation.point(site);
+  if (!is_moderate_in_plane(at)) return immoderate_site(site);
+  CutPolygon polygon({rectangle.low.x - at.x, rectangle.low.y - at.y},
+                     {rectangle.high.x - at.x, rectangle.high.y - at.y});
+  VoronoiCell2 cell;
+  cell.site = site;
+  cell.bounded = triangulation.dimension() == 2 && !triangulation.is_on_hull(site);
+  std::vector<std::size_t> place(CutPolygon::kSides + neighbours.size());
+  for (std::size_t i = 0; i < neighbours.size(); ++i) {
+    const Point2& p = triangulation.point(neighbours[i]);
+    if (!is_moderate_in_plane(p)) return immoderate_site(neighbours[i]);
+    polygon.cut(voronoi::nearer_to_origin({p.x - at.x, p.y - at.y, 0}));
+    place[CutPolygon::kSides + i] = i;
+    cell.edges.push_back({.neighbour = neighbours[i],
+                          .side = BoxSide::none,
+                          .inside = false,
+                          .ends = {},
+                          .length = 0});
+  }
+  for (std::uint8_t side = 0; side < CutPolygon::kSides; ++side) {
+    const auto on_side = [&](const CutPolygon::Corner& c) { return c.edge == side; };
+    if (std::none_of(polygon.corners().begin(), polygon.corners().end(), on_side)) continue;
+    place[side] = cell.edges.size();
+    cell.edges.push_back({.neighbour = {},
+                          .side = static_cast<BoxSide>(side + 1),
+                          .inside = false,
+                          .ends = {},
+                          .length = 0});
+  }
+  put_edges(polygon, place, cell);
+  cell.area = polygon.area();
+  for (const CutPolygon::Corner& c : polygon.corners()) {
+    cell.corners.push_back({c.point.x + at.x, c.point.y + at.y});
+  }
+  return cell;
+}
+
+}  // namespace
+
+Result<VoronoiCell2> voronoi_cell(const DelaunayTriangulation2& triangulation, DelaunayVertex site,
+                                  const ClippingRectangle& rectangle) {
+  return guard_internal([&]() -> Result<VoronoiCell2> {
+    if (!triangulation.is_live(site)) {
+      Error error{ErrorCode::invalid_input, "there is no such vertex, or no longer", {}};
+      if (site.valid()) error.where.vertex = site.index;
+      return error;
+    }
+    if (Result<void> fine = check_rectangle(rectangle); !fine) return fine.error();
+    return cell_in_rectangle(triangulation, site, rectangle);
+  });
+}
+
+Result<std::vector<VoronoiCell2>> voronoi_cells(const DelaunayTriangulation2& triangulation,
+                                                const ClippingRectangle& rectangle,
+                                                const Execution& execution) {
+  return guard_threads(execution, [&](const Execution& own) -> Result<std::vector<VoronoiCell2>> {
+    constexpr std::size_t kStretch = 1024;
+    if (Result<void> fine = check_rectangle(rectangle); !fine) return fine.error();
+    const auto live = triangulation.vertices();
+    const std::vector<DelaunayVertex> sites(live.begin(), live.end());
+    std::vector<VoronoiCell2> cells(sites.size());
+    const std::size_t stretches = (sites.size() + kStretch - 1) / kStretch;
+    WatchedWork work(own, stretches);
+    work.go_on();
+    parallel_for(stretches, own.threads, [&](std::size_t stretch) {
+      const std::size_t end = std::min(sites.size(), (stretch + 1) * kStretch);
+      for (std::size_t i = stretch * kStretch; i < end; ++i) {
+        Result<VoronoiCell2> cell = cell_in_rectangle(triangulation, sites[i], rectangle);
+        if (!cell) throw Failed(cell.error());
+        cells[i] = *std::move(cell);
+      }
+      work.step_done_go_on();
+    });
+    return cells;
+  });
+}
+
+}  // namespace tetloft
