@@ -15,9 +15,7 @@
 #include "delaunay3/canonical_order.hpp"
 #include "triangulation3/live_tets.hpp"
 
-namespace tetloft {
-
-namespace internal::triangulation3 {
+namespace tetloft::internal::triangulation3 {
 
 inline constexpr std::size_t kMostVertices = std::size_t{1} << 30;
 
@@ -48,9 +46,9 @@ inline constexpr std::size_t kMostVertices = std::size_t{1} << 30;
   return {};
 }
 
-}  // namespace internal::triangulation3
+}  // namespace tetloft::internal::triangulation3
 
-class DelaunayTriangulation3::Impl {
+class tetloft::DelaunayTriangulation3::Impl {
   using LiveTets = internal::triangulation3::LiveTets;
   static VertexId id_of_place(std::size_t place) {
     return internal::triangulation3::id_of_place(place);
@@ -166,5 +164,3 @@ class DelaunayTriangulation3::Impl {
     free.push_back(static_cast<std::uint32_t>(place));
   }
 };
-
-}  // namespace tetloft
