@@ -20,7 +20,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <memory>
 #include <span>
 #include <vector>
@@ -29,16 +28,13 @@
 #include <tetloft/execution.hpp>
 #include <tetloft/export.hpp>
 #include <tetloft/ids.hpp>
+#include <tetloft/live_range.hpp>
+#include <tetloft/location_kind.hpp>
 #include <tetloft/point.hpp>
 #include <tetloft/result.hpp>
 #include <tetloft/tet_mesh.hpp>
 
 namespace tetloft {
-
-/// The smallest simplex that holds a point.
-enum class LocationKind : std::uint8_t { vertex, edge, facet, tet, outside };
-/// "vertex", "edge", "facet", "tet", "outside".
-[[nodiscard]] TETLOFT_API const char* name_of(LocationKind kind);
 
 struct Location3 {
   LocationKind kind = LocationKind::outside;
@@ -73,46 +69,6 @@ struct DelaunaySnapshot3 {
   IdVector<VertexId, DelaunayVertex> vertex;  ///< whose they are
   TetMesh mesh;                               ///< as delaunay3() of `points` has it
   int dimension = -1;
-};
-
-/// The live ones among numbered places: a forward range.
-template <class Triangulation, class Item>
-class LiveRange {
- public:
-  class Iterator {
-   public:
-    using value_type = Item;
-    using difference_type = std::ptrdiff_t;
-
-    Iterator() = default;
-    Iterator(const Triangulation* of, std::size_t at) : of_(of), at_(at) { skip(); }
-    [[nodiscard]] Item operator*() const { return of_->item_at(at_, Item()); }
-    Iterator& operator++() {
-      ++at_;
-      skip();
-      return *this;
-    }
-    Iterator operator++(int) {
-      Iterator before = *this;
-      ++*this;
-      return before;
-    }
-    friend bool operator==(const Iterator&, const Iterator&) = default;
-
-   private:
-    void skip() {
-      while (at_ < of_->places(Item()) && !of_->item_at(at_, Item()).valid()) ++at_;
-    }
-    const Triangulation* of_ = nullptr;
-    std::size_t at_ = 0;
-  };
-
-  explicit LiveRange(const Triangulation& of) : of_(&of) {}
-  [[nodiscard]] Iterator begin() const { return Iterator(of_, 0); }
-  [[nodiscard]] Iterator end() const { return Iterator(of_, of_->places(Item())); }
-
- private:
-  const Triangulation* of_;
 };
 
 class TETLOFT_API DelaunayTriangulation3 {

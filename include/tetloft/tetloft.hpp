@@ -6,6 +6,7 @@
 #include <tetloft/check.hpp>
 #include <tetloft/correspondence.hpp>
 #include <tetloft/delaunay.hpp>
+#include <tetloft/delaunay_triangulation2.hpp>
 #include <tetloft/delaunay_triangulation3.hpp>
 #include <tetloft/delaunay_vertex.hpp>
 #include <tetloft/execution.hpp>
@@ -17,6 +18,8 @@
 #include <tetloft/inspect.hpp>
 #include <tetloft/io.hpp>
 #include <tetloft/links.hpp>
+#include <tetloft/live_range.hpp>
+#include <tetloft/location_kind.hpp>
 #include <tetloft/model.hpp>
 #include <tetloft/point.hpp>
 #include <tetloft/predicates.hpp>
@@ -29,3 +32,4 @@
 #include <tetloft/tet_mesh.hpp>
 #include <tetloft/version.hpp>
 #include <tetloft/voids.hpp>
+#include <tetloft/voronoi.hpp>

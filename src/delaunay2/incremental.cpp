@@ -1,5 +1,6 @@
 #include "delaunay2/incremental.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "core/guard.hpp"
@@ -33,40 +34,72 @@ Incremental2::Incremental2(const Point2& a, const Point2& b, const Point2& c, st
 
 SiteId Incremental2::insert(const Point2& p, TriangleId hint) {
   filter_.admit(p);
-  const TriangleId at = locate(p, hint);
+  const TriangleId at = locate(filter_, p, hint);
   if (const SiteId same = vertex_at(p, at); same.valid()) return same;
-  TETLOFT_CHECK(point_.size() < kMostVertices);
-  const SiteId v(point_.size());
-  point_.push_back(p);
-  out_.emplace_back();
   collect_conflict_zone(p, at);
+  provide_memory();
+  const SiteId v = take_site(p);
   star_cavity(v);
   return v;
 }
 
-inline bool Incremental2::is_right_of(const Point2& p, SiteId from, SiteId to) const {
-  const int s = filter_.orient2d(point(from), point(to), p);
+namespace {
+
+template <class T>
+void provide_room(std::vector<T>& items, std::size_t more) {
+  if (items.capacity() - items.size() >= more) return;
+  items.reserve(std::max(2 * items.capacity(), items.size() + more));
+}
+
+}  // namespace
+
+/// For one vertex: what follows cannot fail.
+void Incremental2::provide_memory() {
+  TETLOFT_CHECK(point_.size() < kMostVertices);
+  provide_room(point_, 1);
+  provide_room(out_, 1);
+  provide_room(triangles_, 2);
+  provide_room(zone_, 2);
+  if (!label_.empty()) provide_room(label_, 8);
+}
+
+SiteId Incremental2::take_site(const Point2& p) {
+  if (free_.empty()) {
+    point_.push_back(p);
+    out_.emplace_back();
+    return SiteId(point_.size() - 1);
+  }
+  const SiteId v = free_.back();
+  free_.pop_back();
+  point_[v.index()] = p;
+  return v;
+}
+
+inline bool Incremental2::is_right_of(const Filter& filter, const Point2& p, SiteId from,
+                                      SiteId to) const {
+  const int s = filter.orient2d(point(from), point(to), p);
   if (s != 0) [[likely]]
     return s < 0;
-  return decide_right_of(p, from, to);
+  return decide_right_of(filter, p, from, to);
 }
 
 /// Where the filter does not answer. No point is to the right of an edge at the ghost: walks end
 /// in ghost triangles.
-bool Incremental2::decide_right_of(const Point2& p, SiteId from, SiteId to) const {
-  if (filter_.is_exact() || from == kGhost || to == kGhost) return false;
+bool Incremental2::decide_right_of(const Filter& filter, const Point2& p, SiteId from,
+                                   SiteId to) const {
+  if (filter.is_exact() || from == kGhost || to == kGhost) return false;
   return orient2d(point(from), point(to), p) == Sign::negative;
 }
 
 /// A triangle that contains p, its boundary included, or a ghost triangle whose hull edge
 /// has p strictly outside. Either is in conflict with p, unless p is one of its vertices.
-TriangleId Incremental2::locate(const Point2& p, TriangleId hint) const {
+TriangleId Incremental2::locate(const Filter& filter, const Point2& p, TriangleId hint) const {
   HalfEdgeId entry = half_edge(hint, 0);
   // The ghost triangle across a ghost triangle's hull edge is a real one.
   for (std::uint32_t i = 0; i < 3; ++i) {
     if (vertices(hint)[i] == kGhost) entry = opposite(half_edge(hint, i));
   }
-  if (is_right_of(p, origin(entry), destination(entry))) entry = opposite(entry);
+  if (is_right_of(filter, p, origin(entry), destination(entry))) entry = opposite(entry);
   for (;;) {
     // p is not to the right of the entry.
     const Triangle& t = at(entry);
@@ -75,9 +108,9 @@ TriangleId Incremental2::locate(const Point2& p, TriangleId hint) const {
     const SiteId from = t.apex[second.value() & 3U];
     const SiteId to = t.apex[third.value() & 3U];
     const SiteId apex = t.apex[entry.value() & 3U];
-    if (is_right_of(p, to, apex)) {
+    if (is_right_of(filter, p, to, apex)) {
       entry = t.opposite[second.value() & 3U];
-    } else if (is_right_of(p, apex, from)) {
+    } else if (is_right_of(filter, p, apex, from)) {
       entry = t.opposite[third.value() & 3U];
     } else {
       return triangle(entry);

@@ -4,7 +4,8 @@
 // counter-clockwise around t; a triangle is a record of half a cache line. Vertex 0 is the ghost:
 // it closes every hull edge with a ghost triangle, so the surface is a sphere without boundary,
 // with 2 n − 2 triangles for n vertices besides the ghost; a cavity is always refilled by two
-// triangles more than it lost, so no triangle is ever deleted.
+// triangles more than it lost. Where a vertex goes the last two triangles take the places of those
+// that go with it.
 //
 // Invariant between insertions: the unique triangulation of its points under
 // incircle_perturbed. The zone in conflict with a new point is a disc without interior
@@ -52,7 +53,20 @@ class Incremental2 {
   /// The same from the triangle made last: for points near the one inserted before.
   SiteId insert_nearby(const Point2& p) { return insert(p, last_); }
 
-  /// All vertices, the ghost included.
+  /// Removes v. Other vertices keep their ids, triangles do not; the id is given again. If memory
+  /// ends, nothing has happened. Requires three vertices beside v that are not collinear.
+  void remove(SiteId v);
+  /// A triangle that contains p, its boundary included, or a ghost triangle whose hull edge has p
+  /// strictly outside. Walks there from `hint`; changes nothing.
+  [[nodiscard]] TriangleId locate(const Point2& p, SiteId hint) const {
+    predicates::PlaneFilter filter = filter_;
+    filter.admit(p);
+    return locate(filter, p, triangle(out_[hint.index()]));
+  }
+  /// The vertex of t at p, or invalid.
+  [[nodiscard]] SiteId vertex_at(const Point2& p, TriangleId t) const;
+
+  /// All vertices, the ghost included, and the ids of those that were removed.
   [[nodiscard]] std::size_t vertex_count() const { return point_.size(); }
   /// All triangles, ghost triangles included.
   [[nodiscard]] std::size_t triangle_count() const { return triangles_.size(); }
@@ -82,6 +96,8 @@ class Incremental2 {
   [[nodiscard]] HalfEdgeId out(SiteId v) const { return out_[v.index()]; }
   /// The next half-edge with the same origin, counter-clockwise.
   [[nodiscard]] HalfEdgeId rotate(HalfEdgeId h) const { return opposite(previous(h)); }
+  /// The one before.
+  [[nodiscard]] HalfEdgeId rotate_back(HalfEdgeId h) const { return next(opposite(h)); }
   [[nodiscard]] bool is_ghost(TriangleId t) const {
     const std::array<SiteId, 3>& v = vertices(t);
     return v[0] == kGhost || v[1] == kGhost || v[2] == kGhost;
@@ -113,15 +129,31 @@ class Incremental2 {
     triangles_[triangle(h).index()].opposite[h.value() & 3U] = other;
   }
 
+  using Filter = predicates::PlaneFilter;
   SiteId insert(const Point2& p, TriangleId hint);
-  [[nodiscard]] bool is_right_of(const Point2& p, SiteId from, SiteId to) const;
-  [[nodiscard]] bool decide_right_of(const Point2& p, SiteId from, SiteId to) const;
-  [[nodiscard]] TriangleId locate(const Point2& p, TriangleId hint) const;
-  [[nodiscard]] SiteId vertex_at(const Point2& p, TriangleId t) const;
+  [[nodiscard]] bool is_right_of(const Filter& filter, const Point2& p, SiteId from,
+                                 SiteId to) const;
+  [[nodiscard]] bool decide_right_of(const Filter& filter, const Point2& p, SiteId from,
+                                     SiteId to) const;
+  [[nodiscard]] TriangleId locate(const Filter& filter, const Point2& p, TriangleId hint) const;
   [[nodiscard]] bool in_conflict(TriangleId t, const Point2& p) const;
   [[nodiscard]] bool decide_conflict(TriangleId t, const Point2& p) const;
   void collect_conflict_zone(const Point2& p, TriangleId first);
+  void provide_memory();
+  [[nodiscard]] SiteId take_site(const Point2& p);
   void star_cavity(SiteId v);
+
+  // removal.cpp
+  [[nodiscard]] Sign turn(SiteId a, SiteId b, SiteId c) const;
+  [[nodiscard]] HalfEdgeId to_first_of_hull(SiteId v) const;
+  void flip(HalfEdgeId h);
+  void flip_for_good(HalfEdgeId h);
+  std::array<TriangleId, 2> take_from_inside(SiteId v);
+  std::array<TriangleId, 2> take_from_hull(HalfEdgeId first);
+  void push(HalfEdgeId h);
+  [[nodiscard]] bool is_illegal(HalfEdgeId h) const;
+  void flip_illegal_edges();
+  void delete_triangle(TriangleId t);
   [[nodiscard]] LabelId label(HalfEdgeId h) const {
     return label_.empty() ? LabelId() : label_[h.index()];
   }
@@ -133,11 +165,13 @@ class Incremental2 {
   std::vector<Triangle> triangles_;
   std::vector<LabelId> label_;  // by half-edge, invalid without; empty before the first
   predicates::PlaneFilter filter_;
-  TriangleId last_;  // made last
+  TriangleId last_;              // made last
+  std::vector<SiteId> free_;     // removed vertices
+  bool stack_is_short_ = false;  // memory ended when an edge was to be pushed
 
   std::vector<TriangleId> zone_;      // scratch of insert()
   std::vector<HorizonEdge> horizon_;  // scratch of insert()
-  std::vector<HalfEdgeId> stack_;     // scratch of collect_conflict_zone()
+  std::vector<HalfEdgeId> stack_;     // scratch of collect_conflict_zone() and remove()
   std::vector<LabelId> touched_;
 };
 

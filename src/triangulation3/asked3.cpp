@@ -42,17 +42,6 @@ Result<Answer> asked_of(const Point3& p, std::size_t vertices, const Answer& not
 
 }  // namespace
 
-const char* name_of(LocationKind kind) {
-  switch (kind) {
-    case LocationKind::vertex: return "vertex";
-    case LocationKind::edge: return "edge";
-    case LocationKind::facet: return "facet";
-    case LocationKind::tet: return "tet";
-    case LocationKind::outside: return "outside";
-  }
-  return "unknown";
-}
-
 Location3 DelaunayTriangulation3::Impl::location(const Point3& p, VertexId near) const {
   triangulation3::Simplex found = triangulation3::simplex_at(tets, p, near);
   std::sort(found.vertices.begin(), found.vertices.end());

@@ -24,8 +24,8 @@
 
 #include "delaunay3/growing_tets.hpp"
 #include "delaunay3/insertion.hpp"
+#include "spatial/start_grid.hpp"
 #include "triangulation3/hole.hpp"
-#include "triangulation3/start_grid.hpp"
 
 namespace tetloft::internal::triangulation3 {
 

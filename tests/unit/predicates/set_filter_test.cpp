@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <tetloft/predicates.hpp>
@@ -151,9 +152,41 @@ TEST(TwoDoubles, AreRoundedAsEachAlone) {
 }
 
 TEST(SetFilter, TakesAnyNumberOfPoints) {
-  EXPECT_FALSE(SetFilter({}).is_exact());
+  EXPECT_FALSE(SetFilter().is_exact());
+  EXPECT_FALSE(SetFilter(std::span<const Point3>()).is_exact());
   const std::vector<Point3> one{{0.1, 0.2, 0.3}};
   EXPECT_EQ(SetFilter(one).orient3d(one[0], one[0], one[0], one[0]), 0);
+}
+
+// One point after the other, as all at once: the same answers, exact or not.
+TEST(SetFilter, GrowsToThatOfAllPoints) {
+  Prng prng(9);
+  for (int kind = 0; kind < 3; ++kind) {
+    const auto points = draw(40, prng, [&](Prng& r) {
+      const double grid = static_cast<double>(r.below(kind == 1 ? 400 : 40));
+      return kind == 2 ? grid * r.unit() : grid * 0.25;
+    });
+    SetFilter grown;
+    for (std::size_t n = 1; n <= points.size(); ++n) {
+      grown.add(points[n - 1]);
+      const std::span<const Point3> some = std::span(points).first(n);
+      const SetFilter all(some);
+      ASSERT_EQ(grown.is_exact(), all.is_exact());
+      for (int round = 0; round < 20; ++round) {
+        const auto p = [&]() -> const Point3& { return some[prng.below(n)]; };
+        const Point3 &a = p(), &b = p(), &c = p(), &d = p(), &e = p();
+        EXPECT_EQ(grown.orient3d(a, b, c, d), all.orient3d(a, b, c, d));
+        EXPECT_EQ(grown.insphere(a, b, c, d, e), all.insphere(a, b, c, d, e));
+        const Point3 query{7 * prng.unit(), -prng.unit(), prng.unit()};
+        const SetFilter with = grown.with(query);
+        EXPECT_FALSE(with.is_exact());
+        const int s = with.orient3d(a, b, c, query);
+        if (s != 0) {
+          EXPECT_EQ(static_cast<Sign>(s), orient3d(a, b, c, query));
+        }
+      }
+    }
+  }
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // Starts are near and live.
-#include "triangulation3/start_grid.hpp"
+#include "spatial/start_grid.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "core/prng.hpp"
 
-namespace tetloft::internal::triangulation3 {
+namespace tetloft::internal {
 namespace {
 
 double distance(const Point3& a, const Point3& b) {
@@ -54,4 +54,4 @@ TEST(StartGrid, PassesOverVerticesThatAreGone) {
 }
 
 }  // namespace
-}  // namespace tetloft::internal::triangulation3
+}  // namespace tetloft::internal

@@ -1,9 +1,9 @@
-#include "triangulation3/start_grid.hpp"
+#include "spatial/start_grid.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace tetloft::internal::triangulation3 {
+namespace tetloft::internal {
 
 namespace {
 
@@ -76,4 +76,4 @@ void StartGrid::add(const Point3& p, VertexId v) {
   }
 }
 
-}  // namespace tetloft::internal::triangulation3
+}  // namespace tetloft::internal

@@ -12,7 +12,7 @@
 #include <tetloft/ids.hpp>
 #include <tetloft/point.hpp>
 
-namespace tetloft::internal::triangulation3 {
+namespace tetloft::internal {
 
 class StartGrid {
  public:
@@ -55,4 +55,4 @@ class StartGrid {
   std::size_t most_vertices_ = 0;
 };
 
-}  // namespace tetloft::internal::triangulation3
+}  // namespace tetloft::internal

@@ -1,0 +1,156 @@
+// A Delaunay triangulation of points in the plane to work with: insert, remove, move, locate,
+// neighbours.
+//
+// Whatever was done to it, it is the unique triangulation of the symbolically perturbed predicates
+// (predicates.hpp) of the points that are in it: that of delaunay2(). Points may be few, in a row,
+// on a circle, on a grid, and come twice. Where they are in a row there are no triangles; edges
+// join each point to the next, and all questions have answers.
+//
+// Triangles are named by slots, some of which are empty: a TriangleId below triangle_slots(), good
+// until the next change; they are counter-clockwise. Vertices are named by handles
+// (delaunay_vertex.hpp), good until the vertex is removed.
+//
+// Functions that return a Result refuse (invalid_input) points that are not finite, vertices that
+// are gone, and leave everything as it was; others throw std::out_of_range for what is not there
+// (result.hpp). `near` is a vertex to start a search at; without one, or if it is gone, the search
+// finds a start of its own. Const functions may be called from several threads at once.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <tetloft/delaunay2.hpp>
+#include <tetloft/delaunay_vertex.hpp>
+#include <tetloft/execution.hpp>
+#include <tetloft/export.hpp>
+#include <tetloft/ids.hpp>
+#include <tetloft/live_range.hpp>
+#include <tetloft/location_kind.hpp>
+#include <tetloft/point.hpp>
+#include <tetloft/result.hpp>
+
+namespace tetloft {
+
+struct Location2 {
+  LocationKind kind = LocationKind::outside;
+  /// The vertices of that simplex by increasing index, then none: one of a vertex, two of an edge …
+  std::array<DelaunayVertex, 3> vertices{};
+  /// A triangle that has it; invalid outside, and where there are no triangles.
+  TriangleId triangle{};
+};
+
+/// A triangulation as values, numbered canonically.
+struct DelaunaySnapshot2 {
+  IdVector<PlaneVertexId, DelaunayVertex> vertex;  ///< by increasing index: whose the points are
+  Triangulation2 triangulation;                    ///< as delaunay2() of the points has it
+  int dimension = -1;
+};
+
+class TETLOFT_API DelaunayTriangulation2 {
+ public:
+  /// Without points.
+  DelaunayTriangulation2();
+  DelaunayTriangulation2(const DelaunayTriangulation2& other);
+  /// Leaves the other one without points.
+  DelaunayTriangulation2(DelaunayTriangulation2&& other) noexcept;
+  DelaunayTriangulation2& operator=(const DelaunayTriangulation2& other);
+  DelaunayTriangulation2& operator=(DelaunayTriangulation2&& other) noexcept;
+  ~DelaunayTriangulation2();
+  friend TETLOFT_API void swap(DelaunayTriangulation2& a, DelaunayTriangulation2& b) noexcept;
+
+  /// Of many points at once, as delaunay2() makes it. The vertex of points[i] has index i and
+  /// generation 0; of equal points the first has the vertex, and the places of the others are free.
+  [[nodiscard]] static Result<DelaunayTriangulation2> of(std::span<const Point2> points,
+                                                         const Execution& execution = {});
+
+  // Changes. They are for one thread, with nobody else looking. A handle stays good, all
+  // TriangleIds end.
+
+  struct Insertion {
+    DelaunayVertex vertex;
+    bool is_new = true;  ///< false: the point had a vertex
+  };
+  /// Adds a point.
+  [[nodiscard]] Result<Insertion> insert(const Point2& point, DelaunayVertex near = {});
+  /// Adds points in an order that is fast; result[i] is the vertex of points[i].
+  [[nodiscard]] Result<std::vector<DelaunayVertex>> insert(std::span<const Point2> points,
+                                                           const Execution& execution = {});
+  [[nodiscard]] Result<void> remove(DelaunayVertex v);
+  /// Puts v elsewhere; it keeps its handle. Refused where another vertex is.
+  [[nodiscard]] Result<void> move(DelaunayVertex v, const Point2& to);
+  void clear();
+
+  // What is there.
+
+  /// −1 without points, 0 of one, 1 of points in a row, 2.
+  [[nodiscard]] int dimension() const;
+  [[nodiscard]] std::size_t vertex_count() const;
+  /// All indices are below.
+  [[nodiscard]] std::size_t vertex_slots() const;
+  [[nodiscard]] std::size_t triangle_count() const;
+  [[nodiscard]] std::size_t triangle_slots() const;
+  [[nodiscard]] bool is_live(DelaunayVertex v) const;
+  [[nodiscard]] bool is_live(TriangleId t) const;
+  /// The vertex in a place below vertex_slots(), the triangle in one below triangle_slots(); or
+  /// none.
+  [[nodiscard]] DelaunayVertex vertex_at(std::size_t index) const;
+  [[nodiscard]] TriangleId triangle_at(std::size_t slot) const;
+  [[nodiscard]] const Point2& point(DelaunayVertex v) const;
+  /// Counter-clockwise.
+  [[nodiscard]] std::array<DelaunayVertex, 3> vertices(TriangleId t) const;
+  /// [i]: the triangle across the edge opposite vertex i, or invalid on the hull.
+  [[nodiscard]] std::array<TriangleId, 3> neighbours(TriangleId t) const;
+
+  /// The live vertices by increasing index, and the triangles by id: forward ranges, as algorithms
+  /// of C++20 take them, good until the next change.
+  [[nodiscard]] LiveRange<DelaunayTriangulation2, DelaunayVertex> vertices() const;
+  [[nodiscard]] LiveRange<DelaunayTriangulation2, TriangleId> triangles() const;
+  /// All edges, each by increasing index, sorted.
+  [[nodiscard]] std::vector<std::array<DelaunayVertex, 2>> edges() const;
+  /// The vertices on the hull, counter-clockwise from that of lowest index; of points in a row all
+  /// of them, from one end to the other.
+  [[nodiscard]] std::vector<DelaunayVertex> hull() const;
+
+  [[nodiscard]] std::vector<TriangleId> star(DelaunayVertex v) const;            ///< by id
+  [[nodiscard]] std::vector<DelaunayVertex> neighbours(DelaunayVertex v) const;  ///< by index
+  /// Always where there are no triangles.
+  [[nodiscard]] bool is_on_hull(DelaunayVertex v) const;
+
+  // Questions.
+
+  [[nodiscard]] Result<Location2> locate(const Point2& point, DelaunayVertex near = {}) const;
+  /// The nearest vertex, by exact comparison, of equally near ones that of lowest index; none of no
+  /// points.
+  [[nodiscard]] Result<DelaunayVertex> nearest_vertex(const Point2& point,
+                                                      DelaunayVertex near = {}) const;
+  /// The k nearest, or all there are, by distance, then by index.
+  [[nodiscard]] Result<std::vector<DelaunayVertex>> nearest_vertices(
+      const Point2& point, std::size_t k, DelaunayVertex near = {}) const;
+  /// All at most so far away, exactly, by distance, then by index. Refused where the radius is
+  /// negative or not a number.
+  [[nodiscard]] Result<std::vector<DelaunayVertex>> vertices_within(const Point2& centre,
+                                                                    double radius,
+                                                                    DelaunayVertex near = {}) const;
+
+  [[nodiscard]] Result<DelaunaySnapshot2> snapshot(const Execution& execution = {}) const;
+
+ private:
+  class Impl;
+  friend class LiveRange<DelaunayTriangulation2, DelaunayVertex>;
+  friend class LiveRange<DelaunayTriangulation2, TriangleId>;
+  [[nodiscard]] DelaunayVertex item_at(std::size_t at, DelaunayVertex) const {
+    return vertex_at(at);
+  }
+  [[nodiscard]] TriangleId item_at(std::size_t at, TriangleId) const { return triangle_at(at); }
+  [[nodiscard]] std::size_t places(DelaunayVertex) const { return vertex_slots(); }
+  [[nodiscard]] std::size_t places(TriangleId) const { return triangle_slots(); }
+  [[nodiscard]] const Impl& get() const;
+  [[nodiscard]] Impl& own();
+
+  std::unique_ptr<Impl> impl_;  // none: without points
+};
+
+}  // namespace tetloft

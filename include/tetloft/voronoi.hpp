@@ -1,0 +1,89 @@
+// The Voronoi diagram of a DelaunayTriangulation3: cells with volumes, faces and neighbours, whole
+// or clipped to a box; circumspheres.
+//
+// Which neighbours a cell has is the triangulation's, exact: one face for each of its edges. Of
+// points on a common sphere, as on lattices, some of these faces are a point or a line: their area
+// is 0, or what rounding left of it, and no true neighbour is missing. Corners, areas and volumes
+// are doubles, computed relative to the site, so that sets far from the origin lose nothing;
+// nothing is decided by them.
+//
+// Coordinates of sites and boxes must be at most 2^300 in magnitude; volumes below 2^-1022 vanish.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <tetloft/delaunay_triangulation3.hpp>
+#include <tetloft/delaunay_vertex.hpp>
+#include <tetloft/execution.hpp>
+#include <tetloft/export.hpp>
+#include <tetloft/point.hpp>
+#include <tetloft/result.hpp>
+
+namespace tetloft {
+
+struct Sphere3 {
+  Point3 centre;
+  double radius = 0;
+};
+/// The sphere through four points, rounded: from exact determinants where the tet is nearly flat.
+/// Of coplanar points the radius is infinite, and the centre not a number. Does not depend on the
+/// orientation.
+[[nodiscard]] TETLOFT_API Sphere3 circumsphere(const Point3& a, const Point3& b, const Point3& c,
+                                               const Point3& d);
+
+/// What cells are clipped to: low <= high in every coordinate.
+struct ClippingBox {
+  Point3 low;
+  Point3 high;
+};
+
+/// The sides of a ClippingBox.
+enum class BoxSide : std::uint8_t { none, low_x, high_x, low_y, high_y, low_z, high_z };
+/// "none", "low x", "high x" …
+[[nodiscard]] TETLOFT_API const char* name_of(BoxSide side);
+
+struct VoronoiFace3 {
+  /// Whose cell is across; none where the face lies on the box.
+  DelaunayVertex neighbour{};
+  BoxSide side = BoxSide::none;
+  /// False: it goes on without end. Only of cells that are not clipped.
+  bool bounded = true;
+  /// Places in the cell's `corners`, counter-clockwise as seen from outside; of an unbounded face
+  /// those that there are. Corners may coincide. Empty where nothing of the face is in the box.
+  std::vector<std::uint32_t> corners;
+  double area = 0;  ///< infinite where unbounded
+};
+
+struct VoronoiCell3 {
+  DelaunayVertex site{};
+  /// False: it goes on without end, as cells of vertices on the hull do, and all cells of points
+  /// that span no space.
+  bool bounded = true;
+  /// Of tets on the hull that are flat enough a centre may be beyond the range of doubles,
+  /// infinite.
+  std::vector<Point3> corners;
+  /// One for each neighbour of the triangulation, by index; then the sides of the box, in order,
+  /// that the cell has a face on.
+  std::vector<VoronoiFace3> faces;
+  double volume = 0;  ///< infinite where unbounded
+};
+
+/// The cell of a vertex. Refused (invalid_input) where the vertex is none, or coordinates of it or
+/// its neighbours are too large.
+[[nodiscard]] TETLOFT_API Result<VoronoiCell3> voronoi_cell(
+    const DelaunayTriangulation3& triangulation, DelaunayVertex site);
+/// What of it is in a box, which the site need not be in: always bounded, perhaps empty. The
+/// volumes of all sum to the box's. Refused also where the box's low corner is not low, or not
+/// finite.
+[[nodiscard]] TETLOFT_API Result<VoronoiCell3> voronoi_cell(
+    const DelaunayTriangulation3& triangulation, DelaunayVertex site, const ClippingBox& box);
+
+/// The cells of all vertices, by increasing index.
+[[nodiscard]] TETLOFT_API Result<std::vector<VoronoiCell3>> voronoi_cells(
+    const DelaunayTriangulation3& triangulation, const Execution& execution = {});
+[[nodiscard]] TETLOFT_API Result<std::vector<VoronoiCell3>> voronoi_cells(
+    const DelaunayTriangulation3& triangulation, const ClippingBox& box,
+    const Execution& execution = {});
+
+}  // namespace tetloft

@@ -1,0 +1,106 @@
+// What is behind a DelaunayTriangulation2: its points and triangles, and the handles of vertices.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <numeric>
+#include <span>
+#include <stdexcept>
+#include <vector>
+
+#include <tetloft/delaunay_triangulation2.hpp>
+
+#include "triangulation2/live_plane.hpp"
+
+namespace tetloft::internal::triangulation2 {
+
+[[nodiscard]] inline Result<void> check_point(const Point2& p) {
+  if (std::isfinite(p.x) && std::isfinite(p.y)) return {};
+  Error error{ErrorCode::invalid_input, "a coordinate is not finite", {}};
+  error.where.point = Point3{p.x, p.y, 0};
+  return error;
+}
+
+}  // namespace tetloft::internal::triangulation2
+
+class tetloft::DelaunayTriangulation2::Impl {
+  using Incremental2 = internal::triangulation2::Incremental2;
+
+ public:
+  internal::triangulation2::LivePlane plane;
+  std::vector<std::uint32_t> generation;  // by place
+  std::vector<std::uint32_t> free;        // places, the next to be taken last
+
+  [[nodiscard]] bool is_live(DelaunayVertex v) const {
+    return v.index < generation.size() && generation[v.index] == v.generation &&
+           plane.is_live(VertexId(v.index));
+  }
+  /// The place of a live vertex; throws std::out_of_range otherwise.
+  [[nodiscard]] VertexId id(DelaunayVertex v) const {
+    if (!is_live(v)) throw std::out_of_range("no such vertex");
+    return VertexId(v.index);
+  }
+  /// Where a search is to start; invalid where v is none.
+  [[nodiscard]] VertexId hint(DelaunayVertex v) const {
+    return is_live(v) ? VertexId(v.index) : VertexId();
+  }
+  [[nodiscard]] DelaunayVertex handle(VertexId v) const {
+    return {v.value(), generation[v.index()]};
+  }
+  [[nodiscard]] DelaunayVertex handle(internal::triangulation2::SiteId s) const {
+    return handle(plane.vertex(s));
+  }
+  [[nodiscard]] bool is_live(TriangleId t) const {
+    return plane.has_triangles() && t.index() < plane.triangles().triangle_count() &&
+           !plane.triangles().is_ghost(t);
+  }
+  /// Throws std::out_of_range where t is no triangle.
+  void check(TriangleId t) const {
+    if (!is_live(t)) throw std::out_of_range("no such triangle");
+  }
+
+  /// A place for a vertex at p, provided but not taken.
+  [[nodiscard]] VertexId provide(const Point2& p) {
+    if (free.empty()) {
+      if (generation.size() >= Incremental2::kMostVertices) throw std::length_error("2^29 points");
+      free.reserve(1);
+      generation.push_back(0);
+      free.push_back(static_cast<std::uint32_t>(generation.size() - 1));
+    }
+    const VertexId v(free.back());
+    plane.provide(v, p);
+    return v;
+  }
+  Insertion insert(const Point2& p, VertexId near) {
+    const VertexId v = provide(p);
+    const VertexId found = plane.insert(v, near);
+    if (found == v) free.pop_back();
+    return {handle(found), found == v};
+  }
+  void remove(VertexId v) {
+    free.reserve(free.size() + 1);
+    plane.remove(v);
+    ++generation[v.index()];
+    free.push_back(v.value());
+  }
+  /// The first points there are; equal ones share a vertex. Returns that of each.
+  std::vector<VertexId> take_all(std::span<const Point2> points, const Execution& execution) {
+    generation.resize(points.size());
+    std::vector<VertexId> places;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      places.emplace_back(i);
+      plane.provide(places.back(), points[i]);
+    }
+    std::vector<VertexId> vertex_of = plane.build(places, execution);
+    for (std::size_t i = points.size(); i-- > 0;) {
+      if (vertex_of[i] != places[i]) free.push_back(static_cast<std::uint32_t>(i));
+    }
+    return vertex_of;
+  }
+  /// Points one after the other, along a curve: each search starts at the last one.
+  [[nodiscard]] std::vector<DelaunayVertex> insert_all(std::span<const Point2> points,
+                                                       const Execution& execution);
+};

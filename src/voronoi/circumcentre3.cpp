@@ -1,0 +1,119 @@
+#include "voronoi/circumcentre3.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <tetloft/voronoi.hpp>
+
+#include "arithmetic/double_double.hpp"
+#include "arithmetic/expansion.hpp"
+#include "core/vector.hpp"
+
+namespace tetloft {
+
+namespace internal::voronoi {
+
+namespace {
+
+// Determinants by Cramer's rule, rounded; the centre is `minors` over twice `determinant`.
+struct SphereMinors {
+  Point3 minors;
+  double determinant = 0;
+};
+
+double rounded_sum(double value) { return value; }
+double rounded_sum(const DoubleDouble& value) { return value.high; }
+template <int Capacity>
+double rounded_sum(const Expansion<Capacity>& e) {
+  double sum = 0;
+  for (int i = 0; i < e.size(); ++i) sum += e[i];
+  return sum;
+}
+
+// With numbers as difference(u, v) makes them: doubles, their pairs, or exact sums.
+template <class Difference>
+SphereMinors sphere_minors(const std::array<Point3, 4>& p, const Difference& difference) {
+  const auto bx = difference(p[1].x, p[0].x), by = difference(p[1].y, p[0].y),
+             bz = difference(p[1].z, p[0].z);
+  const auto cx = difference(p[2].x, p[0].x), cy = difference(p[2].y, p[0].y),
+             cz = difference(p[2].z, p[0].z);
+  const auto dx = difference(p[3].x, p[0].x), dy = difference(p[3].y, p[0].y),
+             dz = difference(p[3].z, p[0].z);
+  const auto bb = bx * bx + by * by + bz * bz;
+  const auto cc = cx * cx + cy * cy + cz * cz;
+  const auto dd = dx * dx + dy * dy + dz * dz;
+  const auto cd_x = cy * dz - cz * dy, cd_y = cz * dx - cx * dz, cd_z = cx * dy - cy * dx;
+  const auto db_x = dy * bz - dz * by, db_y = dz * bx - dx * bz, db_z = dx * by - dy * bx;
+  const auto bc_x = by * cz - bz * cy, bc_y = bz * cx - bx * cz, bc_z = bx * cy - by * cx;
+  return {{rounded_sum(bb * cd_x + cc * db_x + dd * bc_x),
+           rounded_sum(bb * cd_y + cc * db_y + dd * bc_y),
+           rounded_sum(bb * cd_z + cc * db_z + dd * bc_z)},
+          rounded_sum(bx * cd_x + by * cd_y + bz * cd_z)};
+}
+
+double largest_difference(const std::array<Point3, 4>& p) {
+  double largest = 0;
+  for (std::size_t i = 1; i < 4; ++i) {
+    largest = std::max(
+        {largest, std::abs(p[i].x - p[0].x), std::abs(p[i].y - p[0].y), std::abs(p[i].z - p[0].z)});
+  }
+  return largest;
+}
+
+// The product of the edges' lengths at p[0]: the determinant of a corner of a cube.
+double product_of_edges(const std::array<Point3, 4>& p) {
+  double product = 1;
+  for (std::size_t i = 1; i < 4; ++i) {
+    const Point3 edge{p[i].x - p[0].x, p[i].y - p[0].y, p[i].z - p[0].z};
+    product *= std::sqrt(vectors::dot(edge, edge));
+  }
+  return product;
+}
+
+// With enough digits: of determinants of u = 2^-53 and rounded differences the error is below
+// 20 u times the product of the edges, and with pairs of doubles below 200 u² times it, so that at
+// these limits 2^-40 is left of it.
+SphereMinors sphere_minors_within(const std::array<Point3, 4>& p) {
+  constexpr double kFlat = 0x1p-8, kFlatter = 0x1p-56;
+  const double edges = product_of_edges(p);
+  const SphereMinors rough = sphere_minors(p, [](double u, double v) { return u - v; });
+  if (std::abs(rough.determinant) > kFlat * edges) return rough;
+  const SphereMinors fine = sphere_minors(p, [](double u, double v) {
+    const Rounded exact = two_difference(u, v);
+    return DoubleDouble{exact.value, exact.error};
+  });
+  if (std::abs(fine.determinant) > kFlatter * edges) return fine;
+  return sphere_minors(p, [](double u, double v) { return to_expansion(two_difference(u, v)); });
+}
+
+}  // namespace
+
+Point3 circumcentre_from(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  std::array<Point3, 4> p{a, b, c, d};
+  const double largest = largest_difference(p);
+  if (largest == 0) return {kNone, kNone, kNone};
+  // A power of two brings differences below 1.
+  const int exponent = std::ilogb(largest) + 1;
+  for (Point3& q : p) {
+    q = {std::ldexp(q.x, -exponent), std::ldexp(q.y, -exponent), std::ldexp(q.z, -exponent)};
+  }
+  const SphereMinors found = sphere_minors_within(p);
+  if (found.determinant == 0) return {kNone, kNone, kNone};
+  const double twice = 2 * found.determinant;
+  return {std::ldexp(found.minors.x / twice, exponent),
+          std::ldexp(found.minors.y / twice, exponent),
+          std::ldexp(found.minors.z / twice, exponent)};
+}
+
+}  // namespace internal::voronoi
+
+Sphere3 circumsphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
+  const Point3 r = internal::voronoi::circumcentre_from(a, b, c, d);
+  if (std::isnan(r.x)) return {r, std::numeric_limits<double>::infinity()};
+  return {{a.x + r.x, a.y + r.y, a.z + r.z}, std::hypot(r.x, r.y, r.z)};
+}
+
+}  // namespace tetloft

@@ -1,0 +1,198 @@
+// The API boundary of Voronoi cells: checks at entry; cells clipped, as polyhedra that bisectors
+// cut; all cells at once.
+#include <tetloft/voronoi.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <tetloft/predicates.hpp>
+
+#include "core/guard.hpp"
+#include "core/parallel.hpp"
+#include "core/vector.hpp"
+#include "core/watched_work.hpp"
+#include "voronoi/cut_polyhedron.hpp"
+#include "voronoi/dual_cell.hpp"
+
+namespace tetloft {
+
+using namespace internal;
+using voronoi::CutPolyhedron;
+
+namespace {
+
+// Below, products of four coordinates are finite.
+constexpr double kMostCoordinate = 0x1p300;
+
+bool is_moderate(const Point3& p) {  // false for what is not finite
+  return std::abs(p.x) <= kMostCoordinate && std::abs(p.y) <= kMostCoordinate &&
+         std::abs(p.z) <= kMostCoordinate;
+}
+
+Result<void> check_clipping(const ClippingBox& box) {
+  Error error{ErrorCode::invalid_input, {}, {}};
+  if (!is_moderate(box.low) || !is_moderate(box.high)) {
+    error.message = "a corner of the box is not finite, or beyond 2^300";
+    error.where.point = is_moderate(box.low) ? box.high : box.low;
+    return error;
+  }
+  if (box.low.x <= box.high.x && box.low.y <= box.high.y && box.low.z <= box.high.z) return {};
+  error.message = "the low corner of the box is above the high one";
+  error.where.point = box.low;
+  return error;
+}
+
+Result<void> check_sites(const DelaunayTriangulation3& triangulation, DelaunayVertex site,
+                         const std::vector<DelaunayVertex>& neighbours) {
+  Error error{ErrorCode::invalid_input, "a coordinate is beyond 2^300", {}};
+  const auto fits = [&](DelaunayVertex v) {
+    if (is_moderate(triangulation.point(v))) return true;
+    error.where.vertex = v.index;
+    error.where.point = triangulation.point(v);
+    return false;
+  };
+  if (fits(site) && std::all_of(neighbours.begin(), neighbours.end(), fits)) return {};
+  return error;
+}
+
+// Cut by the nearest first, which leaves less to be cut.
+std::vector<std::size_t> by_distance(const std::vector<Point3>& points) {
+  std::vector<std::size_t> order(points.size());
+  std::vector<double> distance(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    order[i] = i;
+    distance[i] = vectors::dot(points[i], points[i]);
+  }
+  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+    return distance[i] != distance[j] ? distance[i] < distance[j] : i < j;
+  });
+  return order;
+}
+
+Result<VoronoiCell3> clipped_cell(const DelaunayTriangulation3& triangulation, DelaunayVertex site,
+                                  const ClippingBox& box) {
+  using namespace vectors;
+  const std::vector<DelaunayVertex> neighbours = triangulation.neighbours(site);
+  if (Result<void> fine = check_sites(triangulation, site, neighbours); !fine) return fine.error();
+  const Point3& at = triangulation.point(site);
+  std::vector<Point3> offsets;
+  offsets.reserve(neighbours.size());
+  for (const DelaunayVertex v : neighbours) offsets.push_back(triangulation.point(v) - at);
+
+  CutPolyhedron polyhedron(box.low - at, box.high - at);
+  const std::vector<std::size_t> order = by_distance(offsets);
+  for (const std::size_t i : order) polyhedron.cut(voronoi::nearer_to_origin(offsets[i]));
+  VoronoiCell3 cell;
+  cell.site = site;
+  cell.volume = polyhedron.volume();
+  cell.corners = polyhedron.corners();
+  for (Point3& corner : cell.corners) corner = corner + at;
+  std::vector<voronoi::CutFace> cut_faces = polyhedron.faces();
+  cell.faces.resize(neighbours.size());
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    voronoi::CutFace& face = cut_faces[CutPolyhedron::kBoxFaces + k];
+    cell.faces[order[k]] = {.neighbour = neighbours[order[k]],
+                            .side = BoxSide::none,
+                            .bounded = true,
+                            .corners = std::move(face.corners),
+                            .area = face.area};
+  }
+  for (std::uint8_t side = 0; side < CutPolyhedron::kBoxFaces; ++side) {
+    voronoi::CutFace& face = cut_faces[side];
+    if (face.corners.empty()) continue;
+    cell.faces.push_back({.neighbour = {},
+                          .side = static_cast<BoxSide>(side + 1),
+                          .bounded = true,
+                          .corners = std::move(face.corners),
+                          .area = face.area});
+  }
+  return cell;
+}
+
+Result<VoronoiCell3> whole_cell(const DelaunayTriangulation3& triangulation, DelaunayVertex site) {
+  const std::vector<DelaunayVertex> neighbours = triangulation.neighbours(site);
+  if (Result<void> fine = check_sites(triangulation, site, neighbours); !fine) return fine.error();
+  return voronoi::dual_cell(triangulation, site, neighbours);
+}
+
+Error no_such_site(DelaunayVertex v) {
+  Error error{ErrorCode::invalid_input, "there is no such vertex, or no longer", {}};
+  if (v.valid()) error.where.vertex = v.index;
+  return error;
+}
+
+// Stretches of vertices by several threads, each cell by make(vertex).
+template <class Make>
+Result<std::vector<VoronoiCell3>> all_cells(const DelaunayTriangulation3& triangulation,
+                                            const Execution& execution, const Make& make) {
+  constexpr std::size_t kStretch = 256;
+  const auto live = triangulation.vertices();
+  const std::vector<DelaunayVertex> sites(live.begin(), live.end());
+  const std::size_t stretches = (sites.size() + kStretch - 1) / kStretch;
+  std::vector<VoronoiCell3> cells(sites.size());
+  WatchedWork work(execution, stretches);
+  work.go_on();
+  parallel_for(stretches, execution.threads, [&](std::size_t stretch) {
+    const std::size_t end = std::min(sites.size(), (stretch + 1) * kStretch);
+    for (std::size_t i = stretch * kStretch; i < end; ++i) {
+      Result<VoronoiCell3> cell = make(sites[i]);
+      if (!cell) throw Failed(cell.error());
+      cells[i] = *std::move(cell);
+    }
+    work.step_done_go_on();
+  });
+  return cells;
+}
+
+}  // namespace
+
+const char* name_of(BoxSide side) {
+  switch (side) {
+    case BoxSide::none: return "none";
+    case BoxSide::low_x: return "low x";
+    case BoxSide::high_x: return "high x";
+    case BoxSide::low_y: return "low y";
+    case BoxSide::high_y: return "high y";
+    case BoxSide::low_z: return "low z";
+    case BoxSide::high_z: return "high z";
+  }
+  return "unknown";
+}
+
+Result<VoronoiCell3> voronoi_cell(const DelaunayTriangulation3& triangulation,
+                                  DelaunayVertex site) {
+  return guard_internal([&]() -> Result<VoronoiCell3> {
+    if (!triangulation.is_live(site)) return no_such_site(site);
+    return whole_cell(triangulation, site);
+  });
+}
+
+Result<VoronoiCell3> voronoi_cell(const DelaunayTriangulation3& triangulation, DelaunayVertex site,
+                                  const ClippingBox& box) {
+  return guard_internal([&]() -> Result<VoronoiCell3> {
+    if (!triangulation.is_live(site)) return no_such_site(site);
+    if (Result<void> fine = check_clipping(box); !fine) return fine.error();
+    return clipped_cell(triangulation, site, box);
+  });
+}
+
+Result<std::vector<VoronoiCell3>> voronoi_cells(const DelaunayTriangulation3& triangulation,
+                                                const Execution& execution) {
+  return guard_threads(execution, [&](const Execution& own) {
+    return all_cells(triangulation, own,
+                     [&](DelaunayVertex site) { return whole_cell(triangulation, site); });
+  });
+}
+
+Result<std::vector<VoronoiCell3>> voronoi_cells(const DelaunayTriangulation3& triangulation,
+                                                const ClippingBox& box,
+                                                const Execution& execution) {
+  return guard_threads(execution, [&](const Execution& own) -> Result<std::vector<VoronoiCell3>> {
+    if (Result<void> fine = check_clipping(box); !fine) return fine.error();
+    return all_cells(triangulation, own,
+                     [&](DelaunayVertex site) { return clipped_cell(triangulation, site, box); });
+  });
+}
+
+}  // namespace tetloft
