@@ -18,13 +18,13 @@ namespace {
 using VertexNumber = std::uint64_t;
 using TetNumbers = std::array<VertexNumber, 4>;
 
-constexpr VertexNumber number_of(DelaunayVertex v) {
+constexpr VertexNumber vertex_number(DelaunayVertex v) {
   return (VertexNumber{v.generation} << 32) | v.index;
 }
 constexpr DelaunayVertex vertex_of_number(VertexNumber number) {
   return {static_cast<std::uint32_t>(number), static_cast<std::uint32_t>(number >> 32)};
 }
-static_assert(number_of(DelaunayVertex()) == TETLOFT_NO_VERTEX);
+static_assert(vertex_number(DelaunayVertex()) == TETLOFT_NO_VERTEX);
 
 static_assert(TETLOFT_LOCATION_VERTEX == static_cast<int>(LocationKind::vertex) &&
               TETLOFT_LOCATION_EDGE == static_cast<int>(LocationKind::edge) &&
@@ -34,13 +34,13 @@ static_assert(TETLOFT_LOCATION_VERTEX == static_cast<int>(LocationKind::vertex) 
 
 std::vector<VertexNumber> vertex_numbers(const std::vector<DelaunayVertex>& vertices) {
   std::vector<VertexNumber> numbers(vertices.size());
-  std::transform(vertices.begin(), vertices.end(), numbers.begin(), number_of);
+  std::transform(vertices.begin(), vertices.end(), numbers.begin(), vertex_number);
   return numbers;
 }
 
 TetNumbers tet_numbers(const std::array<DelaunayVertex, 4>& vertices) {
   TetNumbers numbers{};
-  std::transform(vertices.begin(), vertices.end(), numbers.begin(), number_of);
+  std::transform(vertices.begin(), vertices.end(), numbers.begin(), vertex_number);
   return numbers;
 }
 
@@ -111,7 +111,7 @@ tetloft_status tetloft_delaunay_insert(tetloft_delaunay* delaunay, double x, dou
         value_of(value->change([&](DelaunayTriangulation3& t) {
           return t.insert(Point3{x, y, z}, vertex_of_number(near));
         }));
-    *vertex = number_of(made.vertex);
+    *vertex = vertex_number(made.vertex);
     put(is_new, made.is_new ? 1 : 0);
   });
 }
@@ -125,7 +125,7 @@ tetloft_status tetloft_delaunay_insert_all(tetloft_delaunay* delaunay, const dou
     const std::vector<Point3> points = space_points(xyz, point_count);
     const std::vector<DelaunayVertex> made =
         value_of(value->change([&](DelaunayTriangulation3& t) { return t.insert(points, how); }));
-    if (vertices != nullptr) std::transform(made.begin(), made.end(), vertices, number_of);
+    if (vertices != nullptr) std::transform(made.begin(), made.end(), vertices, vertex_number);
   });
 }
 
@@ -184,7 +184,8 @@ tetloft_status tetloft_delaunay_vertices(const tetloft_delaunay* delaunay, uint6
   return copy_found(delaunay, vertices, capacity, count, "vertices",
                     [](const DelaunayTriangulation3& t) {
                       std::vector<VertexNumber> numbers;
-                      for (const DelaunayVertex v : t.vertices()) numbers.push_back(number_of(v));
+                      for (const DelaunayVertex v : t.vertices())
+                        numbers.push_back(vertex_number(v));
                       return numbers;
                     });
 }
@@ -251,7 +252,7 @@ tetloft_status tetloft_delaunay_locate(const tetloft_delaunay* delaunay, const d
       if (kinds != nullptr) kinds[i] = static_cast<std::int32_t>(found[i].kind);
       if (vertices != nullptr) {
         std::transform(found[i].vertices.begin(), found[i].vertices.end(), vertices + 4 * i,
-                       number_of);
+                       vertex_number);
       }
     }
   });
@@ -267,7 +268,7 @@ tetloft_status tetloft_delaunay_nearest(const tetloft_delaunay* delaunay, const 
     const std::vector<Point3> points = space_points(xyz, point_count);
     const std::vector<DelaunayVertex> found = value_of(
         value->ask([&](const DelaunayTriangulation3& t) { return t.nearest_vertex(points, how); }));
-    std::transform(found.begin(), found.end(), vertices, number_of);
+    std::transform(found.begin(), found.end(), vertices, vertex_number);
   });
 }
 
