@@ -122,6 +122,11 @@ Case scaling(std::size_t vertices) {
 
 }  // namespace
 
+std::string size_name(std::size_t n) {
+  if (n % 1'000'000 == 0) return std::to_string(n / 1'000'000) + 'M';
+  return n % 1000 == 0 ? std::to_string(n / 1000) + 'k' : std::to_string(n);
+}
+
 std::string left_out(const Peer& peer, std::size_t points) {
   if (points <= peer.most_points) return {};
   return "left out above " + std::to_string(peer.most_points) + " points";

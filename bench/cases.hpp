@@ -45,10 +45,13 @@ template <class Point>
   };
 }
 
+/// "1M", "20k", "123".
+[[nodiscard]] std::string size_name(std::size_t n);
+
 /// Why the peer does not run; empty: it does.
 [[nodiscard]] std::string left_out(const Peer& peer, std::size_t points);
 
-/// All cases but those by distribution; each file of `stacks` is one more.
+/// All cases but those by distribution and the dynamic ones; each file of `stacks` is one more.
 [[nodiscard]] std::vector<Case> all_cases(const std::vector<std::string>& stacks);
 
 }  // namespace tetloft::bench

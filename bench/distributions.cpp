@@ -60,11 +60,6 @@ Points read_any_points(const std::string& path) {
   return value_of(read_points(path)).points;
 }
 
-std::string size_name(std::size_t n) {
-  if (n % 1'000'000 == 0) return std::to_string(n / 1'000'000) + 'M';
-  return n % 1000 == 0 ? std::to_string(n / 1000) + 'k' : std::to_string(n);
-}
-
 using Triangulate = std::function<Run(std::span<const Point3>, unsigned)>;
 
 Contestant contestant(const std::string& engine, const Triangulate& run, unsigned threads,

@@ -10,6 +10,8 @@
 
 #include <tetloft/point.hpp>
 
+#include "dynamic.hpp"
+
 namespace tetloft::bench {
 
 /// What one run took and made, finite simplices only.
@@ -41,6 +43,7 @@ struct Peer {
   std::function<Run(std::span<const Point2>)> run2;
   bool parallel = false;                                   // of use with several threads, in space
   std::size_t most_points = static_cast<std::size_t>(-1);  // more takes too long to wait for
+  std::vector<DynamicEngine> dynamic{};                    // where triangulations change
 };
 
 Peer cgal();

@@ -108,6 +108,7 @@ int main(int argc, char** argv) {
   if (!wrong.empty()) return usage_failure(wrong, kBenchUsage);
   std::vector<Case> cases = all_cases(options.stacks);
   for (Case& one : distribution_cases(options.distributions)) cases.push_back(std::move(one));
+  for (Case& one : dynamic_cases(options.dynamic)) cases.push_back(std::move(one));
   wrong = unknown_name(options, cases);
   if (!wrong.empty()) return usage_failure(wrong, kBenchUsage);
   try {

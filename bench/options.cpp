@@ -15,10 +15,12 @@ const char* const kBenchUsage =
     "CGAL,TetGen,Qhull,HXT,geogram|none]\n"
     "              [--sizes 10k,100k,1M] [--threads 1,2,4|all] [--points FILE …] [--stack FILE.cnt "
     "…]\n"
-    "              [--limit SECONDS] [--json FILE] [--markdown FILE] [--plot FILE.svg] [--list]\n"
+    "              [--queries 200k] [--limit SECONDS] [--json FILE] [--markdown FILE] [--plot "
+    "FILE.svg] [--list]\n"
     "Each case runs K times (5), its contestants in turns, each run no longer than the limit "
     "(120);\n"
-    "sizes and threads are those of the cases by distribution; see bench/README.md.\n";
+    "sizes are those of the cases by distribution and of dynamic ones, threads those of the "
+    "first; see bench/README.md.\n";
 
 namespace {
 
@@ -89,7 +91,10 @@ bool take(const std::string& word, const std::string& value, BenchOptions& optio
     options.peers.clear();
     for (const std::string_view peer : split(value)) options.peers.emplace_back(peer);
   } else if (word == "--sizes") {
-    return parse_ascending(value, options.distributions.sizes, parse_size);
+    if (!parse_ascending(value, options.distributions.sizes, parse_size)) return false;
+    options.dynamic.sizes = options.distributions.sizes;
+  } else if (word == "--queries") {
+    return parse_size(value, options.dynamic.queries);
   } else if (word == "--threads") {
     return parse_threads(value, options.distributions.threads);
   } else if (word == "--points") {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "distributions.hpp"
+#include "dynamic_cases.hpp"
 
 namespace tetloft::bench {
 
@@ -16,6 +17,7 @@ struct BenchOptions {
   bool list = false;
   std::vector<std::string> stacks;
   DistributionOptions distributions;
+  DynamicOptions dynamic;
   std::string json;
   std::string markdown;
   std::string plot;

@@ -14,6 +14,7 @@
 #include <CGAL/version.h>
 
 #include "measure.hpp"
+#include "peers/cgal_dynamic.hpp"
 
 namespace tetloft::bench {
 
@@ -65,6 +66,10 @@ Run run2(std::span<const Point2> points) {
 
 }  // namespace
 
-Peer cgal() { return {"CGAL", CGAL_VERSION_STR, run3, run2, kParallel}; }
+Peer cgal() {
+  Peer peer{"CGAL", CGAL_VERSION_STR, run3, run2, kParallel};
+  peer.dynamic = cgal_dynamic();
+  return peer;
+}
 
 }  // namespace tetloft::bench

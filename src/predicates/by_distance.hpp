@@ -30,9 +30,15 @@ class ByDistance {
       : graph_(std::move(graph)), p_(p) {
     Candidate at = candidate(starts.front());
     for (const VertexId v : starts) take_nearer(at, v);
-    while (step(at)) {
+    bool tied = false;
+    while (step(at, tied)) {
     }
-    collect_nearest(at);
+    seen_.insert(at.vertex);
+    if (tied) {
+      collect_nearest(at);
+    } else {
+      candidates_.push_back(at);
+    }
   }
 
   /// The nearest vertex, of several that of lowest id.
@@ -73,18 +79,21 @@ class ByDistance {
     const Candidate other = candidate(v);
     if (compare(other, at) == Sign::negative) at = other;
   }
-  // To a neighbour that is nearer, if there is one.
-  [[nodiscard]] bool step(Candidate& at) {
-    const VertexId from = at.vertex;
-    graph_.for_each_neighbour(from, [&](VertexId v) {
-      take_nearer(at, v);
-      return at.vertex == from;
+  // To a neighbour that is nearer, if there is one; else tells whether one is as near.
+  [[nodiscard]] bool step(Candidate& at, bool& tied) {
+    const Candidate from = at;
+    tied = false;
+    graph_.for_each_neighbour(from.vertex, [&](VertexId v) {
+      const Candidate other = candidate(v);
+      const Sign s = compare(other, from);
+      if (s == Sign::negative) at = other;
+      tied = tied || s == Sign::zero;
+      return s != Sign::negative;
     });
-    return at.vertex != from;
+    return at.vertex != from.vertex;
   }
   void collect_nearest(const Candidate& nearest) {
     std::vector<Candidate> equal{nearest};
-    seen_.insert(nearest.vertex);
     for (std::size_t k = 0; k < equal.size(); ++k) {
       graph_.for_each_neighbour(equal[k].vertex, [&](VertexId v) {
         if (seen_.contains(v)) return true;

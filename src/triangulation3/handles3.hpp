@@ -112,7 +112,7 @@ class tetloft::DelaunayTriangulation3::Impl {
   [[nodiscard]] std::vector<DelaunayVertex> insert_all(std::span<const Point3> points,
                                                        const Execution& execution);
   void remove(VertexId v) {
-    free.reserve(free.size() + 1);
+    if (free.size() == free.capacity()) free.reserve(2 * free.size() + 1);
     tets.remove(v);
     release(v);
   }

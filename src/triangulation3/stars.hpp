@@ -1,12 +1,14 @@
 // Walks around vertices that change nothing, so that several threads may take them at once.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
 #include <tetloft/ids.hpp>
 
 #include "core/id_set.hpp"
+#include "core/prefetch.hpp"
 #include "triangulation3/live_tets.hpp"
 
 namespace tetloft::internal::triangulation3 {
@@ -16,6 +18,13 @@ namespace tetloft::internal::triangulation3 {
 /// tet all three. Who comes twice comes in tets apart. `seen` is scratch.
 template <class Visit>
 void for_each_around(const LiveTets& tets, VertexId v, IdSet<TetId>& seen, const Visit& visit) {
+  // Tets lie far apart in memory: each is fetched when it is found, and looked at when its turn
+  // comes. Of large stars the later ones are looked at when they are found.
+  std::array<HalfFaceId, 64> entered;
+  const auto shown = [&](HalfFaceId h) {
+    const TetId t = TetMesh::tet_of(h);
+    return visit(t, tets.tets().tet(t)[h.index() & 3]);
+  };
   seen.clear();
   const TetId first = tets.tet_of(v);
   seen.insert(first);
@@ -24,13 +33,20 @@ void for_each_around(const LiveTets& tets, VertexId v, IdSet<TetId>& seen, const
   }
   for (std::size_t next = 0; next < seen.ids().size(); ++next) {
     const TetId t = seen.ids()[next];
+    if (next > 0 && next < entered.size() && !shown(entered[next])) return;
     const std::size_t at = index_of(tets.tets().tet(t), v);
     for (std::size_t i = 0; i < 4; ++i) {
       if (i == at) continue;
       const HalfFaceId across = tets.tets().opposite(half_face(t, i));
       const TetId neighbour = TetMesh::tet_of(across);
+      const std::size_t turn = seen.ids().size();
       if (!seen.insert(neighbour)) continue;
-      if (!visit(neighbour, tets.tets().tet(neighbour)[across.index() & 3])) return;
+      if (turn < entered.size()) {
+        core::prefetch(&tets.tets().slot(neighbour));
+        entered[turn] = across;
+      } else if (!shown(across)) {
+        return;
+      }
     }
   }
 }
