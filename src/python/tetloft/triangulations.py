@@ -45,8 +45,10 @@ class DelaunayTriangulation3(Owner):
     >>> t.insert((1, 1, 1)), t.nearest_one((0.9, 0.8, 1)), len(t.tets)
     (4, 4, 2)
     >>> t.remove(4)
-    >>> t, t.insert((2, 2, 2)) == 4 + 2**32
-    (<tetloft.DelaunayTriangulation3 of 4 vertices, 1 tets>, True)
+    >>> t
+    <tetloft.DelaunayTriangulation3 of 4 vertices, 1 tets>
+    >>> t.insert((2, 2, 2)) == 4 + 2**32
+    True
     """
 
     def __init__(self, points: ArrayLike = (), *, threads: int = 0,
