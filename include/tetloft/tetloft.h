@@ -26,7 +26,8 @@
  * as long as the handle that they come from. Ids are zero-based; TETLOFT_NO_ID means none.
  *
  * Threads. Every function may be called from any thread at any time: what a handle names never
- * changes once it is made (but for tetloft_stop, which is made to be shared), and a handle may be
+ * changes once it is made (but for tetloft_stop, which is made to be shared, and tetloft_delaunay,
+ * whose changes wait for the calls that use it, and these for them), and a handle may be
  * freed while other calls still work with it: they end as if it were there. Arrays and texts of a
  * freed handle are gone. Results do not depend on threads.
  *
@@ -766,6 +767,114 @@ TETLOFT_C_API tetloft_status tetloft_triangulation_chain(const tetloft_triangula
                                                          size_t segment, const uint32_t** points,
                                                          size_t* count);
 TETLOFT_C_API tetloft_status tetloft_triangulation_free(tetloft_triangulation* triangulation);
+
+/* --- Delaunay triangulations that change (tetloft/delaunay_triangulation3.hpp) ---------------- */
+
+/* Of points in space: they come, go and move, and it is that of those that are there. The progress
+ * of a call must not use the triangulation that the call changes: it would wait for it for ever. */
+typedef struct tetloft_delaunay tetloft_delaunay;
+
+/* A vertex is index + 2^32 · generation: a place, and how many vertices had it before. It is good
+ * until it is removed; where one that is gone is handed in, TETLOFT_INVALID_INPUT is the answer. Of
+ * a triangulation that was made of points vertex i is point i; of equal points the first has the
+ * vertex. */
+#define TETLOFT_NO_VERTEX UINT64_C(0xFFFFFFFF)
+
+/* Of 3 · point_count coordinates, as all arrays xyz below. */
+TETLOFT_C_API tetloft_status tetloft_delaunay_create(const double* xyz, size_t point_count,
+                                                     const tetloft_execution* execution,
+                                                     tetloft_delaunay** delaunay);
+TETLOFT_C_API tetloft_status tetloft_delaunay_copy(const tetloft_delaunay* delaunay,
+                                                   tetloft_delaunay** copy);
+TETLOFT_C_API tetloft_status tetloft_delaunay_free(tetloft_delaunay* delaunay);
+
+/* Changes. A call that fails leaves all as it was. */
+
+/* One point. `near`: a vertex where the search starts, or TETLOFT_NO_VERTEX. `is_new` may be NULL;
+ * 0: the point had a vertex. */
+TETLOFT_C_API tetloft_status tetloft_delaunay_insert(tetloft_delaunay* delaunay, double x, double y,
+                                                     double z, uint64_t near, uint64_t* vertex,
+                                                     int* is_new);
+/* Many, in an order that is fast. `vertices` has room for point_count: that of each point; or is
+ * NULL. */
+TETLOFT_C_API tetloft_status tetloft_delaunay_insert_all(tetloft_delaunay* delaunay,
+                                                         const double* xyz, size_t point_count,
+                                                         const tetloft_execution* execution,
+                                                         uint64_t* vertices);
+TETLOFT_C_API tetloft_status tetloft_delaunay_remove(tetloft_delaunay* delaunay, uint64_t vertex);
+/* The vertex stays the same. TETLOFT_INVALID_INPUT where another one is. */
+TETLOFT_C_API tetloft_status tetloft_delaunay_move(tetloft_delaunay* delaunay, uint64_t vertex,
+                                                   double x, double y, double z);
+TETLOFT_C_API tetloft_status tetloft_delaunay_clear(tetloft_delaunay* delaunay);
+
+/* What is there. */
+
+/* Any output may be NULL. All indices are below `slots`; the dimension is that of the affine hull,
+ * −1 without points. */
+TETLOFT_C_API tetloft_status tetloft_delaunay_counts(const tetloft_delaunay* delaunay,
+                                                     size_t* vertices, size_t* slots, size_t* tets,
+                                                     int* dimension);
+TETLOFT_C_API tetloft_status tetloft_delaunay_is_live(const tetloft_delaunay* delaunay,
+                                                      uint64_t vertex, int* is_live);
+/* By index; and their points, three coordinates each, capacity and count in points. */
+TETLOFT_C_API tetloft_status tetloft_delaunay_vertices(const tetloft_delaunay* delaunay,
+                                                       uint64_t* vertices, size_t capacity,
+                                                       size_t* count);
+TETLOFT_C_API tetloft_status tetloft_delaunay_points(const tetloft_delaunay* delaunay, double* xyz,
+                                                     size_t capacity, size_t* count);
+/* Three coordinates. */
+TETLOFT_C_API tetloft_status tetloft_delaunay_point(const tetloft_delaunay* delaunay,
+                                                    uint64_t vertex, double* xyz);
+/* Four vertices each; capacity and count in tets. */
+TETLOFT_C_API tetloft_status tetloft_delaunay_tets(const tetloft_delaunay* delaunay, uint64_t* tets,
+                                                   size_t capacity, size_t* count);
+/* The tets of a vertex, the same, and the vertices that it has edges with, by index. */
+TETLOFT_C_API tetloft_status tetloft_delaunay_star(const tetloft_delaunay* delaunay,
+                                                   uint64_t vertex, uint64_t* tets, size_t capacity,
+                                                   size_t* count);
+TETLOFT_C_API tetloft_status tetloft_delaunay_neighbours(const tetloft_delaunay* delaunay,
+                                                         uint64_t vertex, uint64_t* neighbours,
+                                                         size_t capacity, size_t* count);
+
+/* Questions. */
+
+typedef enum tetloft_location {
+  TETLOFT_LOCATION_VERTEX = 0,
+  TETLOFT_LOCATION_EDGE = 1,
+  TETLOFT_LOCATION_FACET = 2,
+  TETLOFT_LOCATION_TET = 3,
+  TETLOFT_LOCATION_OUTSIDE = 4
+} tetloft_location;
+/* The smallest simplex that holds each point: `kinds` has room for point_count (tetloft_location),
+ * `vertices` for 4 · point_count: its vertices by index, then TETLOFT_NO_VERTEX; either may be
+ * NULL. */
+TETLOFT_C_API tetloft_status tetloft_delaunay_locate(const tetloft_delaunay* delaunay,
+                                                     const double* xyz, size_t point_count,
+                                                     const tetloft_execution* execution,
+                                                     int32_t* kinds, uint64_t* vertices);
+/* The vertex nearest to each point, by exact comparison, the one of lowest index of equally near
+ * ones; TETLOFT_NO_VERTEX where there are none. `vertices` has room for point_count. */
+TETLOFT_C_API tetloft_status tetloft_delaunay_nearest(const tetloft_delaunay* delaunay,
+                                                      const double* xyz, size_t point_count,
+                                                      const tetloft_execution* execution,
+                                                      uint64_t* vertices);
+/* The `most` nearest to one point, or all there are, and all at most `radius` away: by distance,
+ * then by index. */
+TETLOFT_C_API tetloft_status tetloft_delaunay_nearest_few(const tetloft_delaunay* delaunay,
+                                                          double x, double y, double z, size_t most,
+                                                          uint64_t* vertices, size_t capacity,
+                                                          size_t* count);
+TETLOFT_C_API tetloft_status tetloft_delaunay_within(const tetloft_delaunay* delaunay, double x,
+                                                     double y, double z, double radius,
+                                                     uint64_t* vertices, size_t capacity,
+                                                     size_t* count);
+
+/* The same bytes on every machine; what is made of them has the same vertices.
+ * TETLOFT_INVALID_INPUT for bytes that are damaged, or none of these. */
+TETLOFT_C_API tetloft_status tetloft_delaunay_serialise(const tetloft_delaunay* delaunay,
+                                                        tetloft_bytes** bytes);
+TETLOFT_C_API tetloft_status tetloft_delaunay_deserialise(const void* data, size_t size,
+                                                          tetloft_delaunay** delaunay);
 
 /* --- points from files (tetloft/formats.hpp) ------------------------------------------------- */
 

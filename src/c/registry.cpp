@@ -30,6 +30,7 @@ const char* name_of(HandleType type) {
     case HandleType::mesh: return "a mesh";
     case HandleType::triangulation: return "a triangulation";
     case HandleType::points: return "points";
+    case HandleType::delaunay: return "a Delaunay triangulation";
   }
   return "nothing";
 }

@@ -22,6 +22,7 @@ enum class HandleType : std::uint8_t {
   mesh,
   triangulation,
   points,
+  delaunay,
 };
 /// "stack", with its article: "a stack".
 [[nodiscard]] const char* name_of(HandleType type);

@@ -1,16 +1,22 @@
-// What each type of handle stands for. Values never change once they are made.
+// What each type of handle stands for. Values never change once they are made, but for
+// DelaunayValue.
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <mutex>
 #include <optional>
+#include <shared_mutex>
 #include <stop_token>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <tetloft/tetloft.h>
 #include <tetloft/check.hpp>
 #include <tetloft/correspondence.hpp>
 #include <tetloft/delaunay.hpp>
+#include <tetloft/delaunay_triangulation3.hpp>
 #include <tetloft/links.hpp>
 #include <tetloft/model.hpp>
 #include <tetloft/point.hpp>
@@ -56,6 +62,38 @@ struct TriangulationValue {
   std::vector<std::vector<PlaneVertexId>> chains;  ///< of segments
 };
 
+/// The one that changes, for several threads: those who ask share it, those who change it are
+/// alone.
+class DelaunayValue {
+ public:
+  explicit DelaunayValue(DelaunayTriangulation3 triangulation)
+      : shared_(std::make_unique<Shared>(std::move(triangulation))) {}
+
+  template <class Ask>
+  auto ask(Ask&& ask) const {
+    std::unique_lock door(shared_->door);
+    const std::shared_lock lock(shared_->mutex);
+    door.unlock();
+    return ask(std::as_const(shared_->triangulation));
+  }
+  template <class Change>
+  auto change(Change&& change) const {
+    std::unique_lock door(shared_->door);
+    const std::unique_lock lock(shared_->mutex);
+    door.unlock();
+    return change(shared_->triangulation);
+  }
+
+ private:
+  struct Shared {
+    explicit Shared(DelaunayTriangulation3 of) : triangulation(std::move(of)) {}
+    std::mutex door;
+    std::shared_mutex mutex;
+    DelaunayTriangulation3 triangulation;
+  };
+  std::unique_ptr<Shared> shared_;
+};
+
 /// The value and the type behind a handle of C.
 template <class Handle>
 struct HandleTraits;
@@ -91,5 +129,7 @@ struct HandleTraits<tetloft_triangulation>
     : HandleTraitsOf<TriangulationValue, HandleType::triangulation> {};
 template <>
 struct HandleTraits<tetloft_points> : HandleTraitsOf<std::vector<Point3>, HandleType::points> {};
+template <>
+struct HandleTraits<tetloft_delaunay> : HandleTraitsOf<DelaunayValue, HandleType::delaunay> {};
 
 }  // namespace tetloft::internal::c

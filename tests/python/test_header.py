@@ -112,9 +112,12 @@ class TheHeader(unittest.TestCase):
         self.assertEqual(_structs.ENGINE, values("ENGINE_", body("tetloft_engine")))
         self.assertEqual(_structs.COLOUR, values("COLOUR_", body("tetloft_colour")))
         self.assertEqual(_structs.LINK, values("LINK_", body("tetloft_link_kind")))
+        self.assertEqual(_structs.LOCATION, values("LOCATION_", body("tetloft_location")))
         self.assertEqual(_structs.CONTENTS, values("CONTENTS_", HEADER))
         self.assertIn("TETLOFT_NO_ID UINT32_C(0xFFFFFFFF)", HEADER)
         self.assertEqual(_structs.NO_ID, 0xFFFFFFFF)
+        self.assertIn("TETLOFT_NO_VERTEX UINT64_C(0xFFFFFFFF)", HEADER)
+        self.assertEqual(_structs.NO_VERTEX, 0xFFFFFFFF)
 
     def test_each_status_has_its_exception(self):
         for name, value in _structs.STATUS.items():

@@ -12,6 +12,7 @@ from ctypes import (
     c_size_t as SIZE,
     c_uint8 as UINT8,
     c_uint32 as UINT32,
+    c_uint64 as UINT64,
     c_void_p as ADDRESS,
 )
 from typing import Any
@@ -177,6 +178,40 @@ FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
     "tetloft_triangulation_internal": (STATUS, [HANDLE, to(to(UINT8)), to(SIZE)]),
     "tetloft_triangulation_chain": (STATUS, [HANDLE, SIZE, to(to(UINT32)), to(SIZE)]),
     "tetloft_triangulation_free": (STATUS, [HANDLE]),
+    "tetloft_delaunay_create": (STATUS, [to(DOUBLE), SIZE, to(structs.Execution), to(HANDLE)]),
+    "tetloft_delaunay_copy": (STATUS, [HANDLE, to(HANDLE)]),
+    "tetloft_delaunay_free": (STATUS, [HANDLE]),
+    "tetloft_delaunay_insert": (STATUS, [
+        HANDLE, DOUBLE, DOUBLE, DOUBLE, UINT64, to(UINT64), to(INT),
+    ]),
+    "tetloft_delaunay_insert_all": (STATUS, [
+        HANDLE, to(DOUBLE), SIZE, to(structs.Execution), to(UINT64),
+    ]),
+    "tetloft_delaunay_remove": (STATUS, [HANDLE, UINT64]),
+    "tetloft_delaunay_move": (STATUS, [HANDLE, UINT64, DOUBLE, DOUBLE, DOUBLE]),
+    "tetloft_delaunay_clear": (STATUS, [HANDLE]),
+    "tetloft_delaunay_counts": (STATUS, [HANDLE, to(SIZE), to(SIZE), to(SIZE), to(INT)]),
+    "tetloft_delaunay_is_live": (STATUS, [HANDLE, UINT64, to(INT)]),
+    "tetloft_delaunay_vertices": (STATUS, [HANDLE, to(UINT64), SIZE, to(SIZE)]),
+    "tetloft_delaunay_points": (STATUS, [HANDLE, to(DOUBLE), SIZE, to(SIZE)]),
+    "tetloft_delaunay_point": (STATUS, [HANDLE, UINT64, to(DOUBLE)]),
+    "tetloft_delaunay_tets": (STATUS, [HANDLE, to(UINT64), SIZE, to(SIZE)]),
+    "tetloft_delaunay_star": (STATUS, [HANDLE, UINT64, to(UINT64), SIZE, to(SIZE)]),
+    "tetloft_delaunay_neighbours": (STATUS, [HANDLE, UINT64, to(UINT64), SIZE, to(SIZE)]),
+    "tetloft_delaunay_locate": (STATUS, [
+        HANDLE, to(DOUBLE), SIZE, to(structs.Execution), to(INT32), to(UINT64),
+    ]),
+    "tetloft_delaunay_nearest": (STATUS, [
+        HANDLE, to(DOUBLE), SIZE, to(structs.Execution), to(UINT64),
+    ]),
+    "tetloft_delaunay_nearest_few": (STATUS, [
+        HANDLE, DOUBLE, DOUBLE, DOUBLE, SIZE, to(UINT64), SIZE, to(SIZE),
+    ]),
+    "tetloft_delaunay_within": (STATUS, [
+        HANDLE, DOUBLE, DOUBLE, DOUBLE, DOUBLE, to(UINT64), SIZE, to(SIZE),
+    ]),
+    "tetloft_delaunay_serialise": (STATUS, [HANDLE, to(HANDLE)]),
+    "tetloft_delaunay_deserialise": (STATUS, [ADDRESS, SIZE, to(HANDLE)]),
     "tetloft_points_read": (STATUS, [TEXT, to(structs.ReadOptions), to(HANDLE), to(HANDLE)]),
     "tetloft_points_parse": (STATUS, [
         ADDRESS, SIZE, TEXT, to(structs.ReadOptions), to(HANDLE), to(HANDLE),

@@ -73,6 +73,7 @@ tetloft_status free_handle(Kind kind, void* handle) {
     case Kind::triangulation:
       return tetloft_triangulation_free(static_cast<tetloft_triangulation*>(handle));
     case Kind::points: return tetloft_points_free(static_cast<tetloft_points*>(handle));
+    case Kind::delaunay: return tetloft_delaunay_free(static_cast<tetloft_delaunay*>(handle));
   }
   return TETLOFT_USAGE;
 }
@@ -128,12 +129,18 @@ void* new_handle(Kind kind) {
                                                  nullptr, &made, nullptr),
                             made);
     }
+    case Kind::delaunay: {
+      tetloft_delaunay* made = nullptr;
+      return handle_or_null(
+          tetloft_delaunay_create(kTetPoints.data(), kTetPoints.size() / 3, nullptr, &made), made);
+    }
   }
   return nullptr;
 }
 
 Arguments::~Arguments() {
   for (const HandleOutput& output : handle_outputs_) free_handle(output.kind, output.handle);
+  for (const HandleOutput& changed : changed_) free_handle(changed.kind, changed.handle);
 }
 
 Arguments::Slot& Arguments::new_slot(std::size_t size, unsigned char fill) {
@@ -159,6 +166,16 @@ void* Arguments::choose_own(Kind kind) {
     return made;
   }
   return variant == 1 ? nullptr : wrong_handle(kind, variant - 2);
+}
+
+void* Arguments::choose_changing(Kind kind) {
+  constexpr Expected bad = Expected::bad_handle;
+  const std::size_t variant = choose({Expected::ok, bad, bad, bad, bad, bad, bad, bad});
+  if (variant > 0) return variant == 1 ? nullptr : wrong_handle(kind, variant - 2);
+  HandleOutput& changed = changed_.emplace_back(HandleOutput{kind, nullptr});
+  changed.handle = new_handle(kind);
+  if (changed.handle == nullptr) throw std::bad_alloc();
+  return changed.handle;
 }
 
 void* Arguments::choose_handle_output(Kind kind, Expected null) {

@@ -38,8 +38,9 @@ enum class Kind {
   mesh,
   triangulation,
   points,
+  delaunay,
 };
-inline constexpr int kKinds = 12;
+inline constexpr int kKinds = 13;
 
 template <class Handle>
 struct KindOf;
@@ -60,6 +61,7 @@ TETLOFT_KIND(verdict)
 TETLOFT_KIND(mesh)
 TETLOFT_KIND(triangulation)
 TETLOFT_KIND(points)
+TETLOFT_KIND(delaunay)
 #undef TETLOFT_KIND
 
 /// The _free function of a kind.
@@ -89,6 +91,11 @@ class Arguments {
   template <class Handle>
   Handle* own_handle() {
     return static_cast<Handle*>(choose_own(KindOf<Handle>::value));
+  }
+  /// For a call that changes what it names: made for it alone, and freed with the arguments.
+  template <class Handle>
+  Handle* changing_handle() {
+    return static_cast<Handle*>(choose_changing(KindOf<Handle>::value));
   }
 
   template <class Handle>
@@ -180,6 +187,7 @@ class Arguments {
   };
   void* choose_handle(Kind kind, Expected null);
   void* choose_own(Kind kind);
+  void* choose_changing(Kind kind);
   void* choose_handle_output(Kind kind, Expected null);
   void* choose_output(std::size_t size, Expected null);
   void* choose_result(std::size_t size, std::uint32_t version);
@@ -193,6 +201,7 @@ class Arguments {
   std::deque<Slot> outputs_;
   std::deque<Slot> structs_;
   std::deque<HandleOutput> handle_outputs_;
+  std::deque<HandleOutput> changed_;
   std::deque<std::vector<unsigned char>> arrays_;
   std::deque<std::string> paths_;
   std::string folder_;

@@ -17,10 +17,11 @@ struct Call {
   tetloft_status (*call)(Arguments&);
 };
 
-[[nodiscard]] std::span<const Call> calls_of_values();  // names, options, warnings, bytes, stops
-[[nodiscard]] std::span<const Call> calls_of_stacks();  // with labels and links
-[[nodiscard]] std::span<const Call> calls_of_models();  // with reconstruction, surfaces, pictures
-[[nodiscard]] std::span<const Call> calls_of_meshes();  // with verdicts, triangulations, points
+[[nodiscard]] std::span<const Call> calls_of_values();    // names, options, warnings, bytes, stops
+[[nodiscard]] std::span<const Call> calls_of_stacks();    // with labels and links
+[[nodiscard]] std::span<const Call> calls_of_models();    // with reconstruction, surfaces, pictures
+[[nodiscard]] std::span<const Call> calls_of_meshes();    // with verdicts, triangulations, points
+[[nodiscard]] std::span<const Call> calls_of_delaunay();  // triangulations that change
 
 /// All of them, by name.
 [[nodiscard]] std::vector<Call> all_calls();
