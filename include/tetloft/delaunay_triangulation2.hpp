@@ -6,6 +6,11 @@
 // on a circle, on a grid, and come twice. Where they are in a row there are no triangles; edges
 // join each point to the next, and all questions have answers.
 //
+// Constraints are segments between vertices that are to be unions of edges. With them it is the
+// constrained Delaunay triangulation, unique too: no vertex that can be seen from inside a
+// triangle, past no constraint, is in the triangle's perturbed circle. No vertex is put on a
+// constraint but where two cross and Crossing::split is asked for.
+//
 // Triangles are named by slots, some of which are empty: a TriangleId below triangle_slots(), good
 // until the next change; they are counter-clockwise. Vertices are named by handles
 // (delaunay_vertex.hpp), good until the vertex is removed.
@@ -18,6 +23,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -40,6 +46,15 @@ struct Location2 {
   std::array<DelaunayVertex, 3> vertices{};
   /// A triangle that has it; invalid outside, and where there are no triangles.
   TriangleId triangle{};
+};
+
+/// A constraint; not given again when it is removed.
+using ConstraintId = Id<struct ConstraintTag>;
+
+/// What becomes of a constraint that crosses others.
+enum class Crossing : std::uint8_t {
+  refuse,  ///< it is refused
+  split,   ///< a vertex is put where they cross, and all of them go over it
 };
 
 /// A triangulation as values, numbered canonically.
@@ -78,10 +93,39 @@ class TETLOFT_API DelaunayTriangulation2 {
   /// Adds points in an order that is fast; result[i] is the vertex of points[i].
   [[nodiscard]] Result<std::vector<DelaunayVertex>> insert(std::span<const Point2> points,
                                                            const Execution& execution = {});
+  /// Refused, naming the constraint, for a vertex that one goes over.
   [[nodiscard]] Result<void> remove(DelaunayVertex v);
-  /// Puts v elsewhere; it keeps its handle. Refused where another vertex is.
+  /// Puts v elsewhere; it keeps its handle. Refused where another vertex is, and for a vertex that
+  /// a constraint goes over.
   [[nodiscard]] Result<void> move(DelaunayVertex v, const Point2& to);
   void clear();
+
+  // Constraints. They go over all vertices on them, those that come later too; where they overlap
+  // they share edges.
+
+  /// Makes the segment u v a union of edges. Where it crosses a constraint it is refused
+  /// (invalid_input, naming the other one, where.point about where), or the crossing point, rounded
+  /// once, is inserted, if it is no vertex yet, and both go over it: that bends them by ulps. Bent
+  /// pieces that cross others are divided in turn, at most 2^16 times (work_limit; nothing has
+  /// happened then). Splitting takes a copy of everything, once for each constraint that crosses.
+  [[nodiscard]] Result<ConstraintId> insert_constraint(DelaunayVertex u, DelaunayVertex v,
+                                                       Crossing crossing = Crossing::refuse);
+  /// Its vertices stay.
+  [[nodiscard]] Result<void> remove_constraint(ConstraintId c);
+  [[nodiscard]] bool is_live(ConstraintId c) const;
+  [[nodiscard]] std::size_t constraint_count() const;
+  /// By increasing id.
+  [[nodiscard]] std::vector<ConstraintId> constraints() const;
+  /// The constraints over the edge u v, by id; none where there is no such edge.
+  [[nodiscard]] std::vector<ConstraintId> constraints(DelaunayVertex u, DelaunayVertex v) const;
+  /// The vertices it was given.
+  [[nodiscard]] std::array<DelaunayVertex, 2> ends(ConstraintId c) const;
+  /// The edges it goes over, each by increasing index, sorted.
+  [[nodiscard]] std::vector<std::array<DelaunayVertex, 2>> edges(ConstraintId c) const;
+  /// The triangles that one comes to from outside across an odd number of constraints, by id: of
+  /// an outline and those of its holes what is between. Refused (invalid_input, naming a vertex)
+  /// where constraints end: an odd number of them leaves a vertex.
+  [[nodiscard]] Result<std::vector<TriangleId>> inside() const;
 
   // What is there.
 

@@ -141,6 +141,27 @@ struct LineSet {
 [[nodiscard]] TETLOFT_API Result<std::string> format_lines(const LineSet& lines,
                                                            Encoding encoding = Encoding::binary);
 
+/// Polyhedra in space, each with numbers of the same names: Voronoi cells, say.
+struct PolyhedronSet {
+  struct Array {
+    std::string name;
+    std::vector<double> value;  ///< by cell
+  };
+  /// A face: its corners' places in `points`, counter-clockwise as seen from outside.
+  using Face = std::vector<std::uint32_t>;
+  std::vector<Point3> points;
+  std::vector<std::vector<Face>> cells;  ///< by cell, its faces
+  std::vector<Array> data;
+};
+
+/// VTK XML unstructured grid (.vtu) of polyhedra, with `data` as cell data. Refused (invalid_input)
+/// where an array has a wrong length, or a corner is no point.
+[[nodiscard]] TETLOFT_API Result<void> write_polyhedra(const std::string& path,
+                                                       const PolyhedronSet& polyhedra,
+                                                       Encoding encoding = Encoding::binary);
+[[nodiscard]] TETLOFT_API Result<std::string> format_polyhedra(
+    const PolyhedronSet& polyhedra, Encoding encoding = Encoding::binary);
+
 /// Writes `bytes`, which appear at `path` all or not at all; directly where a pipe or a device is.
 [[nodiscard]] TETLOFT_API Result<void> write_file(const std::string& path, std::string_view bytes);
 

@@ -21,6 +21,7 @@
 #include <tetloft/live_range.hpp>
 #include <tetloft/location_kind.hpp>
 #include <tetloft/model.hpp>
+#include <tetloft/periodic.hpp>
 #include <tetloft/point.hpp>
 #include <tetloft/predicates.hpp>
 #include <tetloft/reconstruct.hpp>

@@ -86,4 +86,27 @@ struct VoronoiCell3 {
     const DelaunayTriangulation3& triangulation, const ClippingBox& box,
     const Execution& execution = {});
 
+/// How natural neighbours are weighted: by what a new vertex's cell would take of theirs (Sibson,
+/// "A brief description of natural neighbour interpolation", 1981), or by area over distance of its
+/// faces (Belikov et al., "The non-Sibsonian interpolation", 1997), which takes less time.
+enum class NaturalWeights : std::uint8_t { sibson, laplace };
+/// "sibson", "laplace".
+[[nodiscard]] TETLOFT_API const char* name_of(NaturalWeights weights);
+
+struct NaturalNeighbours {
+  std::vector<DelaunayVertex> vertices;  ///< by index
+  /// Theirs: not negative, of sum 1, and to rounding the point is the weighted mean of the
+  /// vertices.
+  std::vector<double> weights;
+};
+/// The vertices that would be neighbours of a new one at the point, weighted; at a vertex it alone.
+/// On the hull those of its plane or edge, as the weights tend to. `near` is a vertex to start the
+/// search at. Refused (invalid_input) where the point is outside of the hull, not finite or, as
+/// its neighbours, beyond 2^300, and where the vertices span no space; (usage) for weights that
+/// there are none of; (unrepresentable) so near the hull that the cell is 2^300 times as large
+/// as the distances of its neighbours.
+[[nodiscard]] TETLOFT_API Result<NaturalNeighbours> natural_neighbours(
+    const DelaunayTriangulation3& triangulation, const Point3& point,
+    NaturalWeights weights = NaturalWeights::sibson, DelaunayVertex near = {});
+
 }  // namespace tetloft

@@ -36,10 +36,30 @@ SiteId Incremental2::insert(const Point2& p, TriangleId hint) {
   filter_.admit(p);
   const TriangleId at = locate(filter_, p, hint);
   if (const SiteId same = vertex_at(p, at); same.valid()) return same;
+  const HalfEdgeId wall = wall_at(p, at);
+  if (wall.valid()) return divide(wall, p, at);
   collect_conflict_zone(p, at);
   provide_memory();
   const SiteId v = take_site(p);
   star_cavity(v);
+  return v;
+}
+
+/// A wall with p inside is open while p comes: p sees both its sides.
+SiteId Incremental2::divide(HalfEdgeId wall, const Point2& p, TriangleId at) {
+  const LabelId closed = label(wall);
+  const std::array<SiteId, 2> ends{origin(wall), destination(wall)};
+  set_label(wall, LabelId());
+  try {
+    collect_conflict_zone(p, at);
+    provide_memory();
+  } catch (...) {
+    set_label(wall, closed);
+    throw;
+  }
+  const SiteId v = take_site(p);
+  star_cavity(v);
+  for (const SiteId end : ends) set_label(find_edge(v, end), closed);
   return v;
 }
 
@@ -164,14 +184,15 @@ void Incremental2::collect_conflict_zone(const Point2& p, TriangleId first) {
     const HalfEdgeId h = stack_.back();
     stack_.pop_back();
     const HalfEdgeId outer = opposite(h);
-    if (label(h).valid()) touched_.push_back(label(h));
-    if (in_conflict(triangle(outer), p)) {
+    const LabelId met = label(h);
+    if (met.valid() && !walls_) touched_.push_back(met);
+    if (!(met.valid() && walls_) && in_conflict(triangle(outer), p)) {
       zone_.push_back(triangle(outer));
       TETLOFT_CHECK(zone_.size() < triangle_count());
       stack_.push_back(previous(outer));
       stack_.push_back(next(outer));
     } else {
-      horizon_.push_back({origin(h), destination(h), outer, label(h)});
+      horizon_.push_back({origin(h), destination(h), outer, met});
     }
   }
   TETLOFT_CHECK(horizon_.size() == zone_.size() + 2);

@@ -66,6 +66,27 @@ class Incremental2 {
   /// The vertex of t at p, or invalid.
   [[nodiscard]] SiteId vertex_at(const Point2& p, TriangleId t) const;
 
+  // Labelled edges as walls: what is behind one is not seen, and counts for nothing in circles. The
+  // triangulation is the constrained one then, unique like the other. See walls.cpp.
+
+  /// From now on labelled edges are walls; while there are none, nothing changes.
+  void respect_labels() { walls_ = true; }
+  /// What one comes to on the way from a to another vertex b.
+  struct Passage {
+    SiteId reached;   ///< the first vertex on the segment
+    HalfEdgeId wall;  ///< the first wall that the segment crosses before, if any
+  };
+  [[nodiscard]] Passage passage(SiteId a, SiteId b) const;
+  /// Makes a b an edge and a wall. Requires that a passage leads to b without a wall. If memory
+  /// ends, nothing has happened.
+  void make_wall(SiteId a, SiteId b, LabelId label);
+  /// The edge a b is no wall any more. Requires that it is one.
+  void remove_wall(SiteId a, SiteId b);
+  /// The wall that has p inside, for t as locate() finds it; or invalid. An insertion of p divides
+  /// it.
+  [[nodiscard]] HalfEdgeId wall_at(const Point2& p, TriangleId t) const;
+  [[nodiscard]] bool is_wall(HalfEdgeId h) const { return walls_ && label(h).valid(); }
+
   /// All vertices, the ghost included, and the ids of those that were removed.
   [[nodiscard]] std::size_t vertex_count() const { return point_.size(); }
   /// All triangles, ghost triangles included.
@@ -139,6 +160,7 @@ class Incremental2 {
   [[nodiscard]] bool in_conflict(TriangleId t, const Point2& p) const;
   [[nodiscard]] bool decide_conflict(TriangleId t, const Point2& p) const;
   void collect_conflict_zone(const Point2& p, TriangleId first);
+  SiteId divide(HalfEdgeId wall, const Point2& p, TriangleId at);
   void provide_memory();
   [[nodiscard]] SiteId take_site(const Point2& p);
   void star_cavity(SiteId v);
@@ -150,10 +172,21 @@ class Incremental2 {
   void flip_for_good(HalfEdgeId h);
   std::array<TriangleId, 2> take_from_inside(SiteId v);
   std::array<TriangleId, 2> take_from_hull(HalfEdgeId first);
+  void flip_with_sides(HalfEdgeId h);
   void push(HalfEdgeId h);
   [[nodiscard]] bool is_illegal(HalfEdgeId h) const;
   void flip_illegal_edges();
   void delete_triangle(TriangleId t);
+
+  // walls.cpp
+  struct Corner {
+    SiteId vertex;
+    SiteId from;  // clockwise from what is to become the new edge beside the vertex
+    SiteId to;
+  };
+  [[nodiscard]] HalfEdgeId first_crossed(SiteId a, SiteId b, SiteId& along) const;
+  [[nodiscard]] Corner corner_between(SiteId a, SiteId b) const;
+  void cut_off(const Corner& corner);
   [[nodiscard]] LabelId label(HalfEdgeId h) const {
     return label_.empty() ? LabelId() : label_[h.index()];
   }
@@ -165,8 +198,9 @@ class Incremental2 {
   std::vector<Triangle> triangles_;
   std::vector<LabelId> label_;  // by half-edge, invalid without; empty before the first
   predicates::PlaneFilter filter_;
-  TriangleId last_;              // made last
-  std::vector<SiteId> free_;     // removed vertices
+  TriangleId last_;           // made last
+  std::vector<SiteId> free_;  // removed vertices
+  bool walls_ = false;
   bool stack_is_short_ = false;  // memory ended when an edge was to be pushed
 
   std::vector<TriangleId> zone_;      // scratch of insert()

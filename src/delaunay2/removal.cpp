@@ -178,6 +178,15 @@ std::array<TriangleId, 2> Incremental2::take_from_hull(HalfEdgeId first) {
   return {before, after};
 }
 
+/// All edges that flips move about are to be looked at again.
+void Incremental2::flip_with_sides(HalfEdgeId h) {
+  const std::array<TriangleId, 2> both{triangle(h), triangle(opposite(h))};
+  flip(h);
+  for (const TriangleId t : both) {
+    for (std::uint32_t i = 0; i < 3; ++i) push(half_edge(t, i));
+  }
+}
+
 void Incremental2::push(HalfEdgeId h) {
   try {
     stack_.push_back(h);
@@ -189,7 +198,7 @@ void Incremental2::push(HalfEdgeId h) {
 bool Incremental2::is_illegal(HalfEdgeId h) const {
   const TriangleId t = triangle(h);
   const SiteId other = apex(opposite(h));
-  if (other == kGhost || is_ghost(t)) return false;
+  if (other == kGhost || is_ghost(t) || is_wall(h)) return false;
   const std::array<SiteId, 3>& v = vertices(t);
   const int s = filter_.incircle(point(v[0]), point(v[1]), point(v[2]), point(other));
   return s != 0 ? s > 0 : decide_conflict(t, point(other));
@@ -201,12 +210,7 @@ void Incremental2::flip_illegal_edges() {
       const HalfEdgeId h = stack_.back();
       stack_.pop_back();
       if (!is_illegal(h)) continue;
-      const std::array<TriangleId, 2> both{triangle(h), triangle(opposite(h))};
-      flip(h);
-      for (const TriangleId t : both) {
-        push(half_edge(t, 1));
-        push(half_edge(t, 2));
-      }
+      flip_with_sides(h);
     }
   };
   flip_all_of_stack();

@@ -35,6 +35,9 @@ struct Staged {
 [[nodiscard]] Result<Staged> stage_lines(const std::string& path, const LineSet& lines,
                                          const WriteOptions& options,
                                          TemporaryWatcher* watcher = nullptr);
+[[nodiscard]] Result<Staged> stage_polyhedra(const std::string& path,
+                                             const PolyhedronSet& polyhedra, Encoding encoding,
+                                             TemporaryWatcher* watcher = nullptr);
 [[nodiscard]] Result<Staged> stage_file(const std::string& path, std::string_view bytes,
                                         TemporaryWatcher* watcher = nullptr);
 

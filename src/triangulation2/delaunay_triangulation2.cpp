@@ -97,6 +97,13 @@ Result<std::vector<DelaunayVertex>> DelaunayTriangulation2::insert(std::span<con
                                                                    const Execution& execution) {
   return guard_internal([&]() -> Result<std::vector<DelaunayVertex>> {
     if (Result<void> fine = check_points2(points); !fine) return fine.error();
+    if (constraint_count() != 0) {
+      // What was divided is not joined again: a copy can be let go.
+      auto copy = std::make_unique<Impl>(*impl_);
+      std::vector<DelaunayVertex> handles = copy->insert_all(points, execution);
+      impl_ = std::move(copy);
+      return handles;
+    }
     if (vertex_slots() != 0) return impl_->insert_all(points, execution);
     auto made = std::make_unique<Impl>();
     std::vector<DelaunayVertex> result;
@@ -139,6 +146,7 @@ std::vector<DelaunayVertex> DelaunayTriangulation2::Impl::insert_all(std::span<c
 Result<void> DelaunayTriangulation2::remove(DelaunayVertex v) {
   return guard_internal([&]() -> Result<void> {
     if (!is_live(v)) return gone2(v);
+    if (Result<void> free = impl_->check_free(impl_->id(v)); !free) return free;
     impl_->remove(impl_->id(v));
     return {};
   });
@@ -151,6 +159,7 @@ Result<void> DelaunayTriangulation2::move(DelaunayVertex v, const Point2& to) {
     if (Result<void> fine = triangulation2::check_point(to); !fine) return fine.error();
     const VertexId id = impl_->id(v);
     if (impl_->plane.point(id) == to) return {};
+    if (Result<void> free = impl_->check_free(id); !free) return free;
     const VertexId moved = impl_->provide(to);
     const VertexId found = impl_->plane.insert(moved, id);
     if (found != moved) {
@@ -162,7 +171,11 @@ Result<void> DelaunayTriangulation2::move(DelaunayVertex v, const Point2& to) {
     try {
       impl_->plane.remove(id);
     } catch (...) {
-      impl_->plane.remove(moved);
+      if (impl_->check_free(moved)) {
+        impl_->plane.remove(moved);
+      } else {
+        impl_->free.pop_back();
+      }
       throw;
     }
     impl_->plane.rename(moved, id);

@@ -1,14 +1,13 @@
 // What is behind a DelaunayTriangulation2: its points and triangles, and the handles of vertices.
 #pragma once
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <numeric>
 #include <span>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include <tetloft/delaunay_triangulation2.hpp>
@@ -33,6 +32,9 @@ class tetloft::DelaunayTriangulation2::Impl {
   internal::triangulation2::LivePlane plane;
   std::vector<std::uint32_t> generation;  // by place
   std::vector<std::uint32_t> free;        // places, the next to be taken last
+  // By constraint; invalid of those that are gone.
+  IdVector<ConstraintId, std::array<VertexId, 2>> ends;
+  std::size_t constraint_count = 0;
 
   [[nodiscard]] bool is_live(DelaunayVertex v) const {
     return v.index < generation.size() && generation[v.index] == v.generation &&
@@ -100,6 +102,25 @@ class tetloft::DelaunayTriangulation2::Impl {
     }
     return vertex_of;
   }
+  /// What is said of a vertex that a constraint goes over, if one does.
+  [[nodiscard]] Result<void> check_free(VertexId v) const {
+    const std::vector<ConstraintId>* over = plane.wall_of(v);
+    if (over == nullptr) return {};
+    Error error{ErrorCode::invalid_input,
+                "constraint " + std::to_string(over->front().value()) + " goes over the vertex",
+                {}};
+    error.where.vertex = v.index();
+    return error;
+  }
+
+  // constraints2.cpp
+  [[nodiscard]] bool is_live(ConstraintId c) const {
+    return c.index() < ends.size() && ends[c][0].valid();
+  }
+  [[nodiscard]] Result<ConstraintId> constrain(VertexId u, VertexId v);
+  [[nodiscard]] ConstraintId constrain_dividing(VertexId u, VertexId v);
+  [[nodiscard]] std::vector<std::array<VertexId, 2>> edges_of(ConstraintId c) const;
+
   /// Points one after the other, along a curve: each search starts at the last one.
   [[nodiscard]] std::vector<DelaunayVertex> insert_all(std::span<const Point2> points,
                                                        const Execution& execution);

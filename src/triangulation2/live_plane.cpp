@@ -13,10 +13,14 @@
 #include "core/watched_work.hpp"
 #include "delaunay2/start.hpp"
 #include "spatial/sort_by_key.hpp"
+#include "triangulation2/edges_of_plane.hpp"
 
 namespace tetloft::internal::triangulation2 {
 
 namespace {
+
+// Who goes over a wall is known by its edge.
+constexpr delaunay2_detail::LabelId kWall{0};
 
 Point3 in_space(const Point2& p) { return {p.x, p.y, 0}; }
 
@@ -57,13 +61,24 @@ VertexId LivePlane::insert(VertexId v, VertexId near) {
   if (!plane_) return insert_into_row(v);
   if (vertex_of_.size() <= plane_->vertex_count()) vertex_of_.push_back({});
   if (plane_->vertex_count() >= Incremental2::kMostVertices) throw std::length_error("2^29 points");
-  const SiteId site = plane_->insert(p, start(p, near));
+  const SiteId from = start(p, near);
+  Walls::Division division;
+  if (!walls_.empty()) division = division_of(from, v);
+  const SiteId site = plane_->insert(p, from);
   if (vertex_of_[site].valid()) return vertex_of_[site];
+  walls_.divide(division);
   vertex_of_[site] = v;
   site_of_[v] = site;
   ++vertex_count_;
   note_start(v);
   return v;
+}
+
+// Prepared, for afterwards there may be no memory.
+Walls::Division LivePlane::division_of(SiteId near, VertexId v) const {
+  const HalfEdgeId wall = plane_->wall_at(point(v), plane_->locate(point(v), near));
+  if (!wall.valid()) return {};
+  return walls_.prepare(vertex_of_[plane_->origin(wall)], vertex_of_[plane_->destination(wall)], v);
 }
 
 std::size_t LivePlane::place_in_row(const Point2& p) const {
@@ -82,9 +97,14 @@ VertexId LivePlane::insert_into_row(VertexId v) {
   const std::size_t at = place_in_row(p);
   if (at < row_.size() && point(row_[at]) == p) return row_[at];
   if (is_in_row(p)) {
+    Walls::Division division;
+    if (at > 0 && at < row_.size() && walls_.over(row_[at - 1], row_[at]) != nullptr) {
+      division = walls_.prepare(row_[at - 1], row_[at], v);
+    }
     row_.insert(row_.begin() + static_cast<std::ptrdiff_t>(at), v);
     site_of_[v] = Incremental2::kGhost;
     ++vertex_count_;
+    walls_.divide(division);
     return v;
   }
   std::vector<VertexId> all = row_;
@@ -136,6 +156,10 @@ std::vector<VertexId> LivePlane::live_vertices() const {
 }
 
 void LivePlane::rename(VertexId w, VertexId v) {
+  EdgesOfPlane(*this).for_each_neighbour(w, [&](VertexId u) {
+    walls_.rename(w, v, u);
+    return true;
+  });
   points_[v] = points_[w];
   site_of_[v] = site_of_[w];
   site_of_[w] = SiteId();
@@ -184,6 +208,13 @@ std::vector<VertexId> LivePlane::build(std::span<const VertexId> points,
     }
     count = row.size();
   }
+  if (start.plane) {
+    start.plane->respect_labels();
+    // Of what was a row: all its edges are there.
+    for (const auto& entry : walls_.edges()) {
+      start.plane->make_wall(site_of[entry.first[0]], site_of[entry.first[1]], kWall);
+    }
+  }
   work.step_done();
   // From here on nothing can fail.
   plane_ = std::move(start.plane);
@@ -193,6 +224,52 @@ std::vector<VertexId> LivePlane::build(std::span<const VertexId> points,
   starts_ = std::move(starts);
   vertex_count_ = count;
   return vertex_of_point;
+}
+
+const std::vector<ConstraintId>* LivePlane::wall_of(VertexId v) const {
+  const std::vector<ConstraintId>* result = nullptr;
+  if (walls_.empty()) return result;
+  EdgesOfPlane(*this).for_each_neighbour(v, [&](VertexId u) {
+    result = walls_.over(v, u);
+    return result == nullptr;
+  });
+  return result;
+}
+
+LivePlane::Step LivePlane::step(VertexId a, VertexId b) const {
+  if (!plane_) {
+    const std::size_t at = place_in_row(point(a));
+    return {canonical_less(point(a), point(b)) ? row_[at + 1] : row_[at - 1], {}};
+  }
+  const Incremental2::Passage passage = plane_->passage(site_of_[a], site_of_[b]);
+  Step result{vertex_of_[passage.reached], {}};
+  if (passage.wall.valid()) {
+    result.crossed = {vertex_of_[plane_->origin(passage.wall)],
+                      vertex_of_[plane_->destination(passage.wall)]};
+  }
+  return result;
+}
+
+void LivePlane::add_to_edge(VertexId a, VertexId b, const std::vector<ConstraintId>& over) {
+  const bool is_new = walls_.over(a, b) == nullptr;
+  walls_.add(a, b, over);
+  if (!plane_ || !is_new) return;
+  try {
+    plane_->make_wall(site_of_[a], site_of_[b], kWall);
+  } catch (...) {
+    (void)walls_.take_all(a, b);
+    throw;
+  }
+}
+
+void LivePlane::take_from_edge(VertexId a, VertexId b, ConstraintId c) {
+  if (walls_.take(a, b, c) && plane_) plane_->remove_wall(site_of_[a], site_of_[b]);
+}
+
+std::vector<ConstraintId> LivePlane::open_edge(VertexId a, VertexId b) {
+  std::vector<ConstraintId> over = walls_.take_all(a, b);
+  if (plane_) plane_->remove_wall(site_of_[a], site_of_[b]);
+  return over;
 }
 
 // Without memory for a finer grid the old one serves on.

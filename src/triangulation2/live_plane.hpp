@@ -5,6 +5,7 @@
 // is just that row, in canonical order.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -16,6 +17,7 @@
 
 #include "delaunay2/incremental.hpp"
 #include "spatial/start_grid.hpp"
+#include "triangulation2/walls_of_plane.hpp"
 
 namespace tetloft::internal::triangulation2 {
 
@@ -57,6 +59,24 @@ class LivePlane {
   /// has the vertex: returns that of each.
   std::vector<VertexId> build(std::span<const VertexId> points, const Execution& execution);
 
+  // Constraints, by edges. They are walls of the triangles.
+
+  [[nodiscard]] const Walls& walls() const { return walls_; }
+  /// A constraint's edge at v, or null.
+  [[nodiscard]] const std::vector<ConstraintId>* wall_of(VertexId v) const;
+  /// What one comes to on the way from a to another vertex b.
+  struct Step {
+    VertexId reached;                 ///< the first vertex on the segment
+    std::array<VertexId, 2> crossed;  ///< the first wall that the segment crosses before, or none
+  };
+  [[nodiscard]] Step step(VertexId a, VertexId b) const;
+  /// Constraints come to go over a b. Requires that a step leads from a to b, without a wall.
+  void add_to_edge(VertexId a, VertexId b, const std::vector<ConstraintId>& over);
+  /// A constraint goes over a b no more. Requires that it does, maybe several times.
+  void take_from_edge(VertexId a, VertexId b, ConstraintId c);
+  /// The edge a b is no wall any more. Returns what went over it.
+  std::vector<ConstraintId> open_edge(VertexId a, VertexId b);
+
   /// The site to start a search for p at. Requires triangles.
   [[nodiscard]] SiteId start(const Point2& p, VertexId near) const;
 
@@ -66,6 +86,7 @@ class LivePlane {
   [[nodiscard]] bool spans_plane_without(VertexId v) const;
   [[nodiscard]] std::vector<VertexId> live_vertices() const;
   void note_start(VertexId v);
+  [[nodiscard]] Walls::Division division_of(SiteId near, VertexId v) const;
 
   // By place.
   IdVector<VertexId, Point2> points_;
@@ -76,6 +97,7 @@ class LivePlane {
   IdVector<SiteId, VertexId> vertex_of_;  // invalid for the ghost and removed sites
   std::vector<VertexId> row_;             // empty where there are triangles
   StartGrid starts_;                      // where there are triangles
+  Walls walls_;
   std::size_t vertex_count_ = 0;
 };
 

@@ -42,19 +42,22 @@ Result<Answer> asked_of(const Point3& p, std::size_t vertices, const Answer& not
 
 }  // namespace
 
+Location3 DelaunayTriangulation3::Impl::location(const Point3& p, VertexId near) const {
+  triangulation3::Simplex found = triangulation3::simplex_at(tets, p, near);
+  std::sort(found.vertices.begin(), found.vertices.end());
+  Location3 result;
+  result.kind = kind_of(found.vertices.size());
+  for (std::size_t i = 0; i < found.vertices.size(); ++i) {
+    result.vertices[i] = handle(found.vertices[i]);
+  }
+  if (tets.dimension() == 3) result.tet = found.tet;
+  return result;
+}
+
 Result<Location3> DelaunayTriangulation3::locate(const Point3& point, DelaunayVertex near) const {
   const Impl& impl = get();
-  return asked_of<Location3>(point, vertex_count(), {}, [&] {
-    triangulation3::Simplex found = triangulation3::simplex_at(impl.tets, point, impl.hint(near));
-    std::sort(found.vertices.begin(), found.vertices.end());
-    Location3 result;
-    result.kind = kind_of(found.vertices.size());
-    for (std::size_t i = 0; i < found.vertices.size(); ++i) {
-      result.vertices[i] = impl.handle(found.vertices[i]);
-    }
-    if (dimension() == 3) result.tet = found.tet;
-    return result;
-  });
+  return asked_of<Location3>(point, vertex_count(), {},
+                             [&] { return impl.location(point, impl.hint(near)); });
 }
 
 Result<DelaunayVertex> DelaunayTriangulation3::nearest_vertex(const Point3& point,

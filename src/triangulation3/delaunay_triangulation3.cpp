@@ -58,16 +58,7 @@ Result<DelaunayTriangulation3> DelaunayTriangulation3::of(std::span<const Point3
                                                           const Execution& execution) {
   return guard_threads(execution, [&](const Execution& own) -> Result<DelaunayTriangulation3> {
     if (Result<void> fit = fp_self_check(); !fit) return fit.error();
-    if (points.size() >= triangulation3::kMostVertices) {
-      return Error{ErrorCode::invalid_input, "2^30 points or more", {}};
-    }
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      if (Result<void> fine = triangulation3::check_point(points[i]); !fine) {
-        Error error = fine.error();
-        error.where.vertex = i;
-        return error;
-      }
-    }
+    if (Result<void> fine = triangulation3::check_points(points); !fine) return fine.error();
     DelaunayTriangulation3 result;
     if (!points.empty()) (void)result.own().take_all(points, own);
     return result;
@@ -87,13 +78,7 @@ Result<DelaunayTriangulation3::Insertion> DelaunayTriangulation3::insert(const P
 Result<std::vector<DelaunayVertex>> DelaunayTriangulation3::insert(std::span<const Point3> points,
                                                                    const Execution& execution) {
   return guard_internal([&]() -> Result<std::vector<DelaunayVertex>> {
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      if (Result<void> fine = triangulation3::check_point(points[i]); !fine) {
-        Error error = fine.error();
-        error.where.vertex = i;
-        return error;
-      }
-    }
+    if (Result<void> fine = triangulation3::check_points(points); !fine) return fine.error();
     if (vertex_slots() != 0) return impl_->insert_all(points, execution);
     auto made = std::make_unique<Impl>();
     std::vector<DelaunayVertex> result;

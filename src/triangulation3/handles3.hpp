@@ -31,6 +31,21 @@ inline constexpr std::size_t kMostVertices = std::size_t{1} << 30;
   return error;
 }
 
+/// Of many at once, 2^30 at most; the error names the first one that is not finite.
+[[nodiscard]] inline Result<void> check_points(std::span<const Point3> points) {
+  if (points.size() >= kMostVertices) {
+    return Error{ErrorCode::invalid_input, "2^30 points or more", {}};
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (Result<void> fine = check_point(points[i]); !fine) {
+      Error error = fine.error();
+      error.where.vertex = i;
+      return error;
+    }
+  }
+  return {};
+}
+
 }  // namespace tetloft::internal::triangulation3
 
 class tetloft::DelaunayTriangulation3::Impl {
@@ -66,6 +81,9 @@ class tetloft::DelaunayTriangulation3::Impl {
     if (tets.dimension() < 3 || !tets.is_finite(t)) throw std::out_of_range("no such tet");
     return tets.tets().tet(t);
   }
+
+  /// Where p lies; requires points.
+  [[nodiscard]] Location3 location(const Point3& p, VertexId near) const;
 
   /// A place for a vertex at p, provided but not taken.
   [[nodiscard]] VertexId provide(const Point3& p) {

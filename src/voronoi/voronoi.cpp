@@ -14,21 +14,15 @@
 #include "core/watched_work.hpp"
 #include "voronoi/cut_polyhedron.hpp"
 #include "voronoi/dual_cell.hpp"
+#include "voronoi/moderate.hpp"
 
 namespace tetloft {
 
 using namespace internal;
 using voronoi::CutPolyhedron;
+using voronoi::is_moderate;
 
 namespace {
-
-// Below, products of four coordinates are finite.
-constexpr double kMostCoordinate = 0x1p300;
-
-bool is_moderate(const Point3& p) {  // false for what is not finite
-  return std::abs(p.x) <= kMostCoordinate && std::abs(p.y) <= kMostCoordinate &&
-         std::abs(p.z) <= kMostCoordinate;
-}
 
 Result<void> check_clipping(const ClippingBox& box) {
   Error error{ErrorCode::invalid_input, {}, {}};

@@ -1,0 +1,209 @@
+// Natural neighbours: the cell that a point would have, and what it would take from whom.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <tetloft/predicates.hpp>
+#include <tetloft/voronoi.hpp>
+
+#include "core/enums.hpp"
+#include "core/guard.hpp"
+#include "core/vector.hpp"
+#include "voronoi/cut_polyhedron.hpp"
+#include "voronoi/moderate.hpp"
+
+namespace tetloft {
+
+using namespace internal;
+using voronoi::CutPolyhedron;
+
+namespace {
+
+// The neighbours of a point that is no vertex, relative to it, and in a unit near the largest: of
+// weights only ratios count, and so no volume leaves the range of doubles.
+struct Surroundings {
+  std::vector<DelaunayVertex> vertices;
+  std::vector<Point3> offsets;
+  std::optional<Point3> normal;  // on the hull: of its plane
+};
+
+// The hull's facets among the tets in conflict that the point is in the plane of: of all planes of
+// the hull that it is on one at least, as it is in their closure, so in conflict.
+std::vector<std::array<Point3, 3>> hull_planes(const DelaunayTriangulation3& triangulation,
+                                               const std::vector<TetId>& zone, const Point3& p) {
+  std::vector<std::array<Point3, 3>> planes;
+  for (const TetId t : zone) {
+    for (int i = 0; i < 4; ++i) {
+      const HalfFaceId h = TetMesh::half_face(t, i);
+      if (triangulation.opposite(h).valid()) continue;
+      const std::array<DelaunayVertex, 3> v = triangulation.vertices(h);
+      const std::array<Point3, 3> plane{triangulation.point(v[0]), triangulation.point(v[1]),
+                                        triangulation.point(v[2])};
+      if (orient3d(plane[0], plane[1], plane[2], p) == Sign::zero) planes.push_back(plane);
+    }
+  }
+  return planes;
+}
+
+double largest_coordinate(const std::vector<Point3>& points) {
+  double largest = 0;
+  for (const Point3& p : points) {
+    largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  }
+  return largest;
+}
+
+void scale_to_unit(std::vector<Point3>& points) {
+  const int exponent = std::ilogb(largest_coordinate(points));
+  for (Point3& p : points) {
+    p = {std::ldexp(p.x, -exponent), std::ldexp(p.y, -exponent), std::ldexp(p.z, -exponent)};
+  }
+}
+
+Surroundings surroundings_of(const DelaunayTriangulation3& triangulation, const ConflictZone3& zone,
+                             const Point3& p) {
+  using namespace vectors;
+  const std::vector<std::array<Point3, 3>> planes = hull_planes(triangulation, zone.tets, p);
+  Surroundings result;
+  for (const DelaunayVertex v : zone.neighbours) {
+    const Point3& q = triangulation.point(v);
+    const bool inside = std::all_of(planes.begin(), planes.end(), [&](const auto& plane) {
+      return orient3d(plane[0], plane[1], plane[2], q) == Sign::zero;
+    });
+    if (!inside) continue;
+    result.vertices.push_back(v);
+    result.offsets.push_back(q - p);
+  }
+  scale_to_unit(result.offsets);
+  if (!planes.empty()) {
+    const std::array<Point3, 3>& plane = planes[0];
+    const Point3 u = unit(plane[1] - plane[0]), v = unit(plane[2] - plane[0]);
+    result.normal = unit(cross(u, v));
+  }
+  return result;
+}
+
+// The cell of the origin among points, in a cube that holds it; nothing where none does. On the
+// hull it has no end across the plane, and the slice of a constant thickness is as good.
+std::optional<CutPolyhedron> cell_among(const Surroundings& around) {
+  constexpr double kLarger = 0x1p8;
+  constexpr double kThickness = 1;
+  for (double half = 4; half <= voronoi::kMostCoordinate; half *= kLarger) {
+    CutPolyhedron cell({-half, -half, -half}, {half, half, half});
+    for (const Point3& offset : around.offsets) cell.cut(voronoi::nearer_to_origin(offset));
+    if (around.normal) {
+      const Point3& n = *around.normal;
+      cell.cut({n, kThickness});
+      cell.cut({{-n.x, -n.y, -n.z}, kThickness});
+    }
+    const std::vector<voronoi::CutFace> faces = cell.faces();
+    if (std::all_of(faces.begin(), faces.begin() + CutPolyhedron::kBoxFaces,
+                    [](const voronoi::CutFace& side) { return side.corners.empty(); })) {
+      return cell;
+    }
+  }
+  return std::nullopt;
+}
+
+// What is nearest to points[i] of the cell.
+double taken_from(const CutPolyhedron& cell, const std::vector<Point3>& points, std::size_t i) {
+  CutPolyhedron part = cell;
+  for (std::size_t j = 0; j < points.size() && !part.empty(); ++j) {
+    if (j != i) part.cut(voronoi::nearer_to_first(points[i], points[j]));
+  }
+  return part.volume();
+}
+
+std::vector<double> natural_weights(const CutPolyhedron& cell, const std::vector<Point3>& points,
+                                    NaturalWeights kind) {
+  std::vector<double> weights;
+  if (kind == NaturalWeights::sibson) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      weights.push_back(taken_from(cell, points, i));
+    }
+    return weights;
+  }
+  const std::vector<voronoi::CutFace> faces = cell.faces();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double distance = 2 * voronoi::nearer_to_origin(points[i]).offset;
+    weights.push_back(faces[CutPolyhedron::kBoxFaces + i].area / distance);
+  }
+  return weights;
+}
+
+Error outside_of_hull(const char* why, const Point3& p) {
+  Error error{ErrorCode::invalid_input, why, {}};
+  error.where.point = p;
+  return error;
+}
+
+Result<NaturalNeighbours> weighted_neighbours(const DelaunayTriangulation3& triangulation,
+                                              const ConflictZone3& zone, const Point3& p,
+                                              NaturalWeights kind) {
+  const Surroundings around = surroundings_of(triangulation, zone, p);
+  for (const DelaunayVertex v : around.vertices) {
+    if (!voronoi::is_moderate(triangulation.point(v))) {
+      return outside_of_hull("a neighbour's coordinate is beyond 2^300", triangulation.point(v));
+    }
+  }
+  NaturalNeighbours result;
+  result.vertices = around.vertices;
+  if (around.vertices.size() == 2) {  // the ends of an edge of the hull
+    for (const std::size_t other : {std::size_t{1}, std::size_t{0}}) {
+      result.weights.push_back(voronoi::nearer_to_origin(around.offsets[other]).offset);
+    }
+  } else {
+    const std::optional<CutPolyhedron> cell = cell_among(around);
+    if (!cell) {
+      Error error = outside_of_hull(
+          "so near the hull that the cell is 2^300 times as large as the distances", p);
+      error.code = ErrorCode::unrepresentable;
+      return error;
+    }
+    result.weights = natural_weights(*cell, around.offsets, kind);
+  }
+  double sum = 0;
+  for (const double w : result.weights) sum += w;
+  for (double& w : result.weights) w /= sum;
+  return result;
+}
+
+}  // namespace
+
+const char* name_of(NaturalWeights weights) {
+  switch (weights) {
+    case NaturalWeights::sibson: return "sibson";
+    case NaturalWeights::laplace: return "laplace";
+  }
+  return "unknown";
+}
+
+Result<NaturalNeighbours> natural_neighbours(const DelaunayTriangulation3& triangulation,
+                                             const Point3& point, NaturalWeights weights,
+                                             DelaunayVertex near) {
+  return guard_internal([&]() -> Result<NaturalNeighbours> {
+    if (!is_enumerator(weights, NaturalWeights::laplace)) {
+      return Error{ErrorCode::usage, "there are no such weights of natural neighbours", {}};
+    }
+    if (!voronoi::is_moderate(point)) {
+      return outside_of_hull("a coordinate is not finite, or beyond 2^300", point);
+    }
+    if (triangulation.dimension() < 3) {
+      return outside_of_hull("the vertices span no space", point);
+    }
+    const Result<Location3> at = triangulation.locate(point, near);
+    if (!at) return at.error();
+    if (at->kind == LocationKind::outside) {
+      return outside_of_hull("the point is outside of the hull", point);
+    }
+    if (at->kind == LocationKind::vertex) return NaturalNeighbours{{at->vertices[0]}, {1}};
+    const Result<ConflictZone3> zone = triangulation.conflict_zone(point, at->vertices[0]);
+    if (!zone) return zone.error();
+    return weighted_neighbours(triangulation, *zone, point, weights);
+  });
+}
+
+}  // namespace tetloft
