@@ -175,11 +175,19 @@ std::size_t LiveTets::count_finite(std::span<const TetId> tets) const {
       std::count_if(tets.begin(), tets.end(), [&](TetId t) { return !tets_.is_ghost(t); }));
 }
 
+// Where memory ends all tets are looked at, which needs none: the vertex must not be lost.
 void LiveTets::rename(VertexId w, VertexId v) {
-  hole_.open(tets_, w, tet_of_[w]);
-  for (const TetId t : hole_.star()) {
+  const auto rename_in = [&](TetId t) {
     TetVertices& tet = tets_.slot(t).vertices;
-    tet[index_of(tet, w)] = v;
+    std::replace(tet.begin(), tet.end(), w, v);
+  };
+  try {
+    hole_.open(tets_, w, tet_of_[w]);
+    for (const TetId t : hole_.star()) rename_in(t);
+  } catch (const std::bad_alloc&) {
+    for (std::size_t k = 0; k < tets_.taken(); ++k) {
+      if (is_live(TetId(k))) rename_in(TetId(k));
+    }
   }
   tets_.replace_vertex(v, point(w));
   tet_of_[v] = tet_of_[w];
