@@ -10,6 +10,7 @@
 #include <utility>
 
 #include <tetloft/delaunay_triangulation3.hpp>
+#include <tetloft/voronoi.hpp>
 
 #include "core/prng.hpp"
 #include "inputs.hpp"
@@ -48,6 +49,7 @@ constexpr Job kJobs[] = {
     {DynamicJob::remove, "remove", "all of them in random order"},
     {DynamicJob::locate, "locate", "random queries in the box, no hint"},
     {DynamicJob::nearest, "nearest", "the nearest vertex of random queries in the box, no hint"},
+    {DynamicJob::volumes, "volumes", "the volumes of all bounded Voronoi cells"},
 };
 
 // Boustrophedon: along x, rows along y, layers along z, each turning back; about `n` cells.
@@ -128,6 +130,19 @@ std::size_t ask_all(const DelaunayTriangulation3& made, const DynamicWork& work)
   return found;
 }
 
+// Of the cells that have one; counts them.
+std::size_t sum_volumes(const DelaunayTriangulation3& made) {
+  double sum = 0;
+  std::size_t bounded = 0;
+  for (const double volume : value_of(voronoi_volumes(made, {.threads = 1}))) {
+    if (std::isinf(volume)) continue;
+    ++bounded;
+    sum += volume;
+  }
+  if (!(sum >= 0)) throw std::runtime_error("a volume that is no number");
+  return bounded;
+}
+
 Run run_dynamic(const DynamicWork& work) {
   if (work.job == DynamicJob::insert || work.job == DynamicJob::insert_along) {
     const Clock clock;
@@ -136,6 +151,10 @@ Run run_dynamic(const DynamicWork& work) {
   }
   DelaunayTriangulation3 made = value_of(DelaunayTriangulation3::of(work.points));
   const Clock clock;
+  if (work.job == DynamicJob::volumes) {
+    const std::size_t bounded = sum_volumes(made);
+    return {clock.seconds(), bounded};
+  }
   if (work.job != DynamicJob::remove) {
     const std::size_t found = ask_all(made, work);
     return {clock.seconds(), found};

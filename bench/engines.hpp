@@ -44,6 +44,7 @@ struct Peer {
   bool parallel = false;                                   // of use with several threads, in space
   std::size_t most_points = static_cast<std::size_t>(-1);  // more takes too long to wait for
   std::vector<DynamicEngine> dynamic{};                    // where triangulations change
+  std::vector<PlaneEngine> plane{};                        // the same in the plane
 };
 
 Peer cgal();

@@ -9,6 +9,7 @@
 #include "cases.hpp"
 #include "distributions.hpp"
 #include "options.hpp"
+#include "plane_cases.hpp"
 #include "plot.hpp"
 #include "report.hpp"
 #include "words.hpp"
@@ -109,6 +110,7 @@ int main(int argc, char** argv) {
   std::vector<Case> cases = all_cases(options.stacks);
   for (Case& one : distribution_cases(options.distributions)) cases.push_back(std::move(one));
   for (Case& one : dynamic_cases(options.dynamic)) cases.push_back(std::move(one));
+  for (Case& one : plane_cases(options.dynamic)) cases.push_back(std::move(one));
   wrong = unknown_name(options, cases);
   if (!wrong.empty()) return usage_failure(wrong, kBenchUsage);
   try {

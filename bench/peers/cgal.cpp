@@ -15,6 +15,7 @@
 
 #include "measure.hpp"
 #include "peers/cgal_dynamic.hpp"
+#include "peers/cgal_plane.hpp"
 
 namespace tetloft::bench {
 
@@ -69,6 +70,7 @@ Run run2(std::span<const Point2> points) {
 Peer cgal() {
   Peer peer{"CGAL", CGAL_VERSION_STR, run3, run2, kParallel};
   peer.dynamic = cgal_dynamic();
+  peer.plane = cgal_plane();
   return peer;
 }
 

@@ -1,7 +1,11 @@
 // CGAL's triangulation of space as one that changes: as it is, and with Fast_location.
 #include "peers/cgal_dynamic.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <iterator>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -49,6 +53,42 @@ std::size_t ask_all(const Triangulation& made, const DynamicWork& work) {
   return found;
 }
 
+// By the dual of each edge: a polygon, a pyramid over which has the vertex as its apex.
+template <class Triangulation>
+double volume_of_cell(const Triangulation& made, typename Triangulation::Vertex_handle v) {
+  std::vector<typename Triangulation::Edge> edges;
+  made.finite_incident_edges(v, std::back_inserter(edges));
+  double volume = 0;
+  for (const auto& edge : edges) {
+    auto cell = made.incident_cells(edge);
+    const auto last = cell;
+    const Kernel::Point_3 first = made.dual(cell++);
+    for (Kernel::Point_3 before = made.dual(cell++); cell != last; ++cell) {
+      const Kernel::Point_3 here = made.dual(cell);
+      volume += std::abs(CGAL::volume(v->point(), first, before, here));
+      before = here;
+    }
+  }
+  return volume;
+}
+
+template <class Triangulation>
+std::size_t sum_volumes(const Triangulation& made) {
+  double sum = 0;
+  std::size_t bounded = 0;
+  for (auto v = made.finite_vertices_begin(); v != made.finite_vertices_end(); ++v) {
+    std::vector<typename Triangulation::Cell_handle> cells;
+    made.incident_cells(v, std::back_inserter(cells));
+    if (std::any_of(cells.begin(), cells.end(), [&](auto c) { return made.is_infinite(c); })) {
+      continue;
+    }
+    ++bounded;
+    sum += volume_of_cell(made, typename Triangulation::Vertex_handle(v));
+  }
+  if (!(sum >= 0)) throw std::runtime_error("a volume that is no number");
+  return bounded;
+}
+
 // The range is inserted in CGAL's own order; the vertices are found by their places afterwards.
 template <class Triangulation>
 Run on_whole(const DynamicWork& work) {
@@ -56,6 +96,11 @@ Run on_whole(const DynamicWork& work) {
   points.reserve(work.points.size());
   for (const Point3& p : work.points) points.push_back(point(p));
   Triangulation made(points.begin(), points.end());
+  if (work.job == DynamicJob::volumes) {
+    const Clock clock;
+    const std::size_t bounded = sum_volumes(made);
+    return {clock.seconds(), bounded};
+  }
   if (work.job != DynamicJob::remove) {
     const Clock clock;
     const std::size_t found = ask_all(made, work);

@@ -79,6 +79,11 @@ struct VoronoiCell3 {
 [[nodiscard]] TETLOFT_API Result<VoronoiCell3> voronoi_cell(
     const DelaunayTriangulation3& triangulation, DelaunayVertex site, const ClippingBox& box);
 
+/// The volumes of all whole cells, by index of vertex: infinite where unbounded, 0 in places
+/// without a vertex. Several times as fast as making the cells. Refused as above.
+[[nodiscard]] TETLOFT_API Result<std::vector<double>> voronoi_volumes(
+    const DelaunayTriangulation3& triangulation, const Execution& execution = {});
+
 /// The cells of all vertices, by increasing index.
 [[nodiscard]] TETLOFT_API Result<std::vector<VoronoiCell3>> voronoi_cells(
     const DelaunayTriangulation3& triangulation, const Execution& execution = {});

@@ -216,6 +216,36 @@ TEST(VoronoiCells, AreTheSameOnAnyNumberOfThreads) {
   }
 }
 
+// Tet by tet, as from corners and faces.
+TEST(VoronoiVolumes, AreThoseOfTheCells) {
+  for (const NamedPoints& set : voronoi_point_sets()) {
+    SCOPED_TRACE(set.name);
+    DelaunayTriangulation3 t = triangulated(set.points);
+    if (t.vertex_count() > 20) {
+      EXPECT_TRUE(t.remove(*t.vertices().begin()));
+    }
+    const std::vector<double> volumes = value_of(voronoi_volumes(t, {.threads = 3}));
+    EXPECT_EQ(volumes, value_of(voronoi_volumes(t, {.threads = 1})));
+    ASSERT_EQ(volumes.size(), t.vertex_slots());
+    std::vector<double> expected(volumes.size());
+    for (const VoronoiCell3& cell : value_of(voronoi_cells(t))) {
+      expected[cell.site.index] = cell.volume;
+    }
+    for (std::size_t i = 0; i < volumes.size(); ++i) {
+      ASSERT_EQ(std::isinf(volumes[i]), std::isinf(expected[i])) << i;
+      if (std::isinf(volumes[i])) continue;
+      EXPECT_NEAR(volumes[i], expected[i], 1e-9 * expected[i]) << i;
+    }
+  }
+}
+
+TEST(VoronoiVolumes, RefuseWhatIsTooFar) {
+  DelaunayTriangulation3 t = triangulated(cubic_points(3));
+  EXPECT_EQ(value_of(voronoi_volumes(DelaunayTriangulation3())).size(), 0U);
+  const auto far = value_of(t.insert({0x1p301, 0, 0}));
+  EXPECT_EQ(voronoi_volumes(t).error().where.vertex, far.vertex.index);
+}
+
 TEST(VoronoiCells, RefuseWhatIsNone) {
   DelaunayTriangulation3 t = triangulated(cubic_points(3));
   const DelaunayVertex gone = t.vertex_at(3), kept = t.vertex_at(4);
