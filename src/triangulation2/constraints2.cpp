@@ -30,8 +30,9 @@ namespace {
 constexpr std::size_t kMostPieces = std::size_t{1} << 16;
 
 Error no_constraint(ConstraintId c) {
-  const std::string name = c.valid() ? " " + std::to_string(c.value()) : std::string();
-  return {ErrorCode::invalid_input, "there is no constraint" + name + ", or no longer", {}};
+  std::string message = "there is no constraint";
+  if (c.valid()) message.append(" ").append(std::to_string(c.value()));
+  return {ErrorCode::invalid_input, message + ", or no longer", {}};
 }
 
 Error crossed_by(const LivePlane& plane, const std::array<VertexId, 2>& wall, VertexId u,
