@@ -196,8 +196,11 @@ void LiveTets::rename(VertexId w, VertexId v) {
 }
 
 void LiveTets::build(std::span<const VertexId> points, const Execution& execution) {
+  // What was provided and is yet to come keeps its point too.
   IdVector<VertexId, Point3> point_of(tet_of_.size());
-  for (const VertexId v : points) point_of[v] = point(v);
+  for (std::size_t k = kAuxiliaries; k < point_of.size(); ++k) {
+    point_of[VertexId(k)] = point(VertexId(k));
+  }
   // Those to be built of, by place: points first.
   std::vector<VertexId> vertices(points.begin(), points.end());
   std::vector<Point3> built_of;

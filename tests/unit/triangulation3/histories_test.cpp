@@ -83,5 +83,22 @@ TEST(Histories, OfManyPointsEndWhereTheBatchBegins) {
   }
 }
 
+// Points that come together pass through all dimensions, and keep their places.
+TEST(Histories, ManyPointsJoinAFew) {
+  for (const PointSource& source : point_sources()) {
+    for (std::size_t there = 1; there <= 4; ++there) {
+      SCOPED_TRACE(testing::Message() << source.name << ", beside " << there);
+      Prng prng(there);
+      DelaunayTriangulation3 t;
+      for (std::size_t i = 0; i < there; ++i) (void)value_of(t.insert(source.draw(prng)));
+      std::vector<Point3> more;
+      for (int i = 0; i < 30; ++i) more.push_back(source.draw(prng));
+      const std::vector<DelaunayVertex> handles = value_of(t.insert(more));
+      for (std::size_t i = 0; i < more.size(); ++i) EXPECT_EQ(t.point(handles[i]), more[i]) << i;
+      ASSERT_TRUE(equals_batch(t));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace tetloft::test
