@@ -1,6 +1,9 @@
 #include "delaunay2/incremental.hpp"
 
+#include <algorithm>
+#include <array>
 #include <limits>
+#include <utility>
 
 #include "core/guard.hpp"
 #include "core/provide_room.hpp"
@@ -110,6 +113,7 @@ TriangleId Incremental2::locate(const Filter& filter, const Point2& p, TriangleI
     if (vertices(hint)[i] == kGhost) entry = opposite(half_edge(hint, i));
   }
   if (is_right_of(filter, p, origin(entry), destination(entry))) entry = opposite(entry);
+  if (walls_ && !label_.empty()) return walk_among_walls(filter, p, entry);
   for (;;) {
     // p is not to the right of the entry.
     const Triangle& t = at(entry);
@@ -125,6 +129,24 @@ TriangleId Incremental2::locate(const Filter& filter, const Point2& p, TriangleI
     } else {
       return triangle(entry);
     }
+  }
+}
+
+/// With walls any triangulation may come up, and in some a walk that always tries the same edge
+/// first goes in circles. One that draws the edge ends with probability one (Devillers, Pion and
+/// Teillaud 2002).
+TriangleId Incremental2::walk_among_walls(const Filter& filter, const Point2& p,
+                                          HalfEdgeId entry) const {
+  for (std::uint32_t state = 1;;) {
+    state = state * 1664525U + 1013904223U;
+    std::array<HalfEdgeId, 2> ways{next(entry), previous(entry)};
+    if (state >> 31 != 0) std::swap(ways[0], ways[1]);
+    const auto leads_on = [&](HalfEdgeId h) {
+      return is_right_of(filter, p, origin(h), destination(h));
+    };
+    const auto way = std::find_if(ways.begin(), ways.end(), leads_on);
+    if (way == ways.end()) return triangle(entry);
+    entry = opposite(*way);
   }
 }
 

@@ -157,6 +157,8 @@ class Incremental2 {
   [[nodiscard]] bool decide_right_of(const Filter& filter, const Point2& p, SiteId from,
                                      SiteId to) const;
   [[nodiscard]] TriangleId locate(const Filter& filter, const Point2& p, TriangleId hint) const;
+  [[nodiscard]] TriangleId walk_among_walls(const Filter& filter, const Point2& p,
+                                            HalfEdgeId entry) const;
   [[nodiscard]] bool in_conflict(TriangleId t, const Point2& p) const;
   [[nodiscard]] bool decide_conflict(TriangleId t, const Point2& p) const;
   void collect_conflict_zone(const Point2& p, TriangleId first);
