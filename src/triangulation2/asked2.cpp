@@ -12,12 +12,14 @@
 #include "core/guard.hpp"
 #include "predicates/by_distance.hpp"
 #include "predicates/distances.hpp"
+#include "triangulation2/behind_walls.hpp"
 #include "triangulation2/edges_of_plane.hpp"
 #include "triangulation2/handles2.hpp"
 
 namespace tetloft {
 
 using namespace internal;
+using triangulation2::BehindWalls;
 using triangulation2::EdgesOfPlane;
 using triangulation2::Incremental2;
 using triangulation2::LivePlane;
@@ -75,8 +77,11 @@ std::vector<VertexId> vertices_near(const LivePlane& plane, const Point2& p, Ver
   return result;
 }
 
-ByDistance2 by_distance(const LivePlane& plane, const Point2& p, VertexId near) {
-  return ByDistance2(EdgesOfPlane(plane), raised(p), vertices_near(plane, p, near));
+// What `use` makes of the vertices in order of their distance from p.
+template <class Use>
+auto by_distance(const LivePlane& plane, const Point2& p, VertexId near, const Use& use) {
+  if (plane.has_triangles() && !plane.walls().empty()) return use(BehindWalls(plane, p, near));
+  return use(ByDistance2(EdgesOfPlane(plane), raised(p), vertices_near(plane, p, near)));
 }
 
 // `ask` of a triangulation that has points and a point that is finite; without points `nothing`.
@@ -113,7 +118,8 @@ Result<DelaunayVertex> DelaunayTriangulation2::nearest_vertex(const Point2& poin
                                                               DelaunayVertex near) const {
   const Impl& impl = get();
   return asked_of_plane<DelaunayVertex>(point, vertex_count(), {}, [&] {
-    return impl.handle(by_distance(impl.plane, point, impl.hint(near)).first());
+    return impl.handle(by_distance(impl.plane, point, impl.hint(near),
+                                   [](auto nearest) { return nearest.first(); }));
   });
 }
 
@@ -121,12 +127,13 @@ Result<std::vector<DelaunayVertex>> DelaunayTriangulation2::nearest_vertices(
     const Point2& point, std::size_t k, DelaunayVertex near) const {
   const Impl& impl = get();
   return asked_of_plane<std::vector<DelaunayVertex>>(point, vertex_count(), {}, [&] {
-    std::vector<DelaunayVertex> result;
-    ByDistance2 nearest = by_distance(impl.plane, point, impl.hint(near));
-    while (result.size() < std::min(k, vertex_count())) {
-      result.push_back(impl.handle(nearest.next()));
-    }
-    return result;
+    return by_distance(impl.plane, point, impl.hint(near), [&](auto nearest) {
+      std::vector<DelaunayVertex> result;
+      while (result.size() < std::min(k, vertex_count())) {
+        result.push_back(impl.handle(nearest.next()));
+      }
+      return result;
+    });
   });
 }
 
@@ -137,15 +144,16 @@ Result<std::vector<DelaunayVertex>> DelaunayTriangulation2::vertices_within(
   }
   const Impl& impl = get();
   return asked_of_plane<std::vector<DelaunayVertex>>(centre, vertex_count(), {}, [&] {
-    std::vector<DelaunayVertex> result;
-    ByDistance2 nearest = by_distance(impl.plane, centre, impl.hint(near));
-    for (VertexId v = nearest.next(); v.valid(); v = nearest.next()) {
-      const Sign beyond =
-          predicates::compare_distance(raised(centre), raised(impl.plane.point(v)), radius);
-      if (beyond == Sign::positive) break;
-      result.push_back(impl.handle(v));
-    }
-    return result;
+    return by_distance(impl.plane, centre, impl.hint(near), [&](auto nearest) {
+      std::vector<DelaunayVertex> result;
+      for (VertexId v = nearest.next(); v.valid(); v = nearest.next()) {
+        const Sign beyond =
+            predicates::compare_distance(raised(centre), raised(impl.plane.point(v)), radius);
+        if (beyond == Sign::positive) break;
+        result.push_back(impl.handle(v));
+      }
+      return result;
+    });
   });
 }
 
