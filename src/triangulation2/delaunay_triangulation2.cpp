@@ -50,8 +50,9 @@ Result<void> check_points2(std::span<const Point2> points) {
 }  // namespace
 
 const DelaunayTriangulation2::Impl& DelaunayTriangulation2::get() const {
+  if (impl_) return *impl_;
   static const Impl empty;
-  return impl_ ? *impl_ : empty;
+  return empty;
 }
 DelaunayTriangulation2::Impl& DelaunayTriangulation2::own() {
   if (!impl_) impl_ = std::make_unique<Impl>();
@@ -168,17 +169,20 @@ Result<void> DelaunayTriangulation2::move(DelaunayVertex v, const Point2& to) {
       error.where.point = Point3{to.x, to.y, 0};
       return error;
     }
+    // A vertex until it is removed again: its place is free then, and finds its room.
+    impl_->free.pop_back();
+    const auto give_back = [&] { impl_->free.push_back(moved.value()); };
     try {
       impl_->plane.remove(id);
     } catch (...) {
-      if (impl_->check_free(moved)) {
+      if (impl_->plane.wall_of(moved) == nullptr) {
         impl_->plane.remove(moved);
-      } else {
-        impl_->free.pop_back();
+        give_back();
       }
       throw;
     }
     impl_->plane.rename(moved, id);
+    give_back();
     return {};
   });
 }

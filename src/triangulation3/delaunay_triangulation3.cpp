@@ -31,8 +31,9 @@ Error gone(DelaunayVertex v) {
 }  // namespace
 
 const DelaunayTriangulation3::Impl& DelaunayTriangulation3::get() const {
+  if (impl_) return *impl_;
   static const Impl empty;
-  return impl_ ? *impl_ : empty;
+  return empty;
 }
 DelaunayTriangulation3::Impl& DelaunayTriangulation3::own() {
   if (!impl_) impl_ = std::make_unique<Impl>();
@@ -111,13 +112,17 @@ Result<void> DelaunayTriangulation3::move(DelaunayVertex v, const Point3& to) {
       error.where.point = to;
       return error;
     }
+    // A vertex until it is removed again: its place is free then, and finds its room.
+    impl_->free.pop_back();
     try {
       impl_->tets.remove(id);
     } catch (...) {
       impl_->tets.remove(moved);
+      impl_->give_back({&moved, 1});
       throw;
     }
     impl_->tets.rename(moved, id);
+    impl_->give_back({&moved, 1});
     return {};
   });
 }

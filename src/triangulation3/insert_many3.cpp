@@ -57,7 +57,11 @@ std::vector<DelaunayVertex> DelaunayTriangulation3::Impl::insert_all(std::span<c
   std::vector<DelaunayVertex> handles(points.size());
   std::vector<VertexId> inserted;  // places taken, in order of points
   inserted.reserve(order.size());
-  free.reserve(free.size() + order.size());
+  provide_room(free, order.size());
+  const auto give_back_unused = [&] {
+    std::erase_if(inserted, [&](VertexId v) { return tets.is_live(v); });
+    give_back(inserted);
+  };
   try {
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (first[i] != i) continue;
@@ -73,14 +77,17 @@ std::vector<DelaunayVertex> DelaunayTriangulation3::Impl::insert_all(std::span<c
       if ((k + 1) % kPointsOfLook3 == 0) work.step_done_go_on();
     }
   } catch (...) {
-    for (const VertexId v : inserted) {
-      if (tets.is_live(v)) tets.remove(v);
+    try {
+      for (const VertexId v : inserted) {
+        if (tets.is_live(v)) tets.remove(v);
+      }
+    } catch (...) {
+      // Without memory even for that, the others stay.
     }
-    give_back(inserted);
+    give_back_unused();
     throw;
   }
-  std::erase_if(inserted, [&](VertexId v) { return tets.is_live(v); });
-  give_back(inserted);
+  give_back_unused();
   for (std::size_t i = 0; i < points.size(); ++i) handles[i] = handle(vertex[first[i]]);
   work.step_done();
   return handles;
