@@ -53,10 +53,7 @@ Error crossed_by(const LivePlane& plane, const std::array<VertexId, 2>& wall, Ve
 Result<void> DelaunayTriangulation2::Impl::check_ends(
     const std::array<DelaunayVertex, 2>& segment) const {
   for (const DelaunayVertex end : segment) {
-    if (is_live(end)) continue;
-    Error error{ErrorCode::invalid_input, "there is no such vertex, or no longer", {}};
-    if (end.valid()) error.where.vertex = end.index;
-    return error;
+    if (!is_live(end)) return no_such_vertex(end);
   }
   if (segment[0] != segment[1]) return {};
   Error error{ErrorCode::invalid_input, "a constraint from a vertex to itself", {}};
@@ -244,7 +241,7 @@ std::vector<std::array<DelaunayVertex, 2>> DelaunayTriangulation2::edges(Constra
 Result<std::vector<TriangleId>> DelaunayTriangulation2::inside() const {
   return guard_internal([&]() -> Result<std::vector<TriangleId>> {
     const Impl& impl = get();
-    std::vector<bool> is_odd(impl.generation.size());
+    std::vector<bool> is_odd(impl.places.size());
     for (const auto& [edge, over] : impl.plane.walls().edges()) {
       if (over.size() % 2 == 0) continue;
       for (const VertexId v : edge) is_odd[v.index()] = !is_odd[v.index()];

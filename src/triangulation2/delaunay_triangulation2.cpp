@@ -27,12 +27,6 @@ namespace {
 // So many points between two looks at the stop token.
 constexpr std::size_t kPointsOfLook2 = 4096;
 
-Error gone2(DelaunayVertex v) {
-  Error error{ErrorCode::invalid_input, "there is no such vertex, or no longer", {}};
-  if (v.valid()) error.where.vertex = v.index;
-  return error;
-}
-
 Result<void> check_points2(std::span<const Point2> points) {
   if (points.size() >= Incremental2::kMostVertices) {
     return Error{ErrorCode::invalid_input, "2^29 points or more", {}};
@@ -121,7 +115,7 @@ std::vector<DelaunayVertex> DelaunayTriangulation2::Impl::insert_all(std::span<c
   std::vector<DelaunayVertex> handles(points.size());
   std::vector<VertexId> inserted;
   inserted.reserve(points.size());
-  provide_room(free, points.size());
+  provide_room(places.free, points.size());
   try {
     VertexId last;
     std::size_t done = 0;
@@ -136,7 +130,7 @@ std::vector<DelaunayVertex> DelaunayTriangulation2::Impl::insert_all(std::span<c
     // Nobody has seen these handles: their generations do not grow.
     for (std::size_t k = inserted.size(); k-- > 0;) {
       plane.remove(inserted[k]);
-      free.push_back(inserted[k].value());
+      places.give_back(inserted[k].index());
     }
     throw;
   }
@@ -146,7 +140,7 @@ std::vector<DelaunayVertex> DelaunayTriangulation2::Impl::insert_all(std::span<c
 
 Result<void> DelaunayTriangulation2::remove(DelaunayVertex v) {
   return guard_internal([&]() -> Result<void> {
-    if (!is_live(v)) return gone2(v);
+    if (!is_live(v)) return no_such_vertex(v);
     if (Result<void> free = impl_->check_free(impl_->id(v)); !free) return free;
     impl_->remove(impl_->id(v));
     return {};
@@ -156,7 +150,7 @@ Result<void> DelaunayTriangulation2::remove(DelaunayVertex v) {
 // The vertex is inserted at its new place under another name, which it loses again.
 Result<void> DelaunayTriangulation2::move(DelaunayVertex v, const Point2& to) {
   return guard_internal([&]() -> Result<void> {
-    if (!is_live(v)) return gone2(v);
+    if (!is_live(v)) return no_such_vertex(v);
     if (Result<void> fine = triangulation2::check_point(to); !fine) return fine.error();
     const VertexId id = impl_->id(v);
     if (impl_->plane.point(id) == to) return {};
@@ -170,19 +164,18 @@ Result<void> DelaunayTriangulation2::move(DelaunayVertex v, const Point2& to) {
       return error;
     }
     // A vertex until it is removed again: its place is free then, and finds its room.
-    impl_->free.pop_back();
-    const auto give_back = [&] { impl_->free.push_back(moved.value()); };
+    impl_->places.take();
     try {
       impl_->plane.remove(id);
     } catch (...) {
       if (impl_->plane.wall_of(moved) == nullptr) {
         impl_->plane.remove(moved);
-        give_back();
+        impl_->places.give_back(moved.index());
       }
       throw;
     }
     impl_->plane.rename(moved, id);
-    give_back();
+    impl_->places.give_back(moved.index());
     return {};
   });
 }
@@ -191,7 +184,7 @@ void DelaunayTriangulation2::clear() { impl_.reset(); }
 
 int DelaunayTriangulation2::dimension() const { return get().plane.dimension(); }
 std::size_t DelaunayTriangulation2::vertex_count() const { return get().plane.vertex_count(); }
-std::size_t DelaunayTriangulation2::vertex_slots() const { return get().generation.size(); }
+std::size_t DelaunayTriangulation2::vertex_slots() const { return get().places.size(); }
 std::size_t DelaunayTriangulation2::triangle_slots() const {
   return dimension() < 2 ? 0 : get().plane.triangles().triangle_count();
 }
@@ -205,7 +198,7 @@ std::size_t DelaunayTriangulation2::triangle_count() const {
 
 DelaunayVertex DelaunayTriangulation2::vertex_at(std::size_t index) const {
   const Impl& impl = get();
-  if (index >= impl.generation.size()) throw std::out_of_range("no such place of a vertex");
+  if (index >= impl.places.size()) throw std::out_of_range("no such place of a vertex");
   return impl.plane.is_live(VertexId(index)) ? impl.handle(VertexId(index)) : DelaunayVertex();
 }
 

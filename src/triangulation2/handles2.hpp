@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -13,6 +12,7 @@
 #include <tetloft/delaunay_triangulation2.hpp>
 
 #include "core/provide_room.hpp"
+#include "core/vertex_places.hpp"
 #include "triangulation2/live_plane.hpp"
 
 namespace tetloft::internal::triangulation2 {
@@ -31,15 +31,13 @@ class tetloft::DelaunayTriangulation2::Impl {
 
  public:
   internal::triangulation2::LivePlane plane;
-  std::vector<std::uint32_t> generation;  // by place
-  std::vector<std::uint32_t> free;        // places, the next to be taken last
+  internal::VertexPlaces places;
   // By constraint; invalid of those that are gone.
   IdVector<ConstraintId, std::array<VertexId, 2>> ends;
   std::size_t constraint_count = 0;
 
   [[nodiscard]] bool is_live(DelaunayVertex v) const {
-    return v.index < generation.size() && generation[v.index] == v.generation &&
-           plane.is_live(VertexId(v.index));
+    return places.is_latest(v) && plane.is_live(VertexId(v.index));
   }
   /// The place of a live vertex; throws std::out_of_range otherwise.
   [[nodiscard]] VertexId id(DelaunayVertex v) const {
@@ -50,9 +48,7 @@ class tetloft::DelaunayTriangulation2::Impl {
   [[nodiscard]] VertexId hint(DelaunayVertex v) const {
     return is_live(v) ? VertexId(v.index) : VertexId();
   }
-  [[nodiscard]] DelaunayVertex handle(VertexId v) const {
-    return {v.value(), generation[v.index()]};
-  }
+  [[nodiscard]] DelaunayVertex handle(VertexId v) const { return places.handle(v.index()); }
   [[nodiscard]] DelaunayVertex handle(internal::triangulation2::SiteId s) const {
     return handle(plane.vertex(s));
   }
@@ -67,39 +63,32 @@ class tetloft::DelaunayTriangulation2::Impl {
 
   /// A place for a vertex at p, provided but not taken.
   [[nodiscard]] VertexId provide(const Point2& p) {
-    if (free.empty()) {
-      if (generation.size() >= Incremental2::kMostVertices) throw std::length_error("2^29 points");
-      free.reserve(1);
-      generation.push_back(0);
-      free.push_back(static_cast<std::uint32_t>(generation.size() - 1));
-    }
-    const VertexId v(free.back());
+    const VertexId v(places.next(Incremental2::kMostVertices));
     plane.provide(v, p);
     return v;
   }
   Insertion insert(const Point2& p, VertexId near) {
     const VertexId v = provide(p);
     const VertexId found = plane.insert(v, near);
-    if (found == v) free.pop_back();
+    if (found == v) places.take();
     return {handle(found), found == v};
   }
   void remove(VertexId v) {
-    internal::provide_room(free, 1);
+    internal::provide_room(places.free, 1);
     plane.remove(v);
-    ++generation[v.index()];
-    free.push_back(v.value());
+    places.release(v.index());
   }
   /// The first points there are; equal ones share a vertex. Returns that of each.
   std::vector<VertexId> take_all(std::span<const Point2> points, const Execution& execution) {
-    generation.resize(points.size());
-    std::vector<VertexId> places;
+    places.generation.resize(points.size());
+    std::vector<VertexId> all;
     for (std::size_t i = 0; i < points.size(); ++i) {
-      places.emplace_back(i);
-      plane.provide(places.back(), points[i]);
+      all.emplace_back(i);
+      plane.provide(all.back(), points[i]);
     }
-    std::vector<VertexId> vertex_of = plane.build(places, execution);
+    std::vector<VertexId> vertex_of = plane.build(all, execution);
     for (std::size_t i = points.size(); i-- > 0;) {
-      if (vertex_of[i] != places[i]) free.push_back(static_cast<std::uint32_t>(i));
+      if (vertex_of[i] != all[i]) places.give_back(i);
     }
     return vertex_of;
   }

@@ -20,16 +20,6 @@ namespace tetloft {
 using namespace internal;
 using triangulation3::LiveTets;
 
-namespace {
-
-Error gone(DelaunayVertex v) {
-  Error error{ErrorCode::invalid_input, "there is no such vertex, or no longer", {}};
-  if (v.valid()) error.where.vertex = v.index;
-  return error;
-}
-
-}  // namespace
-
 const DelaunayTriangulation3::Impl& DelaunayTriangulation3::get() const {
   if (impl_) return *impl_;
   static const Impl empty;
@@ -91,7 +81,7 @@ Result<std::vector<DelaunayVertex>> DelaunayTriangulation3::insert(std::span<con
 
 Result<void> DelaunayTriangulation3::remove(DelaunayVertex v) {
   return guard_internal([&]() -> Result<void> {
-    if (!is_live(v)) return gone(v);
+    if (!is_live(v)) return no_such_vertex(v);
     impl_->remove(impl_->id(v));
     return {};
   });
@@ -100,7 +90,7 @@ Result<void> DelaunayTriangulation3::remove(DelaunayVertex v) {
 // The vertex is inserted at its new place under another name, which it loses again.
 Result<void> DelaunayTriangulation3::move(DelaunayVertex v, const Point3& to) {
   return guard_internal([&]() -> Result<void> {
-    if (!is_live(v)) return gone(v);
+    if (!is_live(v)) return no_such_vertex(v);
     if (Result<void> fine = triangulation3::check_point(to); !fine) return fine.error();
     const VertexId id = impl_->id(v);
     if (impl_->tets.point(id) == to) return {};
@@ -113,7 +103,7 @@ Result<void> DelaunayTriangulation3::move(DelaunayVertex v, const Point3& to) {
       return error;
     }
     // A vertex until it is removed again: its place is free then, and finds its room.
-    impl_->free.pop_back();
+    impl_->places.take();
     try {
       impl_->tets.remove(id);
     } catch (...) {
@@ -131,7 +121,7 @@ void DelaunayTriangulation3::clear() { impl_.reset(); }
 
 int DelaunayTriangulation3::dimension() const { return get().tets.dimension(); }
 std::size_t DelaunayTriangulation3::vertex_count() const { return get().tets.vertex_count(); }
-std::size_t DelaunayTriangulation3::vertex_slots() const { return get().generation.size(); }
+std::size_t DelaunayTriangulation3::vertex_slots() const { return get().places.size(); }
 std::size_t DelaunayTriangulation3::tet_count() const { return get().tets.tet_count(); }
 std::size_t DelaunayTriangulation3::tet_slots() const {
   return dimension() < 3 ? 0 : get().tets.tet_slots();
@@ -143,7 +133,7 @@ bool DelaunayTriangulation3::is_live(TetId t) const {
 
 DelaunayVertex DelaunayTriangulation3::vertex_at(std::size_t index) const {
   const Impl& impl = get();
-  if (index >= impl.generation.size()) throw std::out_of_range("no such place of a vertex");
+  if (index >= impl.places.size()) throw std::out_of_range("no such place of a vertex");
   const VertexId v = triangulation3::id_of_place(index);
   return impl.tets.is_live(v) ? impl.handle(v) : DelaunayVertex();
 }

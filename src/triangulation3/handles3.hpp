@@ -13,6 +13,7 @@
 #include <tetloft/delaunay_triangulation3.hpp>
 
 #include "core/provide_room.hpp"
+#include "core/vertex_places.hpp"
 #include "delaunay3/canonical_order.hpp"
 #include "triangulation3/live_tets.hpp"
 
@@ -54,15 +55,14 @@ class tetloft::DelaunayTriangulation3::Impl {
   static VertexId id_of_place(std::size_t place) {
     return internal::triangulation3::id_of_place(place);
   }
+  static std::size_t place_of(VertexId v) { return v.index() - LiveTets::kAuxiliaries; }
 
  public:
   LiveTets tets;
-  std::vector<std::uint32_t> generation;  // by place
-  std::vector<std::uint32_t> free;        // places, the next to be taken last
+  internal::VertexPlaces places;
 
   [[nodiscard]] bool is_live(DelaunayVertex v) const {
-    return v.index < generation.size() && generation[v.index] == v.generation &&
-           tets.is_live(id_of_place(v.index));
+    return places.is_latest(v) && tets.is_live(id_of_place(v.index));
   }
   /// The id of a live vertex; throws std::out_of_range otherwise.
   [[nodiscard]] VertexId id(DelaunayVertex v) const {
@@ -73,10 +73,7 @@ class tetloft::DelaunayTriangulation3::Impl {
   [[nodiscard]] VertexId hint(DelaunayVertex v) const {
     return is_live(v) ? id_of_place(v.index) : VertexId();
   }
-  [[nodiscard]] DelaunayVertex handle(VertexId v) const {
-    const std::size_t place = v.index() - LiveTets::kAuxiliaries;
-    return {static_cast<std::uint32_t>(place), generation[place]};
-  }
+  [[nodiscard]] DelaunayVertex handle(VertexId v) const { return places.handle(place_of(v)); }
   /// Throws std::out_of_range where t is no tet of the triangulation.
   [[nodiscard]] const TetVertices& tet(TetId t) const {
     if (tets.dimension() < 3 || !tets.is_finite(t)) throw std::out_of_range("no such tet");
@@ -88,38 +85,27 @@ class tetloft::DelaunayTriangulation3::Impl {
 
   /// A place for a vertex at p, provided but not taken.
   [[nodiscard]] VertexId provide(const Point3& p) {
-    if (free.empty()) {
-      if (generation.size() >= internal::triangulation3::kMostVertices)
-        throw std::length_error("2^30 vertices");
-      generation.push_back(0);
-      try {
-        free.push_back(static_cast<std::uint32_t>(generation.size() - 1));
-      } catch (...) {
-        generation.pop_back();
-        throw;
-      }
-    }
-    const VertexId v = id_of_place(free.back());
+    const VertexId v = id_of_place(places.next(internal::triangulation3::kMostVertices));
     tets.provide(v, p);
     return v;
   }
   Insertion insert(const Point3& p, VertexId near) {
     const VertexId v = provide(p);
     const VertexId found = tets.insert(v, near);
-    if (found == v) free.pop_back();
+    if (found == v) places.take();
     return {handle(found), found == v};
   }
   /// Points one after the other, along a curve: each search starts at the last one.
   [[nodiscard]] std::vector<DelaunayVertex> insert_all(std::span<const Point3> points,
                                                        const Execution& execution);
   void remove(VertexId v) {
-    internal::provide_room(free, 1);
+    internal::provide_room(places.free, 1);
     tets.remove(v);
-    release(v);
+    places.release(place_of(v));
   }
   /// The first points there are; equal ones share a vertex. Returns that of each.
   std::vector<VertexId> take_all(std::span<const Point3> points, const Execution& execution) {
-    generation.resize(points.size());
+    places.generation.resize(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) tets.provide(id_of_place(i), points[i]);
     std::vector<VertexId> distinct;
     std::vector<VertexId> vertex_of(points.size());
@@ -129,11 +115,11 @@ class tetloft::DelaunayTriangulation3::Impl {
       if (k == 0 || points[order[k]] != points[order[k - 1]]) {
         distinct.push_back(id_of_place(order[k]));
       } else {
-        free.push_back(order[k]);
+        places.give_back(order[k]);
       }
       vertex_of[order[k]] = distinct.back();
     }
-    std::sort(free.begin(), free.end(), std::greater<>());
+    std::sort(places.free.begin(), places.free.end(), std::greater<>());
     std::sort(distinct.begin(), distinct.end());
     tets.build(distinct, execution);
     return vertex_of;
@@ -153,15 +139,7 @@ class tetloft::DelaunayTriangulation3::Impl {
     return true;
   }
   /// Places that were provided and are of no vertex, from the last one on to be taken again.
-  void give_back(std::span<const VertexId> places) {
-    for (std::size_t k = places.size(); k-- > 0;) {
-      free.push_back(static_cast<std::uint32_t>(places[k].index() - LiveTets::kAuxiliaries));
-    }
-  }
-  /// v is in no tet any more.
-  void release(VertexId v) {
-    const std::size_t place = v.index() - LiveTets::kAuxiliaries;
-    ++generation[place];
-    free.push_back(static_cast<std::uint32_t>(place));
+  void give_back(std::span<const VertexId> unused) {
+    for (std::size_t k = unused.size(); k-- > 0;) places.give_back(place_of(unused[k]));
   }
 };

@@ -57,7 +57,7 @@ std::vector<DelaunayVertex> DelaunayTriangulation3::Impl::insert_all(std::span<c
   std::vector<DelaunayVertex> handles(points.size());
   std::vector<VertexId> inserted;  // places taken, in order of points
   inserted.reserve(order.size());
-  provide_room(free, order.size());
+  provide_room(places.free, order.size());
   const auto give_back_unused = [&] {
     std::erase_if(inserted, [&](VertexId v) { return tets.is_live(v); });
     give_back(inserted);
@@ -67,7 +67,7 @@ std::vector<DelaunayVertex> DelaunayTriangulation3::Impl::insert_all(std::span<c
       if (first[i] != i) continue;
       vertex[i] = provide(points[i]);
       inserted.push_back(vertex[i]);
-      free.pop_back();
+      places.take();
     }
     VertexId last;
     for (std::size_t k = 0; k < order.size(); ++k) {

@@ -26,8 +26,8 @@ Result<std::vector<std::byte>> DelaunayTriangulation3::serialise() const {
   return guard_internal([&]() -> Result<std::vector<std::byte>> {
     const Impl& impl = get();
     RecordWriter writer(kRecordOfTriangulation3);
-    writer.put_all(impl.generation);
-    writer.put_all(impl.free);
+    writer.put_all(impl.places.generation);
+    writer.put_all(impl.places.free);
     writer.put_count(vertex_count());
     for (const DelaunayVertex v : vertices()) {
       writer.put(v.index);
@@ -48,12 +48,13 @@ Result<DelaunayTriangulation3> DelaunayTriangulation3::deserialise(
                         kRecordOfTriangulation3, {});
     DelaunayTriangulation3 result;
     Impl& impl = result.own();
-    impl.generation = reader.get_all<std::uint32_t>();
-    impl.free = reader.get_all<std::uint32_t>();
+    impl.places.generation = reader.get_all<std::uint32_t>();
+    impl.places.free = reader.get_all<std::uint32_t>();
     const std::size_t count = reader.get_count(sizeof(std::uint32_t) + 3 * sizeof(double));
-    const std::size_t places = impl.generation.size();
-    reader.require(places < triangulation3::kMostVertices && places == impl.free.size() + count,
-                   "has places that are neither free nor a vertex's");
+    const std::size_t places = impl.places.generation.size();
+    reader.require(
+        places < triangulation3::kMostVertices && places == impl.places.free.size() + count,
+        "has places that are neither free nor a vertex's");
     std::vector<Point3> points(reader.refused() ? 0 : places);
     std::vector<std::uint8_t> taken(points.size());
     std::vector<VertexId> vertices;
@@ -74,7 +75,7 @@ Result<DelaunayTriangulation3> DelaunayTriangulation3::deserialise(
                      "has a coordinate that is not finite");
       vertices.push_back(triangulation3::id_of_place(place));
     }
-    for (const std::uint32_t place : impl.free) {
+    for (const std::uint32_t place : impl.places.free) {
       if (reader.refused() || !take(place)) break;
     }
     if (Result<void> fine = reader.end(); !fine) return fine.error();
