@@ -9,36 +9,6 @@
 namespace tetloft::test {
 namespace {
 
-// One random operation.
-void change(DelaunayTriangulation2& t, const PlaneSource& source, Prng& prng) {
-  const std::vector<DelaunayVertex> live = live_vertices(t);
-  const std::uint64_t draw = prng.below(10);
-  if (live.empty() || draw < 5) {
-    const Point2 p = source.draw(prng);
-    const bool was_there =
-        std::any_of(live.begin(), live.end(), [&](DelaunayVertex v) { return t.point(v) == p; });
-    const auto made =
-        value_of(t.insert(p, live.empty() || prng.chance(0.5) ? DelaunayVertex() : live.front()));
-    EXPECT_EQ(made.is_new, !was_there);
-    EXPECT_EQ(t.point(made.vertex), p);
-    return;
-  }
-  const DelaunayVertex v = live[prng.below(live.size())];
-  if (draw < 9) {
-    succeed(t.remove(v));
-    EXPECT_FALSE(t.is_live(v));
-    return;
-  }
-  const Point2 to = source.draw(prng);
-  const bool taken = std::any_of(live.begin(), live.end(),
-                                 [&](DelaunayVertex u) { return u != v && t.point(u) == to; });
-  EXPECT_EQ(t.move(v, to).ok(), !taken);
-  EXPECT_TRUE(t.is_live(v));
-  if (!taken) {
-    EXPECT_EQ(t.point(v), to);
-  }
-}
-
 TEST(Histories, EqualTheBatchAfterEveryStep) {
   for (const PlaneSource& source : plane_sources()) {
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
@@ -55,29 +25,8 @@ TEST(Histories, EqualTheBatchAfterEveryStep) {
 }
 
 TEST(Histories, OfManyPointsEndWhereTheBatchBegins) {
-  for (const PlaneSource& source : plane_sources()) {
-    SCOPED_TRACE(source.name);
-    Prng prng(77);
-    std::vector<Point2> points;
-    for (int i = 0; i < 400; ++i) points.push_back(source.draw(prng));
-    DelaunayTriangulation2 t = value_of(DelaunayTriangulation2::of(points));
-    ASSERT_TRUE(equals_batch(t));
-    std::vector<Point2> more;
-    for (int i = 0; i < 200; ++i) more.push_back(source.draw(prng));
-    const std::vector<DelaunayVertex> handles = value_of(t.insert(more));
-    for (std::size_t i = 0; i < more.size(); ++i) EXPECT_EQ(t.point(handles[i]), more[i]);
-    ASSERT_TRUE(equals_batch(t));
-    std::vector<DelaunayVertex> live = live_vertices(t);
-    prng.shuffle(live);
-    for (std::size_t i = 0; i < live.size(); ++i) {
-      succeed(t.remove(live[i]));
-      if (i % 16 == 0) {
-        ASSERT_TRUE(equals_batch(t)) << i;
-      }
-    }
-    EXPECT_EQ(t.vertex_count(), 0U);
-    EXPECT_EQ(t.dimension(), -1);
-  }
+  for (const PlaneSource& source : plane_sources())
+    come_and_go<DelaunayTriangulation2>(source, equals_batch);
 }
 
 // A hub of many spokes, on a circle: its star is filled by many flips.

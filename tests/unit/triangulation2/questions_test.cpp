@@ -33,19 +33,6 @@ std::vector<Point2> small_lattice() {
   return points;
 }
 
-struct Ranked {
-  double squared;
-  std::uint32_t index;
-  auto operator<=>(const Ranked&) const = default;
-};
-
-std::vector<Ranked> ranked(const DelaunayTriangulation2& t, const Point2& p) {
-  std::vector<Ranked> all;
-  for (const DelaunayVertex v : live_vertices(t)) all.push_back({squared(t.point(v), p), v.index});
-  std::sort(all.begin(), all.end());
-  return all;
-}
-
 // Sets of every dimension whose distances are exact in doubles.
 std::vector<std::vector<Point2>> sets_of_few_bits() {
   std::vector<std::vector<Point2>> sets{small_lattice(), {{1, 2}}, {}};
@@ -72,21 +59,7 @@ TEST(Questions, NearestVerticesAreThoseOfAllByDistanceThenIndex) {
       Point2 p = few_bits(prng);
       if (round % 4 == 0) p = {p.x * 3 - 8, p.y - 20};
       if (round % 4 == 1) p = {std::floor(p.x) + 0.5, std::floor(p.y) + 0.5};
-      const std::vector<Ranked> all = ranked(t, p);
-      const DelaunayVertex nearest = value_of(t.nearest_vertex(p));
-      ASSERT_EQ(nearest.valid(), !all.empty());
-      if (all.empty()) continue;
-      EXPECT_EQ(nearest.index, all.front().index);
-      const std::size_t k = 1 + prng.below(20);
-      const auto some = value_of(t.nearest_vertices(p, k, nearest));
-      ASSERT_EQ(some.size(), std::min(k, all.size()));
-      for (std::size_t i = 0; i < some.size(); ++i) EXPECT_EQ(some[i].index, all[i].index) << i;
-      const double radius = static_cast<double>(prng.below(40)) / 8;
-      const auto within = value_of(t.vertices_within(p, radius));
-      const auto expected = static_cast<std::size_t>(std::count_if(
-          all.begin(), all.end(), [&](const Ranked& r) { return r.squared <= radius * radius; }));
-      ASSERT_EQ(within.size(), expected);
-      for (std::size_t i = 0; i < within.size(); ++i) EXPECT_EQ(within[i].index, all[i].index);
+      expect_nearest_of_all(t, p, squared, prng);
     }
   }
 }

@@ -134,14 +134,6 @@ std::vector<PlaneSource> plane_sources() {
   };
 }
 
-std::vector<DelaunayVertex> live_vertices(const DelaunayTriangulation2& t) {
-  std::vector<DelaunayVertex> result;
-  for (std::size_t i = 0; i < t.vertex_slots(); ++i) {
-    if (t.vertex_at(i).valid()) result.push_back(t.vertex_at(i));
-  }
-  return result;
-}
-
 testing::AssertionResult equals_batch(const DelaunayTriangulation2& t) {
   const std::vector<DelaunayVertex> live = live_vertices(t);
   if (live.size() != t.vertex_count()) return testing::AssertionFailure() << "count of vertices";

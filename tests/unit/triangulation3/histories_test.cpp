@@ -9,36 +9,6 @@
 namespace tetloft::test {
 namespace {
 
-// One random operation.
-void change(DelaunayTriangulation3& t, const PointSource& source, Prng& prng) {
-  const std::vector<DelaunayVertex> live = live_vertices(t);
-  const std::uint64_t draw = prng.below(10);
-  if (live.empty() || draw < 5) {
-    const Point3 p = source.draw(prng);
-    const bool was_there =
-        std::any_of(live.begin(), live.end(), [&](DelaunayVertex v) { return t.point(v) == p; });
-    const auto made =
-        value_of(t.insert(p, live.empty() || prng.chance(0.5) ? DelaunayVertex() : live.front()));
-    EXPECT_EQ(made.is_new, !was_there);
-    EXPECT_EQ(t.point(made.vertex), p);
-    return;
-  }
-  const DelaunayVertex v = live[prng.below(live.size())];
-  if (draw < 9) {
-    succeed(t.remove(v));
-    EXPECT_FALSE(t.is_live(v));
-    return;
-  }
-  const Point3 to = source.draw(prng);
-  const bool taken = std::any_of(live.begin(), live.end(),
-                                 [&](DelaunayVertex u) { return u != v && t.point(u) == to; });
-  EXPECT_EQ(t.move(v, to).ok(), !taken);
-  EXPECT_TRUE(t.is_live(v));
-  if (!taken) {
-    EXPECT_EQ(t.point(v), to);
-  }
-}
-
 TEST(Histories, EqualTheBatchAfterEveryStep) {
   for (const PointSource& source : point_sources()) {
     for (std::uint64_t seed = 1; seed <= 6; ++seed) {
@@ -58,29 +28,8 @@ TEST(Histories, EqualTheBatchAfterEveryStep) {
 }
 
 TEST(Histories, OfManyPointsEndWhereTheBatchBegins) {
-  for (const PointSource& source : point_sources()) {
-    SCOPED_TRACE(source.name);
-    Prng prng(77);
-    std::vector<Point3> points;
-    for (int i = 0; i < 400; ++i) points.push_back(source.draw(prng));
-    DelaunayTriangulation3 t = value_of(DelaunayTriangulation3::of(points));
-    ASSERT_TRUE(equals_batch(t));
-    std::vector<Point3> more;
-    for (int i = 0; i < 200; ++i) more.push_back(source.draw(prng));
-    const std::vector<DelaunayVertex> handles = value_of(t.insert(more));
-    for (std::size_t i = 0; i < more.size(); ++i) EXPECT_EQ(t.point(handles[i]), more[i]);
-    ASSERT_TRUE(equals_batch(t));
-    std::vector<DelaunayVertex> live = live_vertices(t);
-    prng.shuffle(live);
-    for (std::size_t i = 0; i < live.size(); ++i) {
-      succeed(t.remove(live[i]));
-      if (i % 16 == 0) {
-        ASSERT_TRUE(equals_batch(t)) << i;
-      }
-    }
-    EXPECT_EQ(t.vertex_count(), 0U);
-    EXPECT_EQ(t.dimension(), -1);
-  }
+  for (const PointSource& source : point_sources())
+    come_and_go<DelaunayTriangulation3>(source, equals_batch);
 }
 
 // Points that come together pass through all dimensions, and keep their places.

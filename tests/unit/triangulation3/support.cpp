@@ -92,14 +92,6 @@ std::vector<PointSource> point_sources() {
   };
 }
 
-std::vector<DelaunayVertex> live_vertices(const DelaunayTriangulation3& t) {
-  std::vector<DelaunayVertex> result;
-  for (std::size_t i = 0; i < t.vertex_slots(); ++i) {
-    if (t.vertex_at(i).valid()) result.push_back(t.vertex_at(i));
-  }
-  return result;
-}
-
 testing::AssertionResult equals_batch(const DelaunayTriangulation3& t) {
   const std::vector<DelaunayVertex> live = live_vertices(t);
   if (live.size() != t.vertex_count()) return testing::AssertionFailure() << "count of vertices";

@@ -1,0 +1,138 @@
+// What tests of triangulations that change share, in the plane and in space.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <tetloft/delaunay_vertex.hpp>
+#include <tetloft/result.hpp>
+
+#include "core/prng.hpp"
+
+namespace tetloft::test {
+
+using internal::Prng;
+
+/// A value that is there, or a failed test that ends.
+template <class T>
+T value_of(Result<T> result) {
+  if (!result) throw std::runtime_error(to_string(result.error()));
+  return *std::move(result);
+}
+inline void succeed(const Result<void>& result) {
+  if (!result) throw std::runtime_error(to_string(result.error()));
+}
+
+/// A source of points, many of them degenerate or repeated.
+template <class Point>
+struct SourceOf {
+  std::string name;
+  std::function<Point(Prng&)> draw;
+};
+
+/// The live vertices by index.
+template <class Triangulation>
+[[nodiscard]] std::vector<DelaunayVertex> live_vertices(const Triangulation& t) {
+  std::vector<DelaunayVertex> result;
+  for (std::size_t i = 0; i < t.vertex_slots(); ++i) {
+    if (t.vertex_at(i).valid()) result.push_back(t.vertex_at(i));
+  }
+  return result;
+}
+
+/// One random operation.
+template <class Triangulation, class Point>
+void change(Triangulation& t, const SourceOf<Point>& source, Prng& prng) {
+  const std::vector<DelaunayVertex> live = live_vertices(t);
+  const std::uint64_t draw = prng.below(10);
+  if (live.empty() || draw < 5) {
+    const Point p = source.draw(prng);
+    const bool was_there =
+        std::any_of(live.begin(), live.end(), [&](DelaunayVertex v) { return t.point(v) == p; });
+    const auto made =
+        value_of(t.insert(p, live.empty() || prng.chance(0.5) ? DelaunayVertex() : live.front()));
+    EXPECT_EQ(made.is_new, !was_there);
+    EXPECT_EQ(t.point(made.vertex), p);
+    return;
+  }
+  const DelaunayVertex v = live[prng.below(live.size())];
+  if (draw < 9) {
+    succeed(t.remove(v));
+    EXPECT_FALSE(t.is_live(v));
+    return;
+  }
+  const Point to = source.draw(prng);
+  const bool taken = std::any_of(live.begin(), live.end(),
+                                 [&](DelaunayVertex u) { return u != v && t.point(u) == to; });
+  EXPECT_EQ(t.move(v, to).ok(), !taken);
+  EXPECT_TRUE(t.is_live(v));
+  if (!taken) {
+    EXPECT_EQ(t.point(v), to);
+  }
+}
+
+/// Many points come at once, twice, and go one by one; `equals_batch(t)` is asked in between.
+template <class Triangulation, class Point, class EqualsBatch>
+void come_and_go(const SourceOf<Point>& source, const EqualsBatch& equals_batch) {
+  SCOPED_TRACE(source.name);
+  Prng prng(77);
+  std::vector<Point> points;
+  for (int i = 0; i < 400; ++i) points.push_back(source.draw(prng));
+  Triangulation t = value_of(Triangulation::of(points));
+  ASSERT_TRUE(equals_batch(t));
+  std::vector<Point> more;
+  for (int i = 0; i < 200; ++i) more.push_back(source.draw(prng));
+  const std::vector<DelaunayVertex> handles = value_of(t.insert(more));
+  for (std::size_t i = 0; i < more.size(); ++i) EXPECT_EQ(t.point(handles[i]), more[i]);
+  ASSERT_TRUE(equals_batch(t));
+  std::vector<DelaunayVertex> live = live_vertices(t);
+  prng.shuffle(live);
+  for (std::size_t i = 0; i < live.size(); ++i) {
+    succeed(t.remove(live[i]));
+    if (i % 16 == 0) {
+      ASSERT_TRUE(equals_batch(t)) << i;
+    }
+  }
+  EXPECT_EQ(t.vertex_count(), 0U);
+  EXPECT_EQ(t.dimension(), -1);
+}
+
+/// A vertex by distance, which points with few bits have exactly, then by index.
+struct Ranked {
+  double squared;
+  std::uint32_t index;
+  auto operator<=>(const Ranked&) const = default;
+};
+
+/// The vertices near p are those of all, ranked by `squared(a, b)`: some nearest ones and those
+/// within a random radius.
+template <class Triangulation, class Point, class Squared>
+void expect_nearest_of_all(const Triangulation& t, const Point& p, const Squared& squared,
+                           Prng& prng) {
+  std::vector<Ranked> all;
+  for (const DelaunayVertex v : live_vertices(t)) all.push_back({squared(t.point(v), p), v.index});
+  std::sort(all.begin(), all.end());
+  const DelaunayVertex nearest = value_of(t.nearest_vertex(p));
+  ASSERT_EQ(nearest.valid(), !all.empty());
+  if (all.empty()) return;
+  EXPECT_EQ(nearest.index, all.front().index);
+  const std::size_t k = 1 + prng.below(20);
+  const auto some = value_of(t.nearest_vertices(p, k, nearest));
+  ASSERT_EQ(some.size(), std::min(k, all.size()));
+  for (std::size_t i = 0; i < some.size(); ++i) EXPECT_EQ(some[i].index, all[i].index) << i;
+  const double radius = static_cast<double>(prng.below(40)) / 8;
+  const auto within = value_of(t.vertices_within(p, radius));
+  const auto expected = static_cast<std::size_t>(std::count_if(
+      all.begin(), all.end(), [&](const Ranked& r) { return r.squared <= radius * radius; }));
+  ASSERT_EQ(within.size(), expected);
+  for (std::size_t i = 0; i < within.size(); ++i) EXPECT_EQ(within[i].index, all[i].index);
+}
+
+}  // namespace tetloft::test
