@@ -5,6 +5,7 @@
 // nearer comes to a nearest vertex, and in order of distance every vertex but the nearest ones has
 // a neighbour that came before. The nearest ones, if they are several, lie on a sphere with nothing
 // inside; their hull is a union of simplices of every Delaunay triangulation, so edges join them.
+// None of it holds of constrained triangulations (triangulation2/behind_walls.hpp).
 #pragma once
 
 #include <algorithm>
@@ -116,5 +117,30 @@ class ByDistance {
   std::vector<Candidate> candidates_;  // a heap, the first one nearest
   IdSet<VertexId> seen_;
 };
+
+/// The first k of an order of vertices, or all there are.
+template <class Order>
+[[nodiscard]] std::vector<VertexId> first_of(Order& order, std::size_t k) {
+  std::vector<VertexId> result;
+  while (result.size() < k) {
+    const VertexId v = order.next();
+    if (!v.valid()) break;
+    result.push_back(v);
+  }
+  return result;
+}
+
+/// Those of an order by distance from p that are at most `radius` away, the point of v at
+/// `point(v)`.
+template <class Order, class PointOf>
+[[nodiscard]] std::vector<VertexId> within(Order& order, const Point3& p, double radius,
+                                           const PointOf& point) {
+  std::vector<VertexId> result;
+  for (VertexId v = order.next(); v.valid(); v = order.next()) {
+    if (compare_distance(p, point(v), radius) == Sign::positive) break;
+    result.push_back(v);
+  }
+  return result;
+}
 
 }  // namespace tetloft::internal::predicates

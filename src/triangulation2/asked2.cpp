@@ -11,7 +11,6 @@
 
 #include "core/guard.hpp"
 #include "predicates/by_distance.hpp"
-#include "predicates/distances.hpp"
 #include "triangulation2/behind_walls.hpp"
 #include "triangulation2/edges_of_plane.hpp"
 #include "triangulation2/handles2.hpp"
@@ -128,11 +127,7 @@ Result<std::vector<DelaunayVertex>> DelaunayTriangulation2::nearest_vertices(
   const Impl& impl = get();
   return asked_of_plane<std::vector<DelaunayVertex>>(point, vertex_count(), {}, [&] {
     return by_distance(impl.plane, point, impl.hint(near), [&](auto nearest) {
-      std::vector<DelaunayVertex> result;
-      while (result.size() < std::min(k, vertex_count())) {
-        result.push_back(impl.handle(nearest.next()));
-      }
-      return result;
+      return impl.handles(predicates::first_of(nearest, k));
     });
   });
 }
@@ -145,14 +140,8 @@ Result<std::vector<DelaunayVertex>> DelaunayTriangulation2::vertices_within(
   const Impl& impl = get();
   return asked_of_plane<std::vector<DelaunayVertex>>(centre, vertex_count(), {}, [&] {
     return by_distance(impl.plane, centre, impl.hint(near), [&](auto nearest) {
-      std::vector<DelaunayVertex> result;
-      for (VertexId v = nearest.next(); v.valid(); v = nearest.next()) {
-        const Sign beyond =
-            predicates::compare_distance(raised(centre), raised(impl.plane.point(v)), radius);
-        if (beyond == Sign::positive) break;
-        result.push_back(impl.handle(v));
-      }
-      return result;
+      const auto point = [&](VertexId v) { return raised(impl.plane.point(v)); };
+      return impl.handles(predicates::within(nearest, raised(centre), radius, point));
     });
   });
 }

@@ -49,6 +49,11 @@ class tetloft::DelaunayTriangulation2::Impl {
     return is_live(v) ? VertexId(v.index) : VertexId();
   }
   [[nodiscard]] DelaunayVertex handle(VertexId v) const { return places.handle(v.index()); }
+  [[nodiscard]] std::vector<DelaunayVertex> handles(std::span<const VertexId> vertices) const {
+    std::vector<DelaunayVertex> result;
+    for (const VertexId v : vertices) result.push_back(handle(v));
+    return result;
+  }
   [[nodiscard]] DelaunayVertex handle(internal::triangulation2::SiteId s) const {
     return handle(plane.vertex(s));
   }

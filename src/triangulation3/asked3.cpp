@@ -10,7 +10,6 @@
 
 #include "core/guard.hpp"
 #include "core/parallel.hpp"
-#include "predicates/distances.hpp"
 #include "triangulation3/handles3.hpp"
 #include "triangulation3/nearest.hpp"
 #include "triangulation3/questions3.hpp"
@@ -72,12 +71,8 @@ Result<std::vector<DelaunayVertex>> DelaunayTriangulation3::nearest_vertices(
     const Point3& point, std::size_t k, DelaunayVertex near) const {
   const Impl& impl = get();
   return asked_of<std::vector<DelaunayVertex>>(point, vertex_count(), {}, [&] {
-    std::vector<DelaunayVertex> result;
     Nearest nearest(impl.tets, point, impl.hint(near));
-    while (result.size() < std::min(k, vertex_count())) {
-      result.push_back(impl.handle(nearest.next()));
-    }
-    return result;
+    return impl.handles(predicates::first_of(nearest, k));
   });
 }
 
@@ -88,13 +83,9 @@ Result<std::vector<DelaunayVertex>> DelaunayTriangulation3::vertices_within(
   }
   const Impl& impl = get();
   return asked_of<std::vector<DelaunayVertex>>(centre, vertex_count(), {}, [&] {
-    std::vector<DelaunayVertex> result;
     Nearest nearest(impl.tets, centre, impl.hint(near));
-    for (VertexId v = nearest.next(); v.valid(); v = nearest.next()) {
-      if (predicates::compare_distance(centre, impl.tets.point(v), radius) == Sign::positive) break;
-      result.push_back(impl.handle(v));
-    }
-    return result;
+    const auto point = [&](VertexId v) { return impl.tets.point(v); };
+    return impl.handles(predicates::within(nearest, centre, radius, point));
   });
 }
 
@@ -124,7 +115,7 @@ Result<ConflictZone3> DelaunayTriangulation3::conflict_zone(const Point3& point,
     std::sort(result.horizon.begin(), result.horizon.end());
     std::sort(corners.begin(), corners.end());
     corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-    for (const VertexId v : corners) result.neighbours.push_back(impl.handle(v));
+    result.neighbours = impl.handles(corners);
     return result;
   });
 }

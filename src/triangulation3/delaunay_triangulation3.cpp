@@ -68,12 +68,12 @@ Result<DelaunayTriangulation3::Insertion> DelaunayTriangulation3::insert(const P
 // Along the order of many at once: near ones follow each other, and each search starts at the last.
 Result<std::vector<DelaunayVertex>> DelaunayTriangulation3::insert(std::span<const Point3> points,
                                                                    const Execution& execution) {
-  return guard_internal([&]() -> Result<std::vector<DelaunayVertex>> {
+  return guard_threads(execution, [&](const Execution& own) -> Result<std::vector<DelaunayVertex>> {
     if (Result<void> fine = triangulation3::check_points(points); !fine) return fine.error();
-    if (vertex_slots() != 0) return impl_->insert_all(points, execution);
+    if (vertex_slots() != 0) return impl_->insert_all(points, own);
     auto made = std::make_unique<Impl>();
     std::vector<DelaunayVertex> result;
-    for (const VertexId v : made->take_all(points, execution)) result.push_back(made->handle(v));
+    for (const VertexId v : made->take_all(points, own)) result.push_back(made->handle(v));
     impl_ = std::move(made);
     return result;
   });

@@ -74,6 +74,11 @@ class tetloft::DelaunayTriangulation3::Impl {
     return is_live(v) ? id_of_place(v.index) : VertexId();
   }
   [[nodiscard]] DelaunayVertex handle(VertexId v) const { return places.handle(place_of(v)); }
+  [[nodiscard]] std::vector<DelaunayVertex> handles(std::span<const VertexId> vertices) const {
+    std::vector<DelaunayVertex> result;
+    for (const VertexId v : vertices) result.push_back(handle(v));
+    return result;
+  }
   /// Throws std::out_of_range where t is no tet of the triangulation.
   [[nodiscard]] const TetVertices& tet(TetId t) const {
     if (tets.dimension() < 3 || !tets.is_finite(t)) throw std::out_of_range("no such tet");

@@ -100,7 +100,7 @@ void Hole::triangulate_link(const GrowingTets& tets) {
   small_.start_again(tets.filter());
   inserter_.start_again();
   std::vector<Point3> points;
-  points.reserve(link_.size() + 2);
+  points.reserve(link_.size());
   for (const VertexId v : link_) {
     points.push_back(tets.point(v));
     small_.add_vertex(points.back());
