@@ -70,8 +70,8 @@ class Known {
       case 2:
       case 3:
       case 4:
-      case 5:
-      case 6: return insert();
+      case 5: return insert();
+      case 6: return insert_many();
       case 7:
       case 8:
       case 9: return remove();
@@ -105,16 +105,26 @@ class Known {
 
   void insert() {
     const Point3 p = points_.next();
-    const Vertex* known = at(p);
+    const bool is_new = at(p) == nullptr;
     const auto made = fine_value(made_.insert(p, any_handle()));
-    require(made.is_new == (known == nullptr), "a point is new, or is not");
-    if (known != nullptr) {
-      require(made.vertex == known->handle, "a point has another vertex");
-    } else {
-      require(find(made.vertex) == live_.end(), "a handle twice");
-      live_.push_back({made.vertex, p});
-    }
+    require(made.is_new == is_new, "a point is new, or is not");
+    learn(made.vertex, p);
     compare(made_);
+  }
+  void insert_many() {
+    std::vector<Point3> points(bytes_.below(8));
+    for (Point3& p : points) p = points_.next();
+    const auto made = fine_value(made_.insert(points, {.threads = 1}));
+    for (std::size_t i = 0; i < points.size(); ++i) learn(made[i], points[i]);
+    compare(made_);
+  }
+  void learn(DelaunayVertex v, const Point3& p) {
+    if (const Vertex* known = at(p)) {
+      require(v == known->handle, "a point has another vertex");
+    } else {
+      require(find(v) == live_.end(), "a handle twice");
+      live_.push_back({v, p});
+    }
   }
   void remove() {
     const DelaunayVertex v = any_handle();
