@@ -7,8 +7,7 @@
 #include <unistd.h>
 
 #if defined(__GLIBC__)
-// Its header, which others lack, is not worth a condition.
-extern "C" int malloc_trim(std::size_t) noexcept;
+#include <malloc.h>
 #endif
 
 namespace tetloft::internal::core {
