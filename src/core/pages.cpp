@@ -7,7 +7,8 @@
 #include <unistd.h>
 
 #if defined(__GLIBC__)
-#include <malloc.h>
+// Its header is in no other library, so it is not among those that are included here.
+extern "C" int malloc_trim(std::size_t) noexcept;
 #endif
 
 namespace tetloft::internal::core {

@@ -2,8 +2,8 @@
 //
 // Tets that are neighbours are near each other in the engine's order, and far apart in the
 // canonical one. So names and adjacency are worked out in the engine's order, in which the slots
-// are dealt out, within each stretch, to the parts of the mesh that their names are in. Then the mesh
-// is filled part by part from all stretches.
+// are dealt out, within each stretch, to the parts of the mesh that their names are in. Then the
+// mesh is filled part by part from all stretches.
 #include "delaunay3/canonical_mesh.hpp"
 
 #include <algorithm>
@@ -26,8 +26,8 @@ constexpr std::size_t kTetsOfPart = std::size_t{1} << 13;
 // Parts that the mesh grows by at a time, after which the slots they were read from are given back.
 constexpr std::size_t kPartsOfRound = 32;
 
-// Short enough for its slots to stay in cache while they are dealt out, long enough for what is left
-// of a page where they are given back not to matter.
+// Short enough for its slots to stay in cache while they are dealt out, long enough for what is
+// left of a page where they are given back not to matter.
 constexpr std::size_t kSlotsOfStretch = std::size_t{1} << 15;
 constexpr std::size_t kMostStretches = 1024;
 // So many slots before one is renumbered what is asked of its neighbours is fetched.
