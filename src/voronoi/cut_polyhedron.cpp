@@ -6,6 +6,7 @@
 
 #include "core/guard.hpp"
 #include "core/vector.hpp"
+#include "voronoi/moderate.hpp"
 
 namespace tetloft::internal::voronoi {
 
@@ -20,8 +21,7 @@ double length_of(const Point3& p) {
   const double largest = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
   if (largest == 0 || !std::isfinite(largest)) return largest;  // as of planes that are parallel
   const int exponent = std::ilogb(largest);
-  const Point3 scaled{std::ldexp(p.x, -exponent), std::ldexp(p.y, -exponent),
-                      std::ldexp(p.z, -exponent)};
+  const Point3 scaled = times_power_of_two(p, -exponent);
   return std::ldexp(std::sqrt(dot(scaled, scaled)), exponent);
 }
 

@@ -8,6 +8,7 @@
 // looked at once, in coordinates of its own.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -47,14 +48,15 @@ double share_of(const std::array<Point3, 3>& edge, const Point3& centre) {
   return sum;
 }
 
-std::array<double, 4> shares_of(const std::array<Point3, 4>& p) {
+std::array<double, 4> shares_of(std::array<Point3, 4> p) {
   using namespace vectors;
+  const int exponent = voronoi::bring_near_one(p, voronoi::largest_difference(p));
   const Point3 centre = voronoi::circumcentre_from(p[0], p[1], p[2], p[3]);
   std::array<double, 4> shares{};
   for (std::size_t i = 0; i < 4; ++i) {
     const std::array<Point3, 3> edge{p[(i + 1) % 4] - p[i], p[(i + 2) % 4] - p[i],
                                      p[(i + 3) % 4] - p[i]};
-    shares[i] = share_of(edge, centre - (p[i] - p[0]));
+    shares[i] = std::ldexp(share_of(edge, centre - (p[i] - p[0])), 3 * exponent);
   }
   return shares;
 }
@@ -85,7 +87,9 @@ std::vector<double> volumes_of(const DelaunayTriangulation3& triangulation,
     for (std::size_t i = 0; i < 4; ++i) {
       volume[v[i].index] += share[t.index()][i];
       if (triangulation.opposite(TetMesh::half_face(t, static_cast<int>(i))).valid()) continue;
-      for (std::size_t k = 0; k < 4; ++k) is_unbounded[v[k].index] |= k != i ? 1U : 0U;
+      for (std::size_t k = 0; k < 4; ++k) {
+        if (k != i) is_unbounded[v[k].index] = 1;
+      }
     }
   }
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
