@@ -7,6 +7,7 @@
 #include "core/guard.hpp"
 #include "core/vector.hpp"
 #include "voronoi/moderate.hpp"
+#include "voronoi/polygon_area.hpp"
 
 namespace tetloft::internal::voronoi {
 
@@ -26,17 +27,6 @@ double length_of(const Point3& p) {
 }
 
 Point3 divided(const Point3& p, double by) { return {p.x / by, p.y / by, p.z / by}; }
-
-// Twice the area of a polygon as a vector.
-template <class PointOf>
-Point3 twice_area(const std::vector<std::uint32_t>& corners, const PointOf& point) {
-  Point3 sum;
-  const Point3 first = point(corners[0]);
-  for (std::size_t i = 2; i < corners.size(); ++i) {
-    sum = sum + cross(point(corners[i - 1]) - first, point(corners[i]) - first);
-  }
-  return sum;
-}
 
 }  // namespace
 

@@ -21,6 +21,7 @@
 #include "core/watched_work.hpp"
 #include "voronoi/circumcentre3.hpp"
 #include "voronoi/moderate.hpp"
+#include "voronoi/sites.hpp"
 
 namespace tetloft {
 
@@ -107,8 +108,7 @@ Result<std::vector<double>> voronoi_volumes(const DelaunayTriangulation3& triang
   return guard_threads(execution, [&](const Execution& own) -> Result<std::vector<double>> {
     for (const DelaunayVertex v : triangulation.vertices()) {
       if (voronoi::is_moderate(triangulation.point(v))) continue;
-      Error error{ErrorCode::invalid_input, "a coordinate is beyond 2^300", {}};
-      error.where.vertex = v.index;
+      Error error = voronoi::immoderate_site(v);
       error.where.point = triangulation.point(v);
       return error;
     }
