@@ -7,7 +7,9 @@
 #include <memory>
 #include <numeric>
 #include <stdexcept>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <tetloft/delaunay_triangulation3.hpp>
 #include <tetloft/voronoi.hpp>

@@ -1,12 +1,16 @@
 // The cases of triangulations of the plane that change, and ours.
 #include "plane_cases.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <numeric>
 #include <stdexcept>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <tetloft/delaunay_triangulation2.hpp>
 

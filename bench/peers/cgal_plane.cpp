@@ -2,6 +2,7 @@
 #include "peers/cgal_plane.hpp"
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>

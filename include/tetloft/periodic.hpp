@@ -5,7 +5,7 @@
 // neighbours of a point as it was given are, so that points[neighbour] + shift · (a, b, c) is next
 // to points[i].
 //
-// The box and the points in it are rounded to a grid, of 2^-48 of the longest vector of the
+// The box and the points in it are rounded to a grid, of 2^-47 of the longest vector of the
 // lattice's reduced basis or finer, so that all images are exact; of these, everything
 // combinatorial is exact, and unique: the triangulation of the perturbed predicates
 // (predicates.hpp), periodic as these depend on the order of points alone. So neighbours are

@@ -771,7 +771,8 @@ TETLOFT_C_API tetloft_status tetloft_triangulation_free(tetloft_triangulation* t
 /* --- Delaunay triangulations that change (tetloft/delaunay_triangulation3.hpp) ---------------- */
 
 /* Of points in space: they come, go and move, and it is that of those that are there. The progress
- * of a call must not use the triangulation that the call changes: it would wait for it for ever. */
+ * of a call, also of one that only asks, must not use the triangulation that the call works with:
+ * it would wait for it for ever. */
 typedef struct tetloft_delaunay tetloft_delaunay;
 
 /* A vertex is index + 2^32 · generation: a place, and how many vertices had it before. It is good

@@ -134,7 +134,8 @@ void test_fans(std::span<const Point3> points, std::span<const TriangleVertices>
   }
 }
 
-// A tree of the others takes about as long to make as so many of them take to be looked up.
+// Of others that are more times as many as the rest, most meet nothing of it: that is found one by
+// one before a tree of them is made.
 constexpr std::size_t kLookUps = 8;
 
 // The pairs of the rest, and those with triangles that are not active, where some are not.

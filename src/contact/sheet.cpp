@@ -2,12 +2,13 @@
 // even where axes are far from orthogonal, and only rounding has to be accounted for.
 //
 // Rounding. With u = 2^-53, w = p - o for a vertex p and the first vertex o, and axes of
-// coordinates at most 1 + 4u: w is off by u |w|; the centre by 4u (|o| + sum |a|) or less; the
-// residual, three products, three differences, by 6u (|w| + sum |a|); middles and reaches by u |a|
-// each. Of two sheets the offset d of the centres is off by u |d|; its inner product with a normal
-// n by another 3u |n| |d|, where |n| is the sum of magnitudes; those with the axes, times reaches,
-// summed up, by 8u |n| (sum of reaches); the bound itself by less. Together that is below 24u times
-// the magnitudes in question, and kSheetRounding is 128u.
+// coordinates at most 1 + 12u, as of the product of two that are off by 4u: w is off by u |w|; the
+// centre by 4u (|o| + sum |a|) or less; the residual, three products, three differences, by
+// 6u (|w| + sum |a|); middles and reaches by u |a| each. Of two sheets the offset d of the centres
+// is off by u |d|; its inner product with a normal n by another 3u |n| |d|, where |n| is the sum of
+// magnitudes; those with the axes, times reaches, by 4u |n| (sum of reaches); and ten sums and
+// products on the way to the bound are off by u of it each, in which the residual is |w| + sum |a|
+// at most. Together that is below 40u times the magnitudes in question, and kSheetRounding is 128u.
 //
 // Underflow is at most 2^-1074 in each of some dozens of products, none of them multiplied by
 // anything above 3 later on but those of normals with axes, which are of no account beside |n|

@@ -7,7 +7,7 @@
 #include <unistd.h>
 
 #if defined(__GLIBC__)
-// Its header, which others lack, is not worth a condition.
+// Its header is in no other library, so it is not among those that are included here.
 extern "C" int malloc_trim(std::size_t) noexcept;
 #endif
 

@@ -8,10 +8,11 @@
 
 namespace tetloft::internal {
 
-/// Sorts; a list no longer than `few` by insertion, without what std::sort does before that.
+/// Sorts; a short list by insertion, without what std::sort does before that.
 template <class T, class Less = std::less<>>
-void sort_few(std::span<T> list, const Less& less = {}, std::size_t few = 16) {
-  if (list.size() > few) {
+void sort_few(std::span<T> list, const Less& less = {}) {
+  constexpr std::size_t kFew = 16;  // as std::sort has it, mostly
+  if (list.size() > kFew) {
     std::sort(list.begin(), list.end(), less);
     return;
   }

@@ -23,6 +23,8 @@ void Incremental2::remove(SiteId v) {
   stack_is_short_ = false;
   const HalfEdgeId first = to_first_of_hull(v);
   std::array<TriangleId, 2> gone = first.valid() ? take_from_hull(first) : take_from_inside(v);
+  // Where all edges are looked at, theirs are to be none that could be flipped.
+  for (const TriangleId t : gone) triangles_[t.index()].apex.fill(kGhost);
   flip_illegal_edges();
   if (gone[0] < gone[1]) std::swap(gone[0], gone[1]);
   for (const TriangleId t : gone) delete_triangle(t);
@@ -207,20 +209,23 @@ bool Incremental2::is_illegal(HalfEdgeId h) const {
 }
 
 void Incremental2::flip_illegal_edges() {
+  const auto flip_where_illegal = [&](HalfEdgeId h) {
+    if (is_illegal(h)) flip_with_sides(h);
+  };
   const auto flip_all_of_stack = [&] {
     while (!stack_.empty()) {
       const HalfEdgeId h = stack_.back();
       stack_.pop_back();
-      if (!is_illegal(h)) continue;
-      flip_with_sides(h);
+      flip_where_illegal(h);
     }
   };
   flip_all_of_stack();
-  // Edges that found no place on it: all are looked at until none is illegal.
+  // Edges that found no place on it: all are looked at until none is illegal, which takes no
+  // memory, as a copy's stack may have no place at all.
   while (stack_is_short_) {
     stack_is_short_ = false;
     for (std::uint32_t k = 0; k < triangles_.size(); ++k) {
-      for (std::uint32_t i = 0; i < 3; ++i) push(half_edge(TriangleId(k), i));
+      for (std::uint32_t i = 0; i < 3; ++i) flip_where_illegal(half_edge(TriangleId(k), i));
       flip_all_of_stack();
     }
   }

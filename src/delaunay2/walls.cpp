@@ -87,8 +87,8 @@ void Incremental2::cut_off(const Corner& corner) {
     const HalfEdgeId crossed = rotate(h);
     const SiteId r = destination(crossed);
     if (r == corner.to) {
-      if (destination(h) == corner.from) return;
-      TETLOFT_CHECK(false);
+      TETLOFT_CHECK(destination(h) == corner.from);
+      return;
     }
     if (turn(destination(h), r, destination(rotate(crossed))) == Sign::positive) {
       const TriangleId t = triangle(crossed);

@@ -1,8 +1,9 @@
 // See canonical_mesh.hpp.
 //
 // Tets that are neighbours are near each other in the engine's order, and far apart in the
-// canonical one. So names and adjacency are worked out in the engine's order; its slots are then
-// sorted by name within each stretch, and the stretches merged, part by part, into the mesh.
+// canonical one. So names and adjacency are worked out in the engine's order, in which the slots
+// are dealt out, within each stretch, to the parts of the mesh that their names are in. Then the
+// mesh is filled part by part from all stretches.
 #include "delaunay3/canonical_mesh.hpp"
 
 #include <algorithm>
@@ -25,8 +26,8 @@ constexpr std::size_t kTetsOfPart = std::size_t{1} << 13;
 // Parts that the mesh grows by at a time, after which the slots they were read from are given back.
 constexpr std::size_t kPartsOfRound = 32;
 
-// Short enough for its slots to stay in cache while they are sorted, long enough for what is left
-// of a page where they are given back not to matter.
+// Short enough for its slots to stay in cache while they are dealt out, long enough for what is
+// left of a page where they are given back not to matter.
 constexpr std::size_t kSlotsOfStretch = std::size_t{1} << 15;
 constexpr std::size_t kMostStretches = 1024;
 // So many slots before one is renumbered what is asked of its neighbours is fetched.
@@ -57,7 +58,7 @@ class Renumbering {
  private:
   [[nodiscard]] std::size_t tets() const { return canonical_.tets(); }
 
-  // Renames the tets of a stretch, and sorts them by part, each part from part_begin_ on. Nothing
+  // Renames the tets of a stretch, and deals them out to parts, each from part_begin_ on. Nothing
   // is read of other stretches' slots.
   void renumber_stretch(std::size_t k) {
     const std::size_t first = stretches_.begin(k);

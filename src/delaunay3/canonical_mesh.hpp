@@ -13,9 +13,6 @@
 
 namespace tetloft::internal::delaunay3_detail {
 
-/// The most tets of a mesh: half-faces are 4 t + i in 32 bits, the largest number none.
-inline constexpr std::size_t kMostNamedTets = (std::size_t{1} << 30) - 1;
-
 /// How the engine's vertices are named outside.
 struct VertexNames {
   /// rank_of[v]: place of the engine's vertex v in canonical order; below 2^30.

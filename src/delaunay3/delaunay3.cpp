@@ -101,11 +101,10 @@ Result<Triangulation2> triangulate_plane(std::span<const Point3> points,
   return delaunay2(flat, execution);
 }
 
-// The most tets an engine may make: as many as their half-faces have numbers for, and as
-// canonical_mesh() has names for, or fewer.
+// The most tets an engine may make.
 std::size_t bound_on_tets(std::size_t most_tets) {
-  constexpr std::size_t kMaxTets = delaunay3_detail::kMostNamedTets;
-  return most_tets == 0 ? kMaxTets : std::min(kMaxTets, most_tets);
+  using delaunay3_detail::kMostTetSlots;
+  return most_tets == 0 ? kMostTetSlots : std::min(kMostTetSlots, most_tets);
 }
 
 Error too_many_tets(std::size_t most_tets) {

@@ -15,9 +15,6 @@ namespace {
 // So many at a time by a thread.
 constexpr std::size_t kVerticesGathered = std::size_t{1} << 15;
 
-// Half-faces are 4 t + i in 32 bits, none of them the invalid one.
-constexpr std::size_t kMostSlots = (std::size_t{1} << 30) - 1;
-
 // Slots are copied as bytes and never destroyed.
 static_assert(std::is_trivially_copyable_v<TetSlot> && std::is_trivially_destructible_v<TetSlot>);
 
@@ -91,7 +88,7 @@ bool GrowingTets::take_of_room(std::size_t count, std::size_t& first) {
 
 void GrowingTets::reserve(std::size_t more) {
   if (taken() + more <= marks_.size()) return;
-  const std::size_t capacity = std::max(taken() + more, std::min(2 * marks_.size(), kMostSlots));
+  const std::size_t capacity = std::max(taken() + more, std::min(2 * marks_.size(), kMostTetSlots));
   std::unique_ptr<TetSlot[], FreeSlots> slots(std::allocator<TetSlot>().allocate(capacity),
                                               FreeSlots{capacity});
   marks_.resize(capacity, Mark::unvisited);

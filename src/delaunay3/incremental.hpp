@@ -50,8 +50,7 @@ class Delaunay3Builder {
   /// same. Returns false, leaving the triangulation without some vertices, where it would take more
   /// than `most_tets` slots, ghost tets included; these are fewer than 2^30, since half-faces are
   /// 4 t + i in 32 bits. Tells a step for every kPointsOfStep vertices.
-  [[nodiscard]] bool insert_all(WatchedWork& work,
-                                std::size_t most_tets = (std::size_t{1} << 30) - 1);
+  [[nodiscard]] bool insert_all(WatchedWork& work, std::size_t most_tets = kMostTetSlots);
 
   /// How many vertices threads inserted side by side.
   [[nodiscard]] std::size_t inserted_within_parts() const { return inserted_within_parts_; }

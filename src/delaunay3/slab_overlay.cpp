@@ -260,9 +260,10 @@ void SlabOverlay::chain(EdgeId e) {
   const HalfEdgeId h = planes_.lower_edges.half_edge(e);
   const VertexId a = lower_vertex(lower_.origin(h));
   const VertexId b = lower_vertex(lower_.destination(h));
-  const TetId end(place_[e]);
+  const std::size_t begin = place_[e] - trace_.count_on_edge[e];
   chained_.clear();
-  for (TetId t(place_[e] - trace_.count_on_edge[e]); t < end; t = TetId(t.value() + 1)) {
+  for (std::size_t k = begin; k < place_[e]; ++k) {
+    const TetId t(k);
     const Crossing upper = noted(t);
     const UpperTrace::Run& run = trace_.run[upper.edge()];
     const PlaneVertexId left = upper.to_higher() ? run.left : run.right;
@@ -274,7 +275,7 @@ void SlabOverlay::chain(EdgeId e) {
   }
   for (std::size_t i = 0; i < chained_.size(); ++i) {
     const PlaneVertexId cell = chained_[i].right;
-    const HalfFaceId face = half_face(TetId(end.value() - chained_.size() + i), kToRight);
+    const HalfFaceId face = half_face(TetId(begin + i), kToRight);
     if (cells_[cell].edge == e) {
       glue(face, half_face(cells_[cell].tet, kToLeft));
     } else {
@@ -283,10 +284,8 @@ void SlabOverlay::chain(EdgeId e) {
   }
   // In front of the first there is none.
   std::size_t first = 0;
-  while (
-      opposite_[half_face(TetId(end.value() - chained_.size() + first), kToLeft).index()].valid())
-    ++first;
-  settle(h, half_face(TetId(end.value() - chained_.size() + first), kToLeft), chained_[first].left);
+  while (opposite_[half_face(TetId(begin + first), kToLeft).index()].valid()) ++first;
+  settle(h, half_face(TetId(begin + first), kToLeft), chained_[first].left);
 }
 
 // Glues `face` to the type-1 tet of the triangle to the left of `side`, whose circumcentre then

@@ -25,11 +25,9 @@
 #include <tetloft/tet_mesh.hpp>
 
 #include "core/watched_work.hpp"
+#include "delaunay3/tet_slot.hpp"
 
 namespace tetloft::internal::delaunay3_detail {
-
-/// Half-faces are 4 t + i in 32 bits.
-inline constexpr std::size_t kMostSlabTets = (std::size_t{1} << 30) - 1;
 
 /// Side i of triangle t of a Triangulation2, 4 t + i: the edge opposite vertex i.
 using TriangleSideId = Id<struct TriangleSideTag>;
@@ -76,12 +74,12 @@ struct SlabVertexNames {
 [[nodiscard]] std::optional<TetMesh> slab_overlay(const Triangulation2& lower,
                                                   const Triangulation2& upper,
                                                   const SlabVertexNames& names, WatchedWork& work,
-                                                  std::size_t most_tets = kMostSlabTets);
+                                                  std::size_t most_tets = kMostTetSlots);
 
 /// The same with the bases of all tets; vertices are the lower plane's, then the upper's. Tells no
 /// step.
 [[nodiscard]] std::optional<SlabTets> slab_overlay_with_bases(
     const Triangulation2& lower, const Triangulation2& upper, const WatchedWork& work,
-    std::size_t most_tets = kMostSlabTets);
+    std::size_t most_tets = kMostTetSlots);
 
 }  // namespace tetloft::internal::delaunay3_detail

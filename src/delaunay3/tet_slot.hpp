@@ -10,6 +10,9 @@
 
 namespace tetloft::internal::delaunay3_detail {
 
+/// There are no more: half-faces are 4 t + i in 32 bits, the largest number none.
+inline constexpr std::size_t kMostTetSlots = (std::size_t{1} << 30) - 1;
+
 /// A tet as an engine holds it: its vertices, and across the face opposite to each the
 /// half-face of the neighbour, perhaps a ghost, or invalid on the hull.
 struct TetSlot {

@@ -40,12 +40,6 @@ const char* name_of(PointOrigin origin) {
   return "unknown";
 }
 
-namespace {
-
-// Its vertices are the model's.
-
-}  // namespace
-
 Result<TetMesh> half_faces(const Model& model) {
   return TetMesh::from_tets(model.points.size(), model.tets.raw());
 }

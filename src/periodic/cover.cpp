@@ -25,7 +25,7 @@ double most_images(std::size_t points) {
   return std::min(0x1p26, 0x1p17 + 0x1p11 * static_cast<double>(points));
 }
 // Images are taken by so much more, in coordinates and of them, than is relied on: far more than
-// rounding takes, and wrapping.
+// wrapping takes, 2^-26, and rounding of coordinates, some 2^16 units of the last place.
 constexpr double kSlack = 0x1p-20;
 
 // From where to where coordinates of the region reach that is covered with this margin.
@@ -101,8 +101,8 @@ Cover images(const Lattice& lattice, const WrappedPoints& wrapped, const Region&
   return cover;
 }
 
-// Does the ball of a tet lie in the region? The centre's error is some units in the last place of
-// the radius, of which kSlack is a million times as much.
+// Does the ball of a tet lie in the region? The centre's error is below 2^-38 of the radius, of
+// which kSlack is 2^18 times as much.
 bool is_proven(const Lattice& lattice, const Region& region, const Cover& cover,
                const TetVertices& tet) {
   const Point3& a = cover.points[tet[0].index()];
@@ -165,8 +165,7 @@ Result<Cover> covered(const Lattice& lattice, const WrappedPoints& wrapped,
     if (expected_images(region, wrapped.points.size()) > most_images(wrapped.points.size())) {
       return Error{ErrorCode::work_limit,
                    "the largest empty spheres are so large for the box that too many images of the "
-                   "points are "
-                   "in them",
+                   "points are in them",
                    {}};
     }
     Cover cover = images(lattice, wrapped, region);

@@ -42,48 +42,64 @@ Point3 combination(const Point3& start, const std::array<double, 3>& k, const Pe
 struct Reduction {
   std::array<Point3, 3> basis;
   std::array<std::array<double, 3>, 3> in_box{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  bool is_lost = false;  // the integers are too large
 
-  // Takes a multiple of others off vector i where that makes it shorter; by enough to end.
-  [[nodiscard]] bool shorten(std::size_t i, double of_next, double of_last,
+  // Takes by[k] of each vector k off vector i, by[i] = 0, where that makes it shorter; by enough to
+  // end.
+  [[nodiscard]] bool shorten(std::size_t i, const std::array<double, 3>& by,
                              const PeriodicBox& box) {
     constexpr double kShorter = 1 - 0x1p-30;
-    if (of_next == 0 && of_last == 0) return false;
-    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    if (by == std::array<double, 3>{}) return false;
     std::array<double, 3> made = in_box[i];
     for (std::size_t m = 0; m < 3; ++m) {
-      made[m] -= of_next * in_box[j][m] + of_last * in_box[k][m];
-      if (!(std::abs(made[m]) < kMostInteger)) return false;
+      for (std::size_t k = 0; k < 3; ++k) made[m] -= by[k] * in_box[k][m];
+      if (!(std::abs(made[m]) < kMostInteger)) is_lost = true;
     }
+    if (is_lost) return false;
     const Point3 shorter = combination(Point3(), made, box);
     if (!(dot(shorter, shorter) < kShorter * dot(basis[i], basis[i]))) return false;
     basis[i] = shorter;
     in_box[i] = made;
     return true;
   }
+  [[nodiscard]] std::array<std::size_t, 3> by_length() const {
+    std::array<std::size_t, 3> order{0, 1, 2};
+    std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t k) {
+      const double of_i = dot(basis[i], basis[i]), of_k = dot(basis[k], basis[k]);
+      return of_i != of_k ? of_i < of_k : i < k;
+    });
+    return order;
+  }
+  // Of the two shortest first: by two that are nearly parallel a long one goes in tiny steps.
   [[nodiscard]] bool shorten_once(const PeriodicBox& box) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Point3& next = basis[(i + 1) % 3];
-      const Point3& last = basis[(i + 2) % 3];
-      if (shorten(i, std::nearbyint(dot(basis[i], next) / dot(next, next)), 0, box)) return true;
-      if (shorten(i, 0, std::nearbyint(dot(basis[i], last) / dot(last, last)), box)) return true;
+    const std::array<std::size_t, 3> order = by_length();
+    for (std::size_t i = 1; i < 3; ++i) {
+      for (std::size_t k = 0; k < i; ++k) {
+        const Point3& short_one = basis[order[k]];
+        std::array<double, 3> by{};
+        by[order[k]] = std::nearbyint(dot(basis[order[i]], short_one) / dot(short_one, short_one));
+        if (shorten(order[i], by, box)) return true;
+      }
     }
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (const double of_next : {-1.0, 1.0}) {
-        for (const double of_last : {-1.0, 1.0}) {
-          if (shorten(i, of_next, of_last, box)) return true;
-        }
+    for (const double of_first : {-1.0, 1.0}) {
+      for (const double of_second : {-1.0, 1.0}) {
+        std::array<double, 3> by{};
+        by[order[0]] = of_first;
+        by[order[1]] = of_second;
+        if (shorten(order[2], by, box)) return true;
       }
     }
     return false;
   }
 };
 
-// Pairs as by Gauss, and sums of three: shorter until nothing gets shorter. How good the basis is
-// decides how much work there is, no more.
+// Pairs as by Gauss, and sums of three: shorter until nothing gets shorter, so that the basis is
+// reduced as by Minkowski, but for kShorter. How good it is decides how much work there is, and by
+// how much rounding of coordinates is larger than of lengths.
 Reduction reduction_of(const PeriodicBox& box) {
   Reduction result;
   result.basis = {box.a, box.b, box.c};
-  while (result.shorten_once(box)) {
+  while (!result.is_lost && result.shorten_once(box)) {
   }
   return result;
 }
@@ -154,6 +170,7 @@ Result<Lattice> reduced_lattice(const PeriodicBox& box) {
                    "the box is too long and thin: doubles do not hold its images",
                    {}};
   const Reduction reduction = reduction_of(box);
+  if (reduction.is_lost) return lost;
   Lattice lattice;
   lattice.box = box;
   lattice.basis = reduction.basis;

@@ -59,8 +59,7 @@ void SetFilter::set_bounds() {
   if (!(largest(mx, my, mz) <= kLargest)) return;
   orient3d_bound_ = kOrient3dError * mx * my * mz + kTiny;
   insphere_bound_ = kInsphereError * mx * my * mz * (mx * mx + my * my + mz * mz) + kTiny;
-  // Products of five units must neither under- nor overflow.
-  if (unit_ < -200 || unit_ > 150) return;
+  if (unit_ < kLeastUnit) return;
   exact_ = largest(mx, my, mz) <= std::ldexp(kMostUnitsOfSet, unit_);
   if (exact_) orient3d_bound_ = insphere_bound_ = 0;
 }

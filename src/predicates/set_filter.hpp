@@ -87,17 +87,21 @@ class SetFilter {
   void take(const Point3& p);
   void set_bounds();
 
-  // The set's box, and the exponent of a power of two that divides all coordinates.
+  // The set's box, and the exponent of a power of two that divides all coordinates, but for points
+  // that add() passes over: a filter that is not exact never becomes so, as boxes grow and units
+  // become finer, and what else it answers follows from the box.
   Point3 low_{HUGE_VAL, HUGE_VAL, HUGE_VAL};
   Point3 high_{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-  int unit_ = kUnitOfZero;
+  int unit_ = kGreatestUnit;
   double orient3d_bound_ = HUGE_VAL;
   double insphere_bound_ = HUGE_VAL;
   bool exact_ = false;
 
-  // Zero is divided by all there are.
-  static constexpr int kUnitOfZero = 971;
-  static constexpr int kNoUnit = -2000;
+  // Products of five units must neither under- nor overflow. Coarser units are multiples of the
+  // greatest, as zero is of all.
+  static constexpr int kLeastUnit = -200;
+  static constexpr int kGreatestUnit = 150;
+  static constexpr int kNoUnit = kLeastUnit - 1;
 };
 
 /// insphere_perturbed where insphere_filter does not answer.

@@ -42,6 +42,7 @@ std::optional<Error> SlabBuilds::run() {
     Result<std::vector<SlabId>> touched = mend(slab);
     if (!touched) return touched.error();
     to_build = std::move(*touched);
+    sort_distinct(to_build);
   }
 }
 
@@ -117,7 +118,6 @@ Result<std::vector<SlabId>> SlabBuilds::undivide(SlabId slab, const Unrepresenta
     if (plan_.divided[s].empty()) continue;
     if (auto error = undivide(s, refused.error.message, touched)) return *error;
   }
-  sort_distinct(touched);
   return touched;
 }
 
@@ -156,9 +156,9 @@ Result<std::vector<SlabId>> SlabBuilds::refine(SlabId slab, const RefineHere& wa
   if (wanted.optional && touched.empty()) plan_.may_ask[slab] = 0;
   touched.push_back(slab);
   if (decision_.depends_on_triangulations()) {
+    sort_distinct(touched);
     if (auto error = adopt(decision_.make(touched, work_), touched)) return *error;
   }
-  sort_distinct(touched);
   return touched;
 }
 

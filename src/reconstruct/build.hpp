@@ -47,7 +47,8 @@ class SlabBuilds {
   // the slabs that this touches.
   [[nodiscard]] std::optional<Error> undivide(SectionId s, const std::string& reason,
                                               std::vector<SlabId>& touched);
-  // What a slab that is none yet needs. These return the slabs to build again.
+  // What a slab that is none yet needs. These return the slabs to build again,
+  // some of them maybe several times.
   [[nodiscard]] Result<std::vector<SlabId>> mend(SlabId slab);
   [[nodiscard]] Result<std::vector<SlabId>> undivide(SlabId slab, const Unrepresentable& refused);
   [[nodiscard]] Result<std::vector<SlabId>> refine(SlabId slab, const RefineHere& wanted);

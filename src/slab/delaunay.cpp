@@ -58,10 +58,9 @@ Result<SlabDelaunay> delaunay_of(const ConformingSection& lower, const Conformin
 Result<SlabDelaunay> slab_delaunay(SlabId id, const ConformingSection& lower,
                                    const ConformingSection& upper, DelaunayEngine engine,
                                    double work_limit) {
-  // Half-faces are 4 t + i in 32 bits.
-  constexpr std::size_t kMaxTets = (std::size_t{1} << 30) - 1;
   const std::size_t most_tets =
-      std::min(kMaxTets, most_work(work_limit, lower.vertex_count() + upper.vertex_count()));
+      std::min(delaunay3_detail::kMostTetSlots,
+               most_work(work_limit, lower.vertex_count() + upper.vertex_count()));
   Result<SlabDelaunay> d = delaunay_of(lower, upper, engine, most_tets);
   if (d || d.error().code != ErrorCode::work_limit) return d;
   return too_much_work(id, lower, upper, most_tets);

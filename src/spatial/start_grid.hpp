@@ -1,5 +1,5 @@
 // Where a search without a hint starts: grids over the points, each cell with a vertex in it, the
-// finest of about as many cells as vertices, each next one half as fine along every axis.
+// finest of about half as many cells as vertices, each next one half as fine along every axis.
 //
 // Whatever a cell holds is a start, at worst a long walk away: nothing but time depends on it.
 #pragma once

@@ -10,6 +10,7 @@
 #include "arithmetic/double_double.hpp"
 #include "arithmetic/expansion.hpp"
 #include "core/vector.hpp"
+#include "voronoi/moderate.hpp"
 
 namespace tetloft {
 
@@ -53,15 +54,6 @@ SphereMinors sphere_minors(const std::array<Point3, 4>& p, const Difference& dif
           rounded_sum(bx * cd_x + by * cd_y + bz * cd_z)};
 }
 
-double largest_difference(const std::array<Point3, 4>& p) {
-  double largest = 0;
-  for (std::size_t i = 1; i < 4; ++i) {
-    largest = std::max(
-        {largest, std::abs(p[i].x - p[0].x), std::abs(p[i].y - p[0].y), std::abs(p[i].z - p[0].z)});
-  }
-  return largest;
-}
-
 // The product of the edges' lengths at p[0]: the determinant of a corner of a cube.
 double product_of_edges(const std::array<Point3, 4>& p) {
   double product = 1;
@@ -72,9 +64,11 @@ double product_of_edges(const std::array<Point3, 4>& p) {
   return product;
 }
 
-// With enough digits: of determinants of u = 2^-53 and rounded differences the error is below
-// 20 u times the product of the edges, and with pairs of doubles below 200 u² times it, so that at
-// these limits 2^-40 is left of it.
+// With enough digits: of u = 2^-53 and rounded differences the error of the determinant is below
+// 20 u times the product of the edges, and of the minors below 20 u times that and the sum of the
+// edges, which are at most two radii each; with pairs of doubles 200 u² takes the place of 20 u. So
+// at these limits the determinant's is below 2^-40 of it, and the centre's below
+// (20 u / kFlat) · (1 + 6 / 2) < 2^-38 radii.
 SphereMinors sphere_minors_within(const std::array<Point3, 4>& p) {
   constexpr double kFlat = 0x1p-8, kFlatter = 0x1p-56;
   const double edges = product_of_edges(p);
@@ -90,26 +84,33 @@ SphereMinors sphere_minors_within(const std::array<Point3, 4>& p) {
 
 }  // namespace
 
+double largest_difference(const std::array<Point3, 4>& p) {
+  double largest = 0;
+  for (std::size_t i = 1; i < 4; ++i) {
+    largest = std::max(
+        {largest, std::abs(p[i].x - p[0].x), std::abs(p[i].y - p[0].y), std::abs(p[i].z - p[0].z)});
+  }
+  return largest;
+}
+
+int bring_near_one(std::array<Point3, 4>& p, double largest) {
+  if (largest > 0x1p-40 && largest < 0x1p100) return 0;
+  const int exponent = std::ilogb(largest) + 1;
+  for (Point3& q : p) q = times_power_of_two(q, -exponent);
+  return exponent;
+}
+
 Point3 circumcentre_from(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   std::array<Point3, 4> p{a, b, c, d};
   const double largest = largest_difference(p);
   if (largest == 0 || !std::isfinite(largest)) return {kNone, kNone, kNone};
-  // A power of two brings differences near 1 where products might leave the range of doubles, or
-  // what they are exact by.
-  const bool moderate = largest > 0x1p-40 && largest < 0x1p200;
-  const int exponent = moderate ? 0 : std::ilogb(largest) + 1;
-  if (!moderate) {
-    for (Point3& q : p) {
-      q = {std::ldexp(q.x, -exponent), std::ldexp(q.y, -exponent), std::ldexp(q.z, -exponent)};
-    }
-  }
+  const int exponent = bring_near_one(p, largest);
   const SphereMinors found = sphere_minors_within(p);
   if (found.determinant == 0) return {kNone, kNone, kNone};
   const double twice = 2 * found.determinant;
-  return {std::ldexp(found.minors.x / twice, exponent),
-          std::ldexp(found.minors.y / twice, exponent),
-          std::ldexp(found.minors.z / twice, exponent)};
+  return times_power_of_two(
+      {found.minors.x / twice, found.minors.y / twice, found.minors.z / twice}, exponent);
 }
 
 }  // namespace internal::voronoi

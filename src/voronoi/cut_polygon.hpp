@@ -4,7 +4,6 @@
 // stays: as of a CutPolyhedron, only where corners lie is rounded.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>

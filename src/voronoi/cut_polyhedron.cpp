@@ -6,6 +6,8 @@
 
 #include "core/guard.hpp"
 #include "core/vector.hpp"
+#include "voronoi/moderate.hpp"
+#include "voronoi/polygon_area.hpp"
 
 namespace tetloft::internal::voronoi {
 
@@ -20,23 +22,11 @@ double length_of(const Point3& p) {
   const double largest = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
   if (largest == 0 || !std::isfinite(largest)) return largest;  // as of planes that are parallel
   const int exponent = std::ilogb(largest);
-  const Point3 scaled{std::ldexp(p.x, -exponent), std::ldexp(p.y, -exponent),
-                      std::ldexp(p.z, -exponent)};
+  const Point3 scaled = times_power_of_two(p, -exponent);
   return std::ldexp(std::sqrt(dot(scaled, scaled)), exponent);
 }
 
 Point3 divided(const Point3& p, double by) { return {p.x / by, p.y / by, p.z / by}; }
-
-// Twice the area of a polygon as a vector.
-template <class PointOf>
-Point3 twice_area(const std::vector<std::uint32_t>& corners, const PointOf& point) {
-  Point3 sum;
-  const Point3 first = point(corners[0]);
-  for (std::size_t i = 2; i < corners.size(); ++i) {
-    sum = sum + cross(point(corners[i - 1]) - first, point(corners[i]) - first);
-  }
-  return sum;
-}
 
 }  // namespace
 

@@ -7,8 +7,8 @@
 // and Iri, "Construction of the Voronoi diagram for one million generators in single-precision
 // arithmetic", Proc. IEEE 80, 1992). To contract what is cut off to a point leaves the graph
 // 3-edge-connected, and so does the cycle that takes the point's place: a set of its edges that
-// separates something has two of the cycle and one more, or three of the old graph. A cubic graph
-// that is 3-edge-connected is 3-connected.
+// separates something has two of the cycle and one more, as what stays is connected, or three of
+// the old graph. A cubic graph that is 3-edge-connected is 3-connected.
 #pragma once
 
 #include <array>

@@ -8,6 +8,7 @@
 #include "core/vector.hpp"
 #include "voronoi/circumcentre3.hpp"
 #include "voronoi/cut_polyhedron.hpp"
+#include "voronoi/polygon_area.hpp"
 
 namespace tetloft::internal::voronoi {
 
@@ -46,10 +47,7 @@ void turn_counter_clockwise(const DelaunayTriangulation3& triangulation, Delauna
 
 double area_of(const std::vector<std::uint32_t>& corners, const std::vector<Point3>& at,
                const Point3& normal) {
-  Point3 twice;
-  for (std::size_t i = 2; i < corners.size(); ++i) {
-    twice = twice + cross(at[corners[i - 1]] - at[corners[0]], at[corners[i]] - at[corners[0]]);
-  }
+  const Point3 twice = twice_area(corners, [&](std::uint32_t i) -> const Point3& { return at[i]; });
   return std::max(0.0, 0.5 * dot(twice, normal));
 }
 

@@ -1,4 +1,4 @@
-// Which coordinates cells are computed of.
+// Which coordinates cells are computed of, and how they are brought near 1.
 #pragma once
 
 #include <cmath>
@@ -14,6 +14,11 @@ inline constexpr double kMostCoordinate = 0x1p300;
 [[nodiscard]] inline bool is_moderate(const Point3& p) {
   return std::abs(p.x) <= kMostCoordinate && std::abs(p.y) <= kMostCoordinate &&
          std::abs(p.z) <= kMostCoordinate;
+}
+
+/// p · 2^exponent.
+[[nodiscard]] inline Point3 times_power_of_two(const Point3& p, int exponent) {
+  return {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)};
 }
 
 }  // namespace tetloft::internal::voronoi

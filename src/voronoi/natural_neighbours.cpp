@@ -59,9 +59,7 @@ double largest_coordinate(const std::vector<Point3>& points) {
 
 void scale_to_unit(std::vector<Point3>& points) {
   const int exponent = std::ilogb(largest_coordinate(points));
-  for (Point3& p : points) {
-    p = {std::ldexp(p.x, -exponent), std::ldexp(p.y, -exponent), std::ldexp(p.z, -exponent)};
-  }
+  for (Point3& p : points) p = voronoi::times_power_of_two(p, -exponent);
 }
 
 Surroundings surroundings_of(const DelaunayTriangulation3& triangulation, const ConflictZone3& zone,

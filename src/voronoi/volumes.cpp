@@ -8,6 +8,7 @@
 // looked at once, in coordinates of its own.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -20,6 +21,7 @@
 #include "core/watched_work.hpp"
 #include "voronoi/circumcentre3.hpp"
 #include "voronoi/moderate.hpp"
+#include "voronoi/sites.hpp"
 
 namespace tetloft {
 
@@ -47,14 +49,15 @@ double share_of(const std::array<Point3, 3>& edge, const Point3& centre) {
   return sum;
 }
 
-std::array<double, 4> shares_of(const std::array<Point3, 4>& p) {
+std::array<double, 4> shares_of(std::array<Point3, 4> p) {
   using namespace vectors;
+  const int exponent = voronoi::bring_near_one(p, voronoi::largest_difference(p));
   const Point3 centre = voronoi::circumcentre_from(p[0], p[1], p[2], p[3]);
   std::array<double, 4> shares{};
   for (std::size_t i = 0; i < 4; ++i) {
     const std::array<Point3, 3> edge{p[(i + 1) % 4] - p[i], p[(i + 2) % 4] - p[i],
                                      p[(i + 3) % 4] - p[i]};
-    shares[i] = share_of(edge, centre - (p[i] - p[0]));
+    shares[i] = std::ldexp(share_of(edge, centre - (p[i] - p[0])), 3 * exponent);
   }
   return shares;
 }
@@ -85,7 +88,9 @@ std::vector<double> volumes_of(const DelaunayTriangulation3& triangulation,
     for (std::size_t i = 0; i < 4; ++i) {
       volume[v[i].index] += share[t.index()][i];
       if (triangulation.opposite(TetMesh::half_face(t, static_cast<int>(i))).valid()) continue;
-      for (std::size_t k = 0; k < 4; ++k) is_unbounded[v[k].index] |= k != i ? 1U : 0U;
+      for (std::size_t k = 0; k < 4; ++k) {
+        if (k != i) is_unbounded[v[k].index] = 1;
+      }
     }
   }
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
@@ -103,8 +108,7 @@ Result<std::vector<double>> voronoi_volumes(const DelaunayTriangulation3& triang
   return guard_threads(execution, [&](const Execution& own) -> Result<std::vector<double>> {
     for (const DelaunayVertex v : triangulation.vertices()) {
       if (voronoi::is_moderate(triangulation.point(v))) continue;
-      Error error{ErrorCode::invalid_input, "a coordinate is beyond 2^300", {}};
-      error.where.vertex = v.index;
+      Error error = voronoi::immoderate_site(v);
       error.where.point = triangulation.point(v);
       return error;
     }

@@ -1,5 +1,5 @@
 // The API boundary of Voronoi cells: checks at entry; cells clipped, as polyhedra that bisectors
-// cut; all cells at once.
+// cut.
 #include <tetloft/voronoi.hpp>
 
 #include <algorithm>
@@ -9,12 +9,11 @@
 #include <tetloft/predicates.hpp>
 
 #include "core/guard.hpp"
-#include "core/parallel.hpp"
 #include "core/vector.hpp"
-#include "core/watched_work.hpp"
 #include "voronoi/cut_polyhedron.hpp"
 #include "voronoi/dual_cell.hpp"
 #include "voronoi/moderate.hpp"
+#include "voronoi/sites.hpp"
 
 namespace tetloft {
 
@@ -39,10 +38,10 @@ Result<void> check_clipping(const ClippingBox& box) {
 
 Result<void> check_sites(const DelaunayTriangulation3& triangulation, DelaunayVertex site,
                          const std::vector<DelaunayVertex>& neighbours) {
-  Error error{ErrorCode::invalid_input, "a coordinate is beyond 2^300", {}};
+  Error error;
   const auto fits = [&](DelaunayVertex v) {
     if (is_moderate(triangulation.point(v))) return true;
-    error.where.vertex = v.index;
+    error = voronoi::immoderate_site(v);
     error.where.point = triangulation.point(v);
     return false;
   };
@@ -110,34 +109,8 @@ Result<VoronoiCell3> whole_cell(const DelaunayTriangulation3& triangulation, Del
   return voronoi::dual_cell(triangulation, site, neighbours);
 }
 
-Error no_such_site(DelaunayVertex v) {
-  Error error{ErrorCode::invalid_input, "there is no such vertex, or no longer", {}};
-  if (v.valid()) error.where.vertex = v.index;
-  return error;
-}
-
-// Stretches of vertices by several threads, each cell by make(vertex).
-template <class Make>
-Result<std::vector<VoronoiCell3>> all_cells(const DelaunayTriangulation3& triangulation,
-                                            const Execution& execution, const Make& make) {
-  constexpr std::size_t kStretch = 256;
-  const auto live = triangulation.vertices();
-  const std::vector<DelaunayVertex> sites(live.begin(), live.end());
-  const std::size_t stretches = (sites.size() + kStretch - 1) / kStretch;
-  std::vector<VoronoiCell3> cells(sites.size());
-  WatchedWork work(execution, stretches);
-  work.go_on();
-  parallel_for(stretches, execution.threads, [&](std::size_t stretch) {
-    const std::size_t end = std::min(sites.size(), (stretch + 1) * kStretch);
-    for (std::size_t i = stretch * kStretch; i < end; ++i) {
-      Result<VoronoiCell3> cell = make(sites[i]);
-      if (!cell) throw Failed(cell.error());
-      cells[i] = *std::move(cell);
-    }
-    work.step_done_go_on();
-  });
-  return cells;
-}
+// That a thread makes at a time.
+constexpr std::size_t kCellsAtOnce = 256;
 
 }  // namespace
 
@@ -157,7 +130,7 @@ const char* name_of(BoxSide side) {
 Result<VoronoiCell3> voronoi_cell(const DelaunayTriangulation3& triangulation,
                                   DelaunayVertex site) {
   return guard_internal([&]() -> Result<VoronoiCell3> {
-    if (!triangulation.is_live(site)) return no_such_site(site);
+    if (!triangulation.is_live(site)) return voronoi::no_such_site(site);
     return whole_cell(triangulation, site);
   });
 }
@@ -165,7 +138,7 @@ Result<VoronoiCell3> voronoi_cell(const DelaunayTriangulation3& triangulation,
 Result<VoronoiCell3> voronoi_cell(const DelaunayTriangulation3& triangulation, DelaunayVertex site,
                                   const ClippingBox& box) {
   return guard_internal([&]() -> Result<VoronoiCell3> {
-    if (!triangulation.is_live(site)) return no_such_site(site);
+    if (!triangulation.is_live(site)) return voronoi::no_such_site(site);
     if (Result<void> fine = check_clipping(box); !fine) return fine.error();
     return clipped_cell(triangulation, site, box);
   });
@@ -173,9 +146,9 @@ Result<VoronoiCell3> voronoi_cell(const DelaunayTriangulation3& triangulation, D
 
 Result<std::vector<VoronoiCell3>> voronoi_cells(const DelaunayTriangulation3& triangulation,
                                                 const Execution& execution) {
-  return guard_threads(execution, [&](const Execution& own) {
-    return all_cells(triangulation, own,
-                     [&](DelaunayVertex site) { return whole_cell(triangulation, site); });
+  return guard_threads(execution, [&](const Execution& own) -> Result<std::vector<VoronoiCell3>> {
+    return voronoi::all_cells(triangulation, kCellsAtOnce, own,
+                              [&](DelaunayVertex site) { return whole_cell(triangulation, site); });
   });
 }
 
@@ -184,8 +157,9 @@ Result<std::vector<VoronoiCell3>> voronoi_cells(const DelaunayTriangulation3& tr
                                                 const Execution& execution) {
   return guard_threads(execution, [&](const Execution& own) -> Result<std::vector<VoronoiCell3>> {
     if (Result<void> fine = check_clipping(box); !fine) return fine.error();
-    return all_cells(triangulation, own,
-                     [&](DelaunayVertex site) { return clipped_cell(triangulation, site, box); });
+    return voronoi::all_cells(triangulation, kCellsAtOnce, own, [&](DelaunayVertex site) {
+      return clipped_cell(triangulation, site, box);
+    });
   });
 }
 

@@ -6,10 +6,9 @@
 #include <utility>
 
 #include "core/guard.hpp"
-#include "core/parallel.hpp"
-#include "core/watched_work.hpp"
 #include "voronoi/cut_polygon.hpp"
 #include "voronoi/moderate.hpp"
+#include "voronoi/sites.hpp"
 
 namespace tetloft {
 
@@ -30,12 +29,6 @@ Result<void> check_rectangle(const ClippingRectangle& rectangle) {
       ErrorCode::invalid_input, "the low corner of the rectangle is above the high one", {}};
 }
 
-Error immoderate_site(DelaunayVertex v) {
-  Error error{ErrorCode::invalid_input, "a coordinate is beyond 2^300", {}};
-  error.where.vertex = v.index;
-  return error;
-}
-
 // Each edge of the polygon is that of its number; `place` tells which of the cell's that is.
 void put_edges(const CutPolygon& polygon, const std::vector<std::size_t>& place,
                VoronoiCell2& cell) {
@@ -54,7 +47,7 @@ Result<VoronoiCell2> cell_in_rectangle(const DelaunayTriangulation2& triangulati
                                        DelaunayVertex site, const ClippingRectangle& rectangle) {
   const std::vector<DelaunayVertex> neighbours = triangulation.neighbours(site);
   const Point2& at = triangulation.point(site);
-  if (!is_moderate_in_plane(at)) return immoderate_site(site);
+  if (!is_moderate_in_plane(at)) return voronoi::immoderate_site(site);
   CutPolygon polygon({rectangle.low.x - at.x, rectangle.low.y - at.y},
                      {rectangle.high.x - at.x, rectangle.high.y - at.y});
   VoronoiCell2 cell;
@@ -63,7 +56,7 @@ Result<VoronoiCell2> cell_in_rectangle(const DelaunayTriangulation2& triangulati
   std::vector<std::size_t> place(CutPolygon::kSides + neighbours.size());
   for (std::size_t i = 0; i < neighbours.size(); ++i) {
     const Point2& p = triangulation.point(neighbours[i]);
-    if (!is_moderate_in_plane(p)) return immoderate_site(neighbours[i]);
+    if (!is_moderate_in_plane(p)) return voronoi::immoderate_site(neighbours[i]);
     polygon.cut(voronoi::nearer_to_origin({p.x - at.x, p.y - at.y, 0}));
     place[CutPolygon::kSides + i] = i;
     cell.edges.push_back({.neighbour = neighbours[i],
@@ -95,11 +88,7 @@ Result<VoronoiCell2> cell_in_rectangle(const DelaunayTriangulation2& triangulati
 Result<VoronoiCell2> voronoi_cell(const DelaunayTriangulation2& triangulation, DelaunayVertex site,
                                   const ClippingRectangle& rectangle) {
   return guard_internal([&]() -> Result<VoronoiCell2> {
-    if (!triangulation.is_live(site)) {
-      Error error{ErrorCode::invalid_input, "there is no such vertex, or no longer", {}};
-      if (site.valid()) error.where.vertex = site.index;
-      return error;
-    }
+    if (!triangulation.is_live(site)) return voronoi::no_such_site(site);
     if (Result<void> fine = check_rectangle(rectangle); !fine) return fine.error();
     return cell_in_rectangle(triangulation, site, rectangle);
   });
@@ -111,22 +100,9 @@ Result<std::vector<VoronoiCell2>> voronoi_cells(const DelaunayTriangulation2& tr
   return guard_threads(execution, [&](const Execution& own) -> Result<std::vector<VoronoiCell2>> {
     constexpr std::size_t kStretch = 1024;
     if (Result<void> fine = check_rectangle(rectangle); !fine) return fine.error();
-    const auto live = triangulation.vertices();
-    const std::vector<DelaunayVertex> sites(live.begin(), live.end());
-    std::vector<VoronoiCell2> cells(sites.size());
-    const std::size_t stretches = (sites.size() + kStretch - 1) / kStretch;
-    WatchedWork work(own, stretches);
-    work.go_on();
-    parallel_for(stretches, own.threads, [&](std::size_t stretch) {
-      const std::size_t end = std::min(sites.size(), (stretch + 1) * kStretch);
-      for (std::size_t i = stretch * kStretch; i < end; ++i) {
-        Result<VoronoiCell2> cell = cell_in_rectangle(triangulation, sites[i], rectangle);
-        if (!cell) throw Failed(cell.error());
-        cells[i] = *std::move(cell);
-      }
-      work.step_done_go_on();
+    return voronoi::all_cells(triangulation, kStretch, own, [&](DelaunayVertex site) {
+      return cell_in_rectangle(triangulation, site, rectangle);
     });
-    return cells;
   });
 }
 

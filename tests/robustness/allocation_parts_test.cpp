@@ -6,6 +6,8 @@
 
 #include <tetloft/tetloft.hpp>
 
+#include "delaunay2/incremental.hpp"
+#include "robustness/failing_allocator.hpp"
 #include "robustness/inputs.hpp"
 #include "robustness/sweep.hpp"
 
@@ -231,6 +233,31 @@ TEST(MemoryEnds, InMeshEditsThatLeaveTheMeshValid) {
         return ended_throwing([&] { static_cast<void>(mesh.compact()); });
       },
       valid);
+}
+
+// A copy's scratch arrays have no room from earlier; of all that a removal needs it asks for one
+// thing before it begins, and does without the rest.
+TEST(MemoryEnds, WithinARemovalFromACopiedTriangulation) {
+  namespace plane = internal::delaunay2_detail;
+  plane::Incremental2 whole({0, 0}, {40, 0}, {0, 40}, 64);
+  for (int i = 1; i < 60; ++i) {
+    (void)whole.insert_nearby({static_cast<double>(i * 7 % 41), static_cast<double>(i * i % 37)});
+  }
+  for (std::size_t v = 1; v < whole.vertex_count(); ++v) {
+    plane::Incremental2 expected = whole;
+    expected.remove(plane::SiteId(v));
+    plane::Incremental2 copy = whole;
+    arm_allocator(2, Failing::from_there);
+    copy.remove(plane::SiteId(v));
+    (void)disarm_allocator();
+    for (std::size_t a = 1; a < whole.vertex_count(); ++a) {
+      for (std::size_t b = 1; b < a; ++b) {
+        if (a == v || b == v) continue;
+        const plane::SiteId from(a), to(b);
+        ASSERT_EQ(copy.find_edge(from, to).valid(), expected.find_edge(from, to).valid()) << v;
+      }
+    }
+  }
 }
 
 }  // namespace

@@ -206,9 +206,9 @@ class DelaunayTriangulation3(Owner):
         return type(self).from_bytes, (self.to_bytes(),)
 
     def _found(self, function: Any, kind: Any, columns: int, *of: Any) -> Any:
-        # Between the two calls another thread may change it: then the number is asked for again.
-        count, handle = c_size_t(), self._open()
-        function(handle, *of, None, 0, ctypes.byref(count))
+        # Room for a few, as of one vertex; where there are more, for as many as there were: between
+        # two calls another thread may change it.
+        count, handle = c_size_t(64), self._open()
         while True:
             capacity = count.value
             made = (kind * (columns * capacity))()

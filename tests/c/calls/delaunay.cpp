@@ -16,6 +16,11 @@ std::uint64_t vertex(A& a, std::int64_t usual) {
   return static_cast<std::uint64_t>(a.integer(usual));
 }
 
+// Arrays for as many points as there are at most: 40 coordinates.
+constexpr std::size_t kMostPoints = 40;
+
+const std::vector<double> kQueries{0.1, 0.1, 0.1, 0.5, 0.5, 0, 9, 9, 9};
+
 // What is asked of all of it, and of one of its vertices.
 template <class Number, class Query>
 tetloft_status of_all(A& a, Query query, std::size_t tuple) {
@@ -42,6 +47,15 @@ tetloft_status about(A& a, Query query, Limit limit) {
   return query(delaunay, x, y, z, limit, array.data, array.size, a.output<std::size_t>());
 }
 
+// A vertex for each of some points.
+template <class Query>
+tetloft_status for_points(A& a, tetloft_delaunay* delaunay, Query query) {
+  const auto xyz = a.array(a.reals(kQueries), 3);
+  const auto* const how = execution(a);
+  std::vector<std::uint64_t> vertices(kMostPoints);
+  return query(delaunay, xyz.data, xyz.size, how, vertices.data());
+}
+
 // What serialise() makes.
 std::vector<char> delaunay_bytes() {
   auto* const delaunay = static_cast<tetloft_delaunay*>(new_handle(Kind::delaunay));
@@ -58,11 +72,6 @@ std::vector<char> delaunay_bytes() {
   free_handle(Kind::bytes, bytes);
   return {copy.begin(), copy.begin() + static_cast<std::ptrdiff_t>(size)};
 }
-
-// Arrays for as many points as there are at most: 40 coordinates.
-constexpr std::size_t kMostPoints = 40;
-
-const std::vector<double> kQueries{0.1, 0.1, 0.1, 0.5, 0.5, 0, 9, 9, 9};
 
 constexpr auto kCalls = std::to_array<Call>({
     {"tetloft_delaunay_create",
@@ -90,11 +99,7 @@ constexpr auto kCalls = std::to_array<Call>({
      }},
     {"tetloft_delaunay_insert_all",
      [](A& a) {
-       auto* const delaunay = a.changing_handle<tetloft_delaunay>();
-       const auto xyz = a.array(a.reals(kQueries), 3);
-       const auto* const how = execution(a);
-       std::vector<std::uint64_t> vertices(kMostPoints);
-       return tetloft_delaunay_insert_all(delaunay, xyz.data, xyz.size, how, vertices.data());
+       return for_points(a, a.changing_handle<tetloft_delaunay>(), tetloft_delaunay_insert_all);
      }},
     {"tetloft_delaunay_remove",
      [](A& a) {
@@ -152,13 +157,7 @@ constexpr auto kCalls = std::to_array<Call>({
                                       vertices.data());
      }},
     {"tetloft_delaunay_nearest",
-     [](A& a) {
-       auto* const delaunay = a.handle<tetloft_delaunay>();
-       const auto xyz = a.array(a.reals(kQueries), 3);
-       const auto* const how = execution(a);
-       std::vector<std::uint64_t> vertices(kMostPoints);
-       return tetloft_delaunay_nearest(delaunay, xyz.data, xyz.size, how, vertices.data());
-     }},
+     [](A& a) { return for_points(a, a.handle<tetloft_delaunay>(), tetloft_delaunay_nearest); }},
     {"tetloft_delaunay_nearest_few",
      [](A& a) {
        return about(a, tetloft_delaunay_nearest_few, static_cast<std::size_t>(a.integer(3)));

@@ -175,6 +175,11 @@ TEST(PeriodicSets, RefuseWhatIsNone) {
   EXPECT_EQ(refusal({p}, orthorhombic_box(1, kNan, 1)), ErrorCode::invalid_input);
   EXPECT_EQ(refusal({p}, orthorhombic_box(1, 0x1p301, 1)), ErrorCode::invalid_input);
   EXPECT_EQ(refusal({p}, orthorhombic_box(1, 1, 0x1p30)), ErrorCode::unrepresentable);
+  // Its reduction takes larger integers than are exact.
+  EXPECT_EQ(refusal({p}, {{-931239, 931301, -931115},
+                          {-33598315004.0, 33600687605.0, -33593569642.0},
+                          {729818398729390.0, -729869936071737.0, 729715320569196.0}}),
+            ErrorCode::unrepresentable);
   EXPECT_EQ(refusal({p, {kNan, 0, 0}}, box), ErrorCode::invalid_input);
   EXPECT_EQ(refusal({{1e50, 0, 0}}, box), ErrorCode::unrepresentable);
   EXPECT_EQ(periodic_voronoi(std::vector<Point3>{p}, orthorhombic_box(1, 1, 4000)).error().code,

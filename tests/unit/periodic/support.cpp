@@ -24,7 +24,9 @@ std::vector<NamedBox> periodic_boxes() {
           {"thin", orthorhombic_box(1, 1, 12)},
           {"flat", orthorhombic_box(9, 8, 0.7)},
           {"skewed", {{1, 0, 0}, {1000.3, 1.2, 0}, {-731.8, 2002.1, 0.9}}},
-          {"badly skewed", {{1, 0, 0}, {1234567.3, 1, 0}, {0.3, 0.4, 1}}}};
+          {"badly skewed", {{1, 0, 0}, {1234567.3, 1, 0}, {0.3, 0.4, 1}}},
+          // Very many steps where the second is shortened by both others before these are.
+          {"skewed by two that are nearly parallel", {{4, 0, 0}, {17, 3, 2e6}, {4000, 0, 5}}}};
 }
 
 double volume_of(const PeriodicBox& box) { return std::abs(dot(box.a, cross(box.b, box.c))); }

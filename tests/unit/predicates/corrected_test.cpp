@@ -16,9 +16,9 @@ namespace tetloft::test {
 using namespace internal;
 namespace {
 
-using Differences = std::array<double, 12>;
+using Differences = std::array<Rounded, 12>;
 
-// Of four points of the unit sphere from a fifth, rounded.
+// Of four points of the unit sphere from a fifth, all rounded: most differences are no doubles.
 Differences nearly_cospherical(Prng& prng) {
   std::array<std::array<double, 3>, 5> p;
   for (auto& point : p) {
@@ -27,49 +27,90 @@ Differences nearly_cospherical(Prng& prng) {
     point = {r * std::cos(turn), r * std::sin(turn), z};
   }
   Differences d;
-  for (std::size_t i = 0; i < 12; ++i) d[i] = p[i / 3][i % 3] - p[4][i % 3];
+  for (std::size_t i = 0; i < 12; ++i) d[i] = two_difference(p[i / 3][i % 3], p[4][i % 3]);
   return d;
 }
 
-template <class Of>
-auto determinant(const Differences& d, const Of& of) {
-  return predicates::insphere_determinant(of(d[0]), of(d[1]), of(d[2]), of(d[3]), of(d[4]),
-                                          of(d[5]), of(d[6]), of(d[7]), of(d[8]), of(d[9]),
-                                          of(d[10]), of(d[11]));
+// Of a, b, c from d, where z is nearly the sum of x and y.
+Differences nearly_coplanar(Prng& prng) {
+  std::array<std::array<double, 3>, 4> p;
+  for (auto& [x, y, z] : p) {
+    x = prng.unit();
+    y = prng.unit();
+    z = (x + 0.1) + y;
+  }
+  Differences d{};
+  for (std::size_t i = 0; i < 9; ++i) d[i] = two_difference(p[i / 3][i % 3], p[3][i % 3]);
+  return d;
 }
 
-// |value + correction − exact|, but for the rounding of the result.
-double error(const Corrected& c, const Differences& d) {
-  const auto exact = determinant(d, [](double v) { return to_expansion(v); });
+struct Insphere {
+  static constexpr double kSecondOrder = kInsphereSecondOrder;
+  template <class Of>
+  static auto of(const Differences& d, const Of& of) {
+    return predicates::insphere_determinant(of(d[0]), of(d[1]), of(d[2]), of(d[3]), of(d[4]),
+                                            of(d[5]), of(d[6]), of(d[7]), of(d[8]), of(d[9]),
+                                            of(d[10]), of(d[11]));
+  }
+  // The magnitudes of the monomials, in sum, at most.
+  static double most(const std::array<double, 3>& m) {
+    return 24 * m[0] * m[1] * m[2] * (m[0] * m[0] + m[1] * m[1] + m[2] * m[2]);
+  }
+};
+
+struct Orient3d {
+  static constexpr double kSecondOrder = kOrient3dSecondOrder;
+  template <class Of>
+  static auto of(const Differences& d, const Of& of) {
+    return predicates::orient3d_determinant(of(d[0]), of(d[1]), of(d[2]), of(d[3]), of(d[4]),
+                                            of(d[5]), of(d[6]), of(d[7]), of(d[8]));
+  }
+  static double most(const std::array<double, 3>& m) { return 6 * m[0] * m[1] * m[2]; }
+};
+
+// |value + correction − exact|.
+template <class Exact>
+double error(const Corrected& c, const Exact& exact) {
   const auto rest = (exact - to_expansion(c.value)) - to_expansion(c.correction);
   return rest.size() == 0 ? 0 : std::abs(rest[rest.size() - 1]);
 }
 
-// u² times the sum of the magnitudes of the monomials, at most.
-double unit_of_second_order(const Differences& d) {
-  std::array<double, 3> m{};
-  for (std::size_t i = 0; i < 12; ++i) m[i % 3] = std::max(m[i % 3], std::abs(d[i]));
-  return 0x1p-106 * 24 * m[0] * m[1] * m[2] * (m[0] * m[0] + m[1] * m[1] + m[2] * m[2]);
+template <class Determinant>
+void expect_second_order(Differences (*draw)(Prng&)) {
+  Prng prng(75);
+  double value_error = 0, halves_error = 0, rounded_error = 0;
+  for (int round = 0; round < 2000; ++round) {
+    const Differences d = draw(prng);
+    std::array<double, 3> m{};
+    for (std::size_t i = 0; i < 12; ++i) m[i % 3] = std::max(m[i % 3], std::abs(d[i].value));
+    const double unit = 0x1p-106 * Determinant::most(m);
+    // Of the differences as they are rounded, and as they are.
+    const Corrected halves = Determinant::of(d, [](const Rounded& r) { return Halves(r.value); });
+    const Corrected rounded = Determinant::of(d, [](const Rounded& r) {
+      return Corrected{r.value, r.error};
+    });
+    const auto of_values =
+        Determinant::of(d, [](const Rounded& r) { return to_expansion(r.value); });
+    const auto exact = Determinant::of(d, [](const Rounded& r) { return to_expansion(r); });
+    const double plain = Determinant::of(d, [](const Rounded& r) { return r.value; });
+    EXPECT_EQ(halves.value, plain);
+    EXPECT_EQ(rounded.value, plain);
+    halves_error = std::max(halves_error, error(halves, of_values) / unit);
+    rounded_error = std::max(rounded_error, error(rounded, exact) / unit);
+    value_error = std::max(value_error, error({plain, 0}, exact) / unit);
+  }
+  EXPECT_LE(halves_error, Determinant::kSecondOrder);
+  EXPECT_LE(rounded_error, Determinant::kSecondOrder);
+  // What is corrected is larger by far.
+  EXPECT_GT(value_error, 1e10);
 }
 
 TEST(Corrected, InsphereDeterminantIsOffBySecondOrder) {
-  Prng prng(75);
-  double value_error = 0, halves_error = 0, pairs_error = 0;
-  for (int round = 0; round < 2000; ++round) {
-    const Differences d = nearly_cospherical(prng);
-    const double unit = unit_of_second_order(d);
-    const Corrected halves = determinant(d, [](double v) { return Halves(v); });
-    const Corrected pairs = determinant(d, [](double v) { return Corrected{v, 0}; });
-    EXPECT_EQ(halves.value, determinant(d, [](double v) { return v; }));
-    EXPECT_EQ(pairs.value, halves.value);
-    halves_error = std::max(halves_error, error(halves, d) / unit);
-    pairs_error = std::max(pairs_error, error(pairs, d) / unit);
-    value_error = std::max(value_error, error({halves.value, 0}, d) / unit);
-  }
-  EXPECT_LE(halves_error, kInsphereSecondOrder);
-  EXPECT_LE(pairs_error, kInsphereSecondOrder);
-  // What is corrected is larger by far.
-  EXPECT_GT(value_error, 1e10);
+  expect_second_order<Insphere>(nearly_cospherical);
+}
+
+TEST(Corrected, Orient3dDeterminantIsOffBySecondOrder) {
+  expect_second_order<Orient3d>(nearly_coplanar);
 }
 
 TEST(Corrected, CarriesTheErrorsOfItsOperands) {

@@ -189,5 +189,15 @@ TEST(SetFilter, GrowsToThatOfAllPoints) {
   }
 }
 
+// What lies within the box counts for the lattice too, whatever unit that had before.
+TEST(SetFilter, GrowsByPointsWithinItsBox) {
+  const std::vector<Point3> points{
+      {0, 0, 0}, {0x1p+155, 0, 0}, {1, 0, 0}, {0, 0x1p+150, 0}, {0, 0, 0x1p+150}};
+  SetFilter grown;
+  for (const Point3& p : points) grown.add(p);
+  EXPECT_FALSE(grown.is_exact());
+  EXPECT_FALSE(SetFilter(points).is_exact());
+}
+
 }  // namespace
 }  // namespace tetloft::test

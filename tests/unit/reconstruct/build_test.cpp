@@ -266,6 +266,7 @@ TEST(SlabBuilds, DropALinkThatNoEdgeCanMake) {
     EXPECT_FALSE(phases.builds->run());
     EXPECT_EQ(phases.plan.correspondence.links[SlabId(0)], before);
     EXPECT_EQ(phases.builds->refinements(), 1U);  // contours were divided first
+    EXPECT_EQ(phases.builds->built(), 3U);
   }
 }
 

@@ -190,7 +190,7 @@ TEST(VoronoiCells, FarFromTheOriginLoseNothing) {
   for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a[i].volume, b[i].volume);
 }
 
-// Of clusters 2^40 times smaller than the box: the sum over a box of the cluster's own size.
+// Of a cluster 2^40 times smaller than the box: cells deep inside are as large as whole ones.
 TEST(VoronoiCells, OfTinyClustersInALargeBoxKeepTheirVolumes) {
   std::vector<Point3> points;
   for (const Point3& p : uniform_points(60, 4)) {
@@ -198,11 +198,14 @@ TEST(VoronoiCells, OfTinyClustersInALargeBoxKeepTheirVolumes) {
         {std::ldexp(p.x - 0.5, -40), std::ldexp(p.y - 0.5, -40), std::ldexp(p.z - 0.5, -40)});
   }
   const DelaunayTriangulation3 t = triangulated(points);
+  int inside = 0;
   for (const VoronoiCell3& cell : value_of(voronoi_cells(t))) {
     if (!cell.bounded || cell.volume > 0x1p-120) continue;
+    ++inside;
     const double clipped = value_of(voronoi_cell(t, cell.site, {{-1, -1, -1}, {1, 1, 1}})).volume;
     EXPECT_NEAR(clipped / cell.volume, 1, 1e-9);
   }
+  EXPECT_GT(inside, 0);
 }
 
 TEST(VoronoiCells, AreTheSameOnAnyNumberOfThreads) {
@@ -235,6 +238,23 @@ TEST(VoronoiVolumes, AreThoseOfTheCells) {
       ASSERT_EQ(std::isinf(volumes[i]), std::isinf(expected[i])) << i;
       if (std::isinf(volumes[i])) continue;
       EXPECT_NEAR(volumes[i], expected[i], 1e-9 * expected[i]) << i;
+    }
+  }
+}
+
+TEST(VoronoiVolumes, DoNotDependOnTheUnit) {
+  const std::vector<Point3> points = uniform_points(60, 5);
+  const std::vector<double> volumes = value_of(voronoi_volumes(triangulated(points)));
+  for (const int power : {-290, -150, 150, 290}) {
+    SCOPED_TRACE(power);
+    std::vector<Point3> scaled;
+    for (const Point3& p : points) {
+      scaled.push_back({std::ldexp(p.x, power), std::ldexp(p.y, power), std::ldexp(p.z, power)});
+    }
+    const std::vector<double> found = value_of(voronoi_volumes(triangulated(scaled)));
+    ASSERT_EQ(found.size(), volumes.size());
+    for (std::size_t i = 0; i < volumes.size(); ++i) {
+      EXPECT_EQ(found[i], std::ldexp(volumes[i], 3 * power));
     }
   }
 }
