@@ -49,9 +49,10 @@ struct VoronoiCell2 {
 };
 
 /// What of a vertex's cell is in a rectangle, which the site need not be in; perhaps nothing. The
-/// areas of all sum to the rectangle's. Refused (invalid_input) where the vertex is none, where
-/// coordinates of it, its neighbours or the rectangle are not finite or beyond 2^300, and where the
-/// rectangle's low corner is not low.
+/// areas of all sum to the rectangle's. Refused (invalid_input) where there are constraints, whose
+/// triangulation is another one than that of the cells, where the vertex is none, where coordinates
+/// of it, its neighbours or the rectangle are not finite or beyond 2^300, and where the rectangle's
+/// low corner is not low.
 [[nodiscard]] TETLOFT_API Result<VoronoiCell2> voronoi_cell(
     const DelaunayTriangulation2& triangulation, DelaunayVertex site,
     const ClippingRectangle& rectangle);

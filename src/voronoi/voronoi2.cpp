@@ -43,6 +43,16 @@ void put_edges(const CutPolygon& polygon, const std::vector<std::size_t>& place,
   }
 }
 
+// Among constraints neighbours are not those of the cells.
+Result<void> check_cells(const DelaunayTriangulation2& triangulation,
+                         const ClippingRectangle& rectangle) {
+  if (triangulation.constraint_count() != 0) {
+    return Error{
+        ErrorCode::invalid_input, "a triangulation with constraints has no Voronoi cells", {}};
+  }
+  return check_rectangle(rectangle);
+}
+
 Result<VoronoiCell2> cell_in_rectangle(const DelaunayTriangulation2& triangulation,
                                        DelaunayVertex site, const ClippingRectangle& rectangle) {
   const std::vector<DelaunayVertex> neighbours = triangulation.neighbours(site);
@@ -89,7 +99,7 @@ Result<VoronoiCell2> voronoi_cell(const DelaunayTriangulation2& triangulation, D
                                   const ClippingRectangle& rectangle) {
   return guard_internal([&]() -> Result<VoronoiCell2> {
     if (!triangulation.is_live(site)) return voronoi::no_such_site(site);
-    if (Result<void> fine = check_rectangle(rectangle); !fine) return fine.error();
+    if (Result<void> fine = check_cells(triangulation, rectangle); !fine) return fine.error();
     return cell_in_rectangle(triangulation, site, rectangle);
   });
 }
@@ -99,7 +109,7 @@ Result<std::vector<VoronoiCell2>> voronoi_cells(const DelaunayTriangulation2& tr
                                                 const Execution& execution) {
   return guard_threads(execution, [&](const Execution& own) -> Result<std::vector<VoronoiCell2>> {
     constexpr std::size_t kStretch = 1024;
-    if (Result<void> fine = check_rectangle(rectangle); !fine) return fine.error();
+    if (Result<void> fine = check_cells(triangulation, rectangle); !fine) return fine.error();
     return voronoi::all_cells(triangulation, kStretch, own, [&](DelaunayVertex site) {
       return cell_in_rectangle(triangulation, site, rectangle);
     });

@@ -77,6 +77,18 @@ TEST(PlaneCells, AreThoseOfSpaceWithoutHeight) {
   }
 }
 
+// They bend edges away from neighbours: the centres of both triangles are then in the wrong order.
+TEST(PlaneCells, AreRefusedAmongConstraints) {
+  DelaunayTriangulation2 t = value_of(
+      DelaunayTriangulation2::of(std::vector<Point2>{{0, 0}, {1, 0.1}, {0, 0.2}, {-1, 0.1}}));
+  const auto c = t.insert_constraint(t.vertex_at(1), t.vertex_at(3));
+  ASSERT_TRUE(c.ok());
+  EXPECT_EQ(voronoi_cell(t, t.vertex_at(0), kUnitSquare).error().code, ErrorCode::invalid_input);
+  EXPECT_EQ(voronoi_cells(t, kUnitSquare).error().code, ErrorCode::invalid_input);
+  ASSERT_TRUE(t.remove_constraint(*c));
+  EXPECT_TRUE(voronoi_cells(t, kUnitSquare).ok());
+}
+
 TEST(PlaneCells, RefuseWhatIsNone) {
   const DelaunayTriangulation2 t =
       value_of(DelaunayTriangulation2::of(std::vector<Point2>{{0, 0}, {1, 0}, {0, 0x1p301}}));
