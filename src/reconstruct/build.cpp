@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -16,17 +17,19 @@
 
 namespace tetloft::internal {
 
-SlabBuilds::SlabBuilds(PreparedStack& prepared, Decision& decision, Plan& plan,
+SlabBuilds::SlabBuilds(PreparedStack& prepared, Decision* decision, Plan& plan,
                        const ReconstructOptions& options, WatchedWork& work)
     : prepared_(prepared),
       decision_(decision),
       plan_(plan),
       options_(options),
       work_(work),
-      outcome_(prepared.slab_count()) {
+      outcome_(prepared.slab_count()),
+      clusters_(prepared.slab_count()),
+      refinements_(prepared.slab_count()) {
   // What links rest on must not change for what they imply.
   plan.between.resize(prepared.slab_count());
-  plan.may_ask.assign(prepared.slab_count(), decision.depends_on_triangulations() ? 0 : 1);
+  plan.may_ask.assign(prepared.slab_count(), depends_on_triangulations() ? 0 : 1);
 }
 
 std::optional<Error> SlabBuilds::run() {
@@ -34,19 +37,52 @@ std::optional<Error> SlabBuilds::run() {
   for (;;) {
     if (auto error = triangulate_again(to_build)) return error;
     if (auto error = build(to_build)) return error;
-    const auto stuck = std::find_if_not(outcome_.begin(), outcome_.end(), [](const auto& outcome) {
-      return std::holds_alternative<SlabSolid>(outcome);
-    });
-    if (stuck == outcome_.end()) return std::nullopt;
-    const SlabId slab(stuck - outcome_.begin());
-    Result<std::vector<SlabId>> touched = mend(slab);
-    if (!touched) return touched.error();
-    to_build = std::move(*touched);
-    sort_distinct(to_build);
+    to_build.clear();
+    while (to_build.empty()) {
+      const SlabId stuck = lowest_stuck();
+      if (!stuck.valid()) return std::nullopt;
+      Result<Mended> mended = mend(stuck);
+      if (!mended) return mended.error();
+      sort_distinct(mended->touched);
+      if (clusters_.unite(stuck, mended->touched, mended->beyond)) {
+        leave_open(stuck);
+      } else {
+        to_build = std::move(mended->touched);
+      }
+    }
   }
 }
 
-Result<std::vector<SlabId>> SlabBuilds::mend(SlabId slab) {
+SlabId SlabBuilds::lowest_stuck() const {
+  for (const SlabId slab : outcome_.ids()) {
+    if (!std::holds_alternative<SlabSolid>(outcome_[slab]) && !clusters_.is_open(slab)) return slab;
+  }
+  return {};
+}
+
+void SlabBuilds::leave_open(SlabId of_cluster) {
+  for (const SlabId slab : clusters_.restore(of_cluster, plan_)) {
+    outcome_[slab] = RefineHere{};
+    plan_.may_ask[slab] = depends_on_triangulations() ? 0 : 1;
+    refinements_[slab] = 0;
+    for (const SectionId s : {lower_section(slab), upper_section(slab)}) {
+      const bool used_below = s.index() > 0 && !clusters_.is_open(SlabId(s.index() - 1));
+      const bool used_above = s.index() < outcome_.size() && !clusters_.is_open(SlabId(s.index()));
+      if (!used_below && !used_above) prepared_.sections[s] = ConformingSection();
+    }
+    // What a warning tells of was not done.
+    std::erase_if(warnings_, [&](const Warning& warning) {
+      return warning.where.section == lower_section(slab).index() ||
+             warning.where.section == upper_section(slab).index();
+    });
+  }
+}
+
+std::uint64_t SlabBuilds::refinements() const {
+  return std::accumulate(refinements_.begin(), refinements_.end(), std::uint64_t{0});
+}
+
+Result<SlabBuilds::Mended> SlabBuilds::mend(SlabId slab) {
   const SlabOutcome outcome = outcome_[slab];
   if (const auto* refused = std::get_if<Unrepresentable>(&outcome)) return undivide(slab, *refused);
   if (const auto* apart = std::get_if<Unconnectable>(&outcome)) return drop(slab, *apart);
@@ -82,8 +118,9 @@ std::optional<Error> SlabBuilds::build(const std::vector<SlabId>& slabs) {
 
 // Ends stand on the triangles of the first and the last section; decisions, on those of all.
 void SlabBuilds::release_if_done(SectionId s) {
-  const bool has_end = plan_.ends && (s.index() == 0 || s.index() == outcome_.size());
-  if (!has_end && !decision_.depends_on_triangulations()) prepared_.release_triangulation(s);
+  const bool has_end =
+      (plan_.ends.below && s.index() == 0) || (plan_.ends.above && s.index() == outcome_.size());
+  if (!has_end && !depends_on_triangulations()) prepared_.release_triangulation(s);
 }
 
 std::optional<Error> SlabBuilds::triangulate_again(const std::vector<SlabId>& slabs) {
@@ -101,31 +138,47 @@ bool SlabBuilds::is_divided(SlabId slab) const {
   return !plan_.divided[lower_section(slab)].empty() || !plan_.divided[upper_section(slab)].empty();
 }
 
-std::optional<Error> SlabBuilds::undivide(SectionId s, const std::string& reason,
-                                          std::vector<SlabId>& touched) {
+void SlabBuilds::touch(SectionId s, Mended& mended) const {
+  if (s.index() > 0) {
+    mended.touched.emplace_back(s.value() - 1);
+  } else if (prepared_.beyond_below) {
+    mended.beyond.below = true;
+  }
+  if (s.index() < outcome_.size()) {
+    mended.touched.emplace_back(s.value());
+  } else if (prepared_.beyond_above) {
+    mended.beyond.above = true;
+  }
+}
+
+std::optional<Error> SlabBuilds::undivide(SectionId s, const std::string& reason, Mended& mended) {
   if (auto error = prepared_.conform_section(s, plan_.gabriel[s], plan_.apart[s])) return error;
+  clusters_.keep(s, plan_);
   plan_.divided[s].clear();
   warnings_.push_back(not_divided(s, reason));
-  if (s.index() > 0) touched.emplace_back(s.value() - 1);
-  if (s.index() < outcome_.size()) touched.emplace_back(s.value());
+  touch(s, mended);
   return std::nullopt;
 }
 
-Result<std::vector<SlabId>> SlabBuilds::undivide(SlabId slab, const Unrepresentable& refused) {
-  std::vector<SlabId> touched;
+Result<SlabBuilds::Mended> SlabBuilds::undivide(SlabId slab, const Unrepresentable& refused) {
+  Mended mended;
   for (const bool upper : {false, true}) {
     const SectionId s = section_of(slab, upper);
     if (plan_.divided[s].empty()) continue;
-    if (auto error = undivide(s, refused.error.message, touched)) return *error;
+    if (auto error = undivide(s, refused.error.message, mended)) return *error;
   }
-  return touched;
+  return mended;
 }
 
 // Contours refined to Gabriel edges: regions that overlap then have an own–own edge of D between
 // them.
-Result<std::vector<SlabId>> SlabBuilds::refine(SlabId slab, const RefineHere& wanted) {
-  ++refinements_;
-  std::vector<SlabId> touched;
+Result<SlabBuilds::Mended> SlabBuilds::refine(SlabId slab, const RefineHere& wanted) {
+  Mended mended;
+  if (depends_on_triangulations() && decision_ == nullptr) {
+    mended.beyond.decides = true;
+    return mended;
+  }
+  ++refinements_[slab];
   for (const bool upper : {false, true}) {
     const SectionId s = section_of(slab, upper);
     IdVector<ContourId, bool> gabriel = plan_.gabriel[s];
@@ -144,27 +197,28 @@ Result<std::vector<SlabId>> SlabBuilds::refine(SlabId slab, const RefineHere& wa
     }
     const bool undivided = error && is_refusal(error->code) && !plan_.divided[s].empty();
     if (error && !undivided) return *error;
+    clusters_.keep(s, plan_);
     plan_.gabriel[s] = std::move(gabriel);
     plan_.apart[s] = std::move(apart);
     if (undivided) {
-      if (auto failed = undivide(s, error->message, touched)) return *failed;
+      if (auto failed = undivide(s, error->message, mended)) return *failed;
       continue;
     }
-    if (s.index() > 0) touched.emplace_back(s.value() - 1);
-    if (s.index() < outcome_.size()) touched.emplace_back(s.value());
+    touch(s, mended);
   }
+  std::vector<SlabId>& touched = mended.touched;
   if (wanted.optional && touched.empty()) plan_.may_ask[slab] = 0;
   touched.push_back(slab);
-  if (decision_.depends_on_triangulations()) {
+  if (depends_on_triangulations()) {
     sort_distinct(touched);
-    if (auto error = adopt(decision_.make(touched, work_), touched)) return *error;
+    if (auto error = adopt(decision_->make(touched, work_), touched)) return *error;
   }
-  return touched;
+  return mended;
 }
 
 // Rule 8 of correspondence: of the links of the class that nobody asked for and whose regions lie
 // apart (others always have an edge by now), the one of least score.
-Result<std::vector<SlabId>> SlabBuilds::drop(SlabId slab, const Unconnectable& apart) {
+Result<SlabBuilds::Mended> SlabBuilds::drop(SlabId slab, const Unconnectable& apart) {
   const SlabRegions regions(prepared_.nestings[lower_section(slab)].outer.size(),
                             prepared_.nestings[upper_section(slab)].outer.size());
   const auto of_class = [&](bool upper, RegionId r) {
@@ -179,9 +233,14 @@ Result<std::vector<SlabId>> SlabBuilds::drop(SlabId slab, const Unconnectable& a
     if (least == nullptr || candidate.score() < least->score()) least = &candidate;
   }
   if (least == nullptr) return cannot_connect(slab, apart);
-  std::vector<SlabId> touched;
-  if (auto error = adopt(decision_.make_without(least->link), touched)) return *error;
-  return touched;
+  Mended mended;
+  if (decision_ == nullptr) {
+    mended.beyond.decides = true;
+    return mended;
+  }
+  const Link link = least->link;
+  if (auto error = adopt(decision_->make_without(link), mended.touched)) return *error;
+  return mended;
 }
 
 std::optional<Error> SlabBuilds::adopt(Result<Correspondence> anew, std::vector<SlabId>& touched) {
@@ -218,7 +277,8 @@ Error SlabBuilds::cannot_connect(SlabId slab, const Unconnectable& apart) const 
     const SectionId s = section_of(slab, regions.is_upper(r));
     const ContourId outer = prepared_.nestings[s].outer[regions.in_section(r)];
     if (!names.empty()) names += ", ";
-    names += "section " + std::to_string(s.index()) + " contour " + std::to_string(outer.index());
+    names += "section " + std::to_string(prepared_.first_section + s.index()) + " contour " +
+             std::to_string(outer.index());
   }
   Place place;
   place.slab = slab.index();
@@ -232,16 +292,18 @@ std::vector<Part> SlabBuilds::take_parts() {
   const SectionId last(sections.size() - 1);
   std::vector<Part> parts;
   parts.reserve(outcome_.size() + 2);
-  if (plan_.ends) {
-    parts.push_back({SlabId(0), SectionId(), first, build_end(sections[first], plan_.ends->below)});
+  const bool has_slabs = !outcome_.empty();
+  if (plan_.ends.below && !(has_slabs && clusters_.is_open(SlabId(0)))) {
+    parts.push_back({SlabId(0), SectionId(), first, build_end(sections[first], *plan_.ends.below)});
   }
   for (const SlabId slab : outcome_.ids()) {
+    if (clusters_.is_open(slab)) continue;
     parts.push_back({slab, lower_section(slab), upper_section(slab),
                      std::get<SlabSolid>(std::move(outcome_[slab]))});
   }
-  if (plan_.ends) {
-    const SlabId last_slab(outcome_.empty() ? 0 : outcome_.size() - 1);
-    parts.push_back({last_slab, last, SectionId(), build_end(sections[last], plan_.ends->above)});
+  const SlabId last_slab(has_slabs ? outcome_.size() - 1 : 0);
+  if (plan_.ends.above && !(has_slabs && clusters_.is_open(last_slab))) {
+    parts.push_back({last_slab, last, SectionId(), build_end(sections[last], *plan_.ends.above)});
   }
   return parts;
 }

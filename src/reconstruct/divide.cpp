@@ -20,13 +20,8 @@ bool divides_coarse(const ReconstructOptions& options) {
   return options.divide_coarse && options.correspondence.criterion != Criterion::reverse;
 }
 
-SectionDivision divide_section(const SectionStack& stack, SectionId s, double least_long) {
-  const Section& section = stack.sections[s];
-  std::vector<const Section*> neighbours;
-  if (s.index() > 0) neighbours.push_back(&stack.sections[SectionId(s.index() - 1)]);
-  if (s.index() + 1 < stack.sections.size()) {
-    neighbours.push_back(&stack.sections[SectionId(s.index() + 1)]);
-  }
+SectionDivision divide_section(const Section& section, std::span<const Section* const> neighbours,
+                               double least_long) {
   SectionDivision result;
   std::vector<EdgeDivision> edges = sections::divide_coarse_edges(section, neighbours, least_long);
   if (edges.empty()) return result;

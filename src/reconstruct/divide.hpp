@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -22,10 +23,11 @@ struct SectionDivision {
   std::optional<std::string> refused;
 };
 
-/// Of section s of a stack whose edges are long above `least_long`
-/// (sections/coarse_edges.hpp). Refused where too many vertices would be inserted, or rounding
-/// makes contours invalid.
-[[nodiscard]] SectionDivision divide_section(const SectionStack& stack, SectionId s,
+/// Of a section of a stack whose edges are long above `least_long` (sections/coarse_edges.hpp),
+/// between these neighbours. Refused where too many vertices would be inserted, or rounding makes
+/// contours invalid.
+[[nodiscard]] SectionDivision divide_section(const Section& section,
+                                             std::span<const Section* const> neighbours,
                                              double least_long);
 
 /// That contours of the section were taken as they are.

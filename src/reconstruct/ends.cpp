@@ -32,11 +32,10 @@ double single_thickness(const PreparedStack& prepared, const ReconstructOptions&
 
 }  // namespace
 
-Result<std::optional<EndPlanes>> place_ends(const PreparedStack& prepared,
-                                            const ReconstructOptions& options,
-                                            std::vector<Warning>& warnings) {
+Result<EndPlanes> place_ends(const PreparedStack& prepared, const ReconstructOptions& options,
+                             std::vector<Warning>& warnings) {
   const std::size_t sections = prepared.section_count();
-  const auto z = [&](std::size_t s) { return prepared.sections[SectionId(s)].z; };
+  const auto z = [&](std::size_t s) { return prepared.stack.sections[SectionId(s)].z; };
   const double first = z(0);
   const double last = z(sections - 1);
   EndPlanes ends;
@@ -46,15 +45,15 @@ Result<std::optional<EndPlanes>> place_ends(const PreparedStack& prepared,
   } else if (options.ends == Ends::half) {
     ends = {first - 0.5 * (z(1) - first), last + 0.5 * (last - z(sections - 2))};
   } else {
-    return std::optional<EndPlanes>();
+    return ends;
   }
-  if (!(ends.below < first) || !(ends.above > last)) {
+  if (!(*ends.below < first) || !(*ends.above > last)) {
     Place place;
-    place.section = ends.below < first ? sections - 1 : 0;
+    place.section = *ends.below < first ? sections - 1 : 0;
     return Error{ErrorCode::unrepresentable,
                  "the end is too thin for a double beside the section's z", place};
   }
-  return std::optional(ends);
+  return ends;
 }
 
 }  // namespace tetloft::internal

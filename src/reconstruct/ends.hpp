@@ -11,8 +11,8 @@ namespace tetloft::internal {
 
 /// The planes of the prisms beyond the first and last section; none where it ends at these. Warns
 /// where a thickness had to be chosen. Fails (unrepresentable) where no double lies beyond.
-[[nodiscard]] Result<std::optional<EndPlanes>> place_ends(const PreparedStack& prepared,
-                                                          const ReconstructOptions& options,
-                                                          std::vector<Warning>& warnings);
+[[nodiscard]] Result<EndPlanes> place_ends(const PreparedStack& prepared,
+                                           const ReconstructOptions& options,
+                                           std::vector<Warning>& warnings);
 
 }  // namespace tetloft::internal

@@ -19,6 +19,14 @@ constexpr std::size_t kLayerLink = 2 * sizeof(std::uint32_t);
 // Of vectors of vectors: their counts.
 constexpr std::size_t kInnerVector = sizeof(std::uint64_t);
 
+bool is_valid(const Section& section) {
+  SectionStack alone;
+  alone.sections.push_back(section);
+  return section.contours.empty() || accepted(validate(alone));
+}
+
+}  // namespace
+
 void put_section(const Section& section, RecordWriter& out) {
   out.put(section.z);
   out.put_count(section.contours.size());
@@ -45,14 +53,6 @@ Section get_section(RecordReader& in) {
   return section;
 }
 
-bool is_valid(const Section& section) {
-  SectionStack alone;
-  alone.sections.push_back(section);
-  return section.contours.empty() || accepted(validate(alone));
-}
-
-}  // namespace
-
 void put_inner(const InnerSections& inner, RecordWriter& out) {
   out.put(static_cast<std::uint64_t>(inner.wanted));
   out.put_count(inner.sections.size());
@@ -70,7 +70,7 @@ void put_inner(const InnerSections& inner, RecordWriter& out) {
   }
 }
 
-InnerSections get_inner(RecordReader& in, std::size_t lower, std::size_t upper) {
+InnerSections get_inner(RecordReader& in) {
   InnerSections inner;
   inner.wanted = in.get<std::uint64_t>();
   in.require(inner.wanted <= kMostBetween, "puts too many sections between");
@@ -83,9 +83,7 @@ InnerSections get_inner(RecordReader& in, std::size_t lower, std::size_t upper) 
     in.require(is_valid(mid.section), "puts a section between that is not valid");
     if (in.refused()) return {};
     mid.nesting = nest(mid.section);
-    in.require(mid.class_of.size() == mid.nesting.outer.size() &&
-                   std::all_of(mid.class_of.begin(), mid.class_of.end(),
-                               [&](ClassId c) { return c.index() < lower + upper; }),
+    in.require(mid.class_of.size() == mid.nesting.outer.size(),
                "puts regions between that are of no class");
     inner.sections.push_back(std::move(mid));
   }
@@ -93,19 +91,32 @@ InnerSections get_inner(RecordReader& in, std::size_t lower, std::size_t upper) 
   in.require(inner.links.size() == (sections == 0 ? 0 : sections + 1),
              "links some of the sections between");
   for (std::size_t k = 0; k < inner.links.size() && !in.refused(); ++k) {
-    const auto regions = [&](std::size_t layer) {
-      if (layer == 0) return lower;
-      return layer > sections ? upper : inner.sections[layer - 1].nesting.outer.size();
-    };
     inner.links[k].resize(in.get_count(kLayerLink));
     for (LayerLink& link : inner.links[k]) {
       link.below = in.get<RegionId>();
       link.above = in.get<RegionId>();
-      in.require(link.below.index() < regions(k) && link.above.index() < regions(k + 1),
-                 "links a region between that it lacks");
     }
   }
   return inner;
+}
+
+bool fits(const InnerSections& inner, std::size_t lower, std::size_t upper) {
+  const std::size_t sections = inner.sections.size();
+  const auto regions = [&](std::size_t layer) {
+    if (layer == 0) return lower;
+    return layer > sections ? upper : inner.sections[layer - 1].nesting.outer.size();
+  };
+  for (const InnerSection& mid : inner.sections) {
+    for (const ClassId c : mid.class_of) {
+      if (c.index() >= lower + upper) return false;
+    }
+  }
+  for (std::size_t k = 0; k < inner.links.size(); ++k) {
+    for (const LayerLink& link : inner.links[k]) {
+      if (link.below.index() >= regions(k) || link.above.index() >= regions(k + 1)) return false;
+    }
+  }
+  return true;
 }
 
 }  // namespace tetloft::internal

@@ -8,11 +8,14 @@
 
 namespace tetloft::internal {
 
-void put_inner(const between::InnerSections& inner, RecordWriter& out);
+void put_section(const Section& section, RecordWriter& out);
+/// As it was written; whether it is valid is not looked at.
+[[nodiscard]] Section get_section(RecordReader& in);
 
-/// `lower` and `upper`: the number of regions in the slab's two sections. Refused are sections that
-/// are not valid, and classes and regions that there are not.
-[[nodiscard]] between::InnerSections get_inner(RecordReader& in, std::size_t lower,
-                                               std::size_t upper);
+void put_inner(const between::InnerSections& inner, RecordWriter& out);
+/// Refused are sections that are not valid.
+[[nodiscard]] between::InnerSections get_inner(RecordReader& in);
+/// Do they fit a slab of so many regions below and above?
+[[nodiscard]] bool fits(const between::InnerSections& inner, std::size_t lower, std::size_t upper);
 
 }  // namespace tetloft::internal

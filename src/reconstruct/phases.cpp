@@ -74,21 +74,16 @@ void warn(BuiltStack& built, const ReconstructOptions& options) {
   return std::nullopt;
 }
 
-// All but preparing, of a stack prepared.
-[[nodiscard]] std::optional<Error> decide_and_build(BuiltStack& built,
-                                                    const ReconstructOptions& options,
-                                                    WatchedWork& work) {
+// All of the plan, of a stack prepared.
+[[nodiscard]] std::optional<Error> decide(BuiltStack& built, Decision& decision,
+                                          const ReconstructOptions& options, WatchedWork& work) {
   PreparedStack& prepared = built.prepared;
   Plan& plan = built.plan;
   StepClock clock(built.seconds);
   plan.exponent = prepared.exponent;
-  plan.gabriel.resize(prepared.section_count());
-  plan.apart.resize(prepared.section_count());
-  plan.divided = std::move(prepared.divisions);
-  Result<std::optional<EndPlanes>> ends = place_ends(prepared, options, built.warnings);
+  Result<EndPlanes> ends = place_ends(prepared, options, built.warnings);
   if (!ends) return ends.error();
   plan.ends = *ends;
-  Decision decision(prepared, options);
   Result<Correspondence> decided = decision.make(all_ids<SlabId>(prepared.slab_count()), work);
   if (!decided) return decided.error();
   plan.correspondence = std::move(*decided);
@@ -100,15 +95,31 @@ void warn(BuiltStack& built, const ReconstructOptions& options) {
     return error;
   }
   clock.end(Step::between);
-  SlabBuilds builds(prepared, decision, plan, options, work);
+  return std::nullopt;
+}
+
+// All slabs of a stack whose sections are conforming.
+[[nodiscard]] std::optional<Error> build(BuiltStack& built, Decision* decision,
+                                         const ReconstructOptions& options, WatchedWork& work) {
+  PreparedStack& prepared = built.prepared;
+  built.plan.gabriel.resize(prepared.section_count());
+  built.plan.apart.resize(prepared.section_count());
+  built.plan.divided = std::move(prepared.divisions);
+  SlabBuilds builds(prepared, decision, built.plan, options, work);
   if (auto error = builds.run()) return error;
   for (const std::vector<Warning>& told : {prepared.warnings, builds.warnings()}) {
     built.warnings.insert(built.warnings.end(), told.begin(), told.end());
   }
   built.parts = builds.take_parts();
   built.refinements = builds.refinements();
-  warn(built, options);
+  built.open = builds.open_clusters();
+  built.mended = builds.mended();
   return std::nullopt;
+}
+
+Error in_unit_given(Error error, int exponent) {
+  if (error.where.point) error.where.point = scaled(*error.where.point, -exponent);
+  return error;
 }
 
 }  // namespace
@@ -135,13 +146,40 @@ Result<BuiltStack> build_stack(Unit unit, const GivenStack& stack,
   if (!prepared) return prepared.error();
   built.prepared = std::move(*prepared);
   clock.end(Step::sections);
-  if (auto error = decide_and_build(built, options, work)) {
-    if (error->where.point) {
-      error->where.point = scaled(*error->where.point, -built.prepared.exponent);
-    }
-    return *error;
-  }
+  Decision decision(built.prepared, options);
+  auto error = decide(built, decision, options, work);
+  if (!error) error = build(built, &decision, options, work);
+  if (error) return in_unit_given(*std::move(error), built.prepared.exponent);
+  warn(built, options);
   return built;
+}
+
+Result<BuiltStack> plan_stack(Unit unit, const GivenStack& stack, const ReconstructOptions& options,
+                              WatchedWork& work) {
+  if (auto error = check_options(options)) return *error;
+  BuiltStack planned;
+  StepClock clock(planned.seconds);
+  const bool reverse = options.correspondence.criterion == Criterion::reverse;
+  Result<PreparedStack> prepared =
+      prepare(stack, unit, options, work, reverse ? Conform::all : Conform::none);
+  if (!prepared) return prepared.error();
+  planned.prepared = std::move(*prepared);
+  clock.end(Step::sections);
+  Decision decision(planned.prepared, options);
+  auto error = decide(planned, decision, options, work);
+  if (error) return in_unit_given(*std::move(error), planned.prepared.exponent);
+  warn(planned, options);
+  return planned;
+}
+
+std::optional<Error> build_window(BuiltStack& window, const ReconstructOptions& options,
+                                  WatchedWork& work) {
+  StepClock clock(window.seconds);
+  auto error = conform_all(window.prepared, options.execution.threads, work);
+  clock.end(Step::sections);
+  if (!error) error = build(window, nullptr, options, work);
+  if (error) return in_unit_given(*std::move(error), window.prepared.exponent);
+  return std::nullopt;
 }
 
 std::optional<Model> take_model(BuiltStack& built, unsigned threads) {

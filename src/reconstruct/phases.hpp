@@ -13,6 +13,7 @@
 
 #include "core/parallel.hpp"
 #include "core/watched_work.hpp"
+#include "reconstruct/clusters.hpp"
 #include "reconstruct/glue.hpp"
 #include "reconstruct/plan.hpp"
 #include "reconstruct/prepare.hpp"
@@ -24,9 +25,12 @@ struct BuiltStack {
   PreparedStack prepared;
   Plan plan;                                 ///< as it was built
   IdVector<SectionId, Nesting> complements;  ///< VoidDecision::complements()
-  std::vector<Part> parts;                   ///< from below
-  std::uint64_t refinements = 0;             ///< how often contours were refined
-  StepSeconds seconds{};                     ///< of what is not told by the parts
+  std::vector<Part> parts;                   ///< from below; of a stack planned, none yet
+  /// Of a window: slabs that have no solid, and those mended together (SlabBuilds).
+  std::vector<OpenCluster> open;
+  std::vector<std::vector<SlabId>> mended;
+  std::uint64_t refinements = 0;  ///< how often contours were refined
+  StepSeconds seconds{};          ///< of what is not told by the parts
   std::vector<Warning> warnings;
 
   /// How many sections the slab's solid has between its two.
@@ -39,6 +43,16 @@ struct BuiltStack {
 /// Prepares, decides, puts between and builds, in this unit. Errors are in the unit given.
 [[nodiscard]] Result<BuiltStack> build_stack(Unit unit, const GivenStack& stack,
                                              const ReconstructOptions& options, WatchedWork& work);
+
+/// Prepares, decides and puts between: all that slabs are built by. Sections are conforming only by
+/// Criterion::reverse.
+[[nodiscard]] Result<BuiltStack> plan_stack(Unit unit, const GivenStack& stack,
+                                            const ReconstructOptions& options, WatchedWork& work);
+/// Conforms the sections of a planned window (window.hpp) and builds its slabs, or leaves them
+/// open.
+[[nodiscard]] std::optional<Error> build_window(BuiltStack& window,
+                                                const ReconstructOptions& options,
+                                                WatchedWork& work);
 
 /// The model, in the unit given; the parts and the triangulations of sections are given up. Nothing
 /// where it is none there: a coordinate would lose a bit.

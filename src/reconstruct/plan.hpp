@@ -13,17 +13,17 @@
 
 namespace tetloft::internal {
 
-/// Where the prisms beyond the first and last section end.
+/// Where the prisms beyond the first and last section end, if there are any.
 struct EndPlanes {
-  double below = 0;
-  double above = 0;
+  std::optional<double> below;
+  std::optional<double> above;
 };
 
 struct Plan {
   /// The stack times 2^exponent is what slabs are built from, and the model divided by it what
   /// the caller gets.
   int exponent = 0;
-  std::optional<EndPlanes> ends;
+  EndPlanes ends;
   /// The contours to be refined to Gabriel edges, by section; empty: none.
   IdVector<SectionId, IdVector<ContourId, bool>> gabriel;
   /// The points that circles of triangles inside a section's region must not hold

@@ -33,6 +33,21 @@ std::optional<Error> PreparedStack::conform_section(SectionId s,
   return std::nullopt;
 }
 
+std::vector<const Section*> PreparedStack::neighbours(SectionId s) const {
+  std::vector<const Section*> found;
+  if (s.index() > 0) {
+    found.push_back(&stack.sections[SectionId(s.index() - 1)]);
+  } else if (beyond_below) {
+    found.push_back(&*beyond_below);
+  }
+  if (s.index() + 1 < section_count()) {
+    found.push_back(&stack.sections[SectionId(s.index() + 1)]);
+  } else if (beyond_above) {
+    found.push_back(&*beyond_above);
+  }
+  return found;
+}
+
 // At once: what slabs are built of rarely fits in the holes that are left.
 void PreparedStack::release_triangulation(SectionId s) {
   ConformingSection& section = sections[s];
@@ -50,17 +65,13 @@ namespace {
 // Conforms the sections, coarse contours divided where that can be done.
 class Conforming {
  public:
-  Conforming(PreparedStack& prepared, bool divide)
-      : prepared_(prepared),
-        divide_(divide),
-        least_long_(divide ? sections::least_long_edge(prepared.stack) : 0),
-        refused_(prepared.section_count()) {
-    prepared.divisions.resize(prepared.section_count());
-  }
+  explicit Conforming(PreparedStack& prepared)
+      : prepared_(prepared), refused_(prepared.section_count()) {}
 
   std::optional<Error> conform(SectionId s) {
-    if (!divide_) return prepared_.conform_section(s);
-    SectionDivision division = divide_section(prepared_.stack, s, least_long_);
+    if (!prepared_.least_long) return prepared_.conform_section(s);
+    SectionDivision division =
+        divide_section(prepared_.stack.sections[s], prepared_.neighbours(s), *prepared_.least_long);
     refused_[s] = std::move(division.refused);
     auto error = prepared_.conform_section(s, {}, {}, division.edges);
     if (!error) {
@@ -80,8 +91,6 @@ class Conforming {
 
  private:
   PreparedStack& prepared_;
-  bool divide_;
-  double least_long_;
   IdVector<SectionId, std::optional<std::string>> refused_;  // by section: why it is not divided
 };
 
@@ -95,6 +104,19 @@ Result<IdVector<SectionId, Nesting>> nestings_of(const GivenStack& given,
 }
 
 }  // namespace
+
+std::optional<Error> conform_all(PreparedStack& prepared, unsigned threads, WatchedWork& work) {
+  prepared.divisions.resize(prepared.section_count());
+  Conforming sections(prepared);
+  auto error =
+      first_error(all_ids<SectionId>(prepared.section_count()), threads, work, [&](SectionId s) {
+        auto failed = sections.conform(s);
+        work.step_done();
+        return failed;
+      });
+  sections.warn();
+  return error;
+}
 
 Result<PreparedStack> prepare(const GivenStack& given, Unit unit, const ReconstructOptions& options,
                               WatchedWork& work, Conform conform) {
@@ -110,16 +132,10 @@ Result<PreparedStack> prepare(const GivenStack& given, Unit unit, const Reconstr
   }
   prepared.stack = sections::scaled(stack, prepared.exponent);
   prepared.nestings = *std::move(nestings);  // scaling by a power of two changes no order
+  if (divides_coarse(options)) prepared.least_long = sections::least_long_edge(prepared.stack);
   prepared.sections.resize(prepared.section_count());
-  Conforming sections(prepared, divides_coarse(options) && conform == Conform::all);
-  auto error = first_error(all_ids<SectionId>(prepared.section_count()), options.execution.threads,
-                           work, [&](SectionId s) {
-                             auto failed =
-                                 conform == Conform::all ? sections.conform(s) : std::nullopt;
-                             work.step_done();
-                             return failed;
-                           });
-  sections.warn();
+  if (conform == Conform::none) return prepared;
+  auto error = conform_all(prepared, options.execution.threads, work);
   if (!error) return prepared;
   if (error->where.point) error->where.point = scaled(*error->where.point, -prepared.exponent);
   return *error;

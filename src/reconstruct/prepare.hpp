@@ -33,6 +33,14 @@ struct PreparedStack {
   IdVector<SectionId, std::vector<EdgeDivision>> divisions;
   std::vector<Warning> warnings;  ///< of coarse contours that are not divided
   double work_limit = kDefaultWorkLimit;
+  /// Edges of coarse contours are long above this (sections/coarse_edges.hpp), if they are to be
+  /// divided.
+  std::optional<double> least_long;
+  /// Of a window of a longer stack: the number of its first section there, and the sections beyond
+  /// it.
+  std::size_t first_section = 0;
+  std::optional<Section> beyond_below;
+  std::optional<Section> beyond_above;
 
   [[nodiscard]] std::size_t section_count() const { return stack.sections.size(); }
   /// Requires a section, as validate() does.
@@ -45,6 +53,9 @@ struct PreparedStack {
                                                      const std::vector<Point2>& apart = {},
                                                      const std::vector<EdgeDivision>& divided = {});
 
+  /// The sections below and above, those beyond too.
+  [[nodiscard]] std::vector<const Section*> neighbours(SectionId s) const;
+
   /// Gives up a section's triangles and edges and what leads along contours, which take more memory
   /// than all else together. The vertices stay, their contours and regions, and which triangles
   /// were inside.
@@ -53,6 +64,11 @@ struct PreparedStack {
     return sections[s].vertex_count() == 0 || !sections[s].edges.empty();
   }
 };
+
+/// Conforms all sections of a stack with nestings, coarse contours divided where `least_long` says
+/// so and that can be done; each a step of the work.
+[[nodiscard]] std::optional<Error> conform_all(PreparedStack& prepared, unsigned threads,
+                                               WatchedWork& work);
 
 /// Are the sections needed as conforming ones?
 enum class Conform : std::uint8_t { all, none };

@@ -34,7 +34,7 @@ struct Phases {
     plan.divided = prepared.divisions;
     decision = std::make_unique<Decision>(prepared, options);
     plan.correspondence = decision->make(all_ids<SlabId>(prepared.slab_count()), work).value();
-    builds = std::make_unique<SlabBuilds>(prepared, *decision, plan, options, work);
+    builds = std::make_unique<SlabBuilds>(prepared, decision.get(), plan, options, work);
   }
 };
 

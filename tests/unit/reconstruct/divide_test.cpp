@@ -11,6 +11,7 @@
 #include <tetloft/check.hpp>
 #include <tetloft/reconstruct.hpp>
 
+#include "reconstruct/prepare.hpp"
 #include "support/slabs/cases.hpp"
 #include "support/stacks/shapes.hpp"
 
@@ -87,9 +88,12 @@ TEST(DivideCoarse, WhereRoundingLeavesNoRoomTheSectionIsTakenAsItIs) {
   std::size_t cases = 0;
   for (std::uint64_t seed = 1; seed <= 200 && cases < 2; ++seed) {
     const GeneratedStack generated = generate(StackKind::few_ulps, seed);
+    PreparedStack prepared;
+    prepared.stack = generated.stack;
     std::vector<std::size_t> refused;
     for (const SectionId s : generated.stack.sections.ids()) {
-      const SectionDivision division = divide_section(generated.stack, s, 0);
+      const SectionDivision division =
+          divide_section(generated.stack.sections[s], prepared.neighbours(s), 0);
       if (!division.refused) continue;
       EXPECT_TRUE(division.edges.empty());
       EXPECT_NE(division.refused->find("rounding"), std::string::npos) << *division.refused;

@@ -1,0 +1,254 @@
+#include "reconstruct/window.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "core/guard.hpp"
+#include "reconstruct/inner_record.hpp"
+#include "sections/complement.hpp"
+
+namespace tetloft::internal {
+
+namespace {
+
+SectionComponents components_of(const Correspondence& correspondence, SectionId s) {
+  return {correspondence.component[s], correspondence.partition[s]};
+}
+
+SlabDecision decision_of(const Correspondence& correspondence, SlabId slab) {
+  SlabDecision decision{correspondence.links[slab], correspondence.candidates[slab]};
+  for (Link& link : decision.links) link.slab = SlabId(0);
+  for (LinkCandidate& candidate : decision.candidates) candidate.link.slab = SlabId(0);
+  return decision;
+}
+
+void add(SectionComponents components, Correspondence& correspondence) {
+  correspondence.component.push_back(std::move(components.of_region));
+  correspondence.partition.push_back(std::move(components.of_contour));
+}
+
+void add(SlabDecision decision, SlabId slab, Correspondence& correspondence) {
+  for (Link& link : decision.links) link.slab = slab;
+  for (LinkCandidate& candidate : decision.candidates) candidate.link.slab = slab;
+  correspondence.links.push_back(std::move(decision.links));
+  correspondence.candidates.push_back(std::move(decision.candidates));
+}
+
+// Puts a window together, refusing what does not fit.
+class WindowMaker {
+ public:
+  WindowMaker(const StackFacts& facts, const SlabRange& slabs) : slabs_(slabs) {
+    PreparedStack& prepared = window_.prepared;
+    prepared.exponent = window_.plan.exponent = facts.exponent;
+    prepared.least_long = facts.least_long;
+    prepared.first_section = slabs.first;
+    if (slabs.first == 0) window_.plan.ends.below = facts.ends.below;
+    if (slabs.end + 1 == facts.sections) window_.plan.ends.above = facts.ends.above;
+  }
+
+  Result<BuiltStack> make(std::vector<SectionPlan> plans) {
+    if (plans.size() != slabs_.end - slabs_.first + 1)
+      return no_fit(0, "are not those of its slabs");
+    if (plans.front().voids) window_.plan.voids.emplace();
+    for (SectionPlan& plan : plans) {
+      if (auto error = add_section(plan)) return *error;
+    }
+    for (std::size_t k = 0; k + 1 < plans.size(); ++k) {
+      if (auto error = add_slab(SlabId(k), plans[k])) return *error;
+    }
+    window_.prepared.sections.resize(window_.prepared.section_count());
+    return std::move(window_);
+  }
+
+  BuiltStack& window() { return window_; }
+
+ private:
+  std::optional<Error> add_section(SectionPlan& plan) {
+    PreparedStack& prepared = window_.prepared;
+    const std::size_t s = prepared.section_count();
+    if (s > 0 && !(plan.section.z > prepared.stack.sections[SectionId(s - 1)].z)) {
+      return no_fit(s, "is not above the one below");
+    }
+    SectionStack alone;
+    alone.sections.push_back(plan.section);
+    Nesting nesting;
+    if (!plan.section.contours.empty()) {
+      if (const Result<void> valid = validate(alone); !accepted(valid)) {
+        return no_fit(s, "is not valid: " + valid.error().message);
+      }
+      nesting = nest(plan.section);
+    }
+    if (plan.regions.of_region.size() != nesting.outer.size()) {
+      return no_fit(s, "has other regions than its plan");
+    }
+    if (plan.voids.has_value() != window_.plan.voids.has_value()) {
+      return no_fit(s, "has voids decided, or none, unlike those beside it");
+    }
+    if (plan.voids) {
+      // How far out the frame is makes no difference to what lies in what.
+      Nesting complement =
+          sections::complement_of(plan.section, nesting, sections::far_outside(alone)).nesting;
+      if (plan.voids->of_region.size() != complement.outer.size() &&
+          plan.voids->of_region.size() != 1) {
+        return no_fit(s, "has other voids than its plan");
+      }
+      window_.complements.push_back(std::move(complement));
+      add(std::move(*plan.voids), *window_.plan.voids);
+    }
+    prepared.stack.sections.push_back(std::move(plan.section));
+    prepared.nestings.push_back(std::move(nesting));
+    add(std::move(plan.regions), window_.plan.correspondence);
+    return std::nullopt;
+  }
+
+  std::optional<Error> add_slab(SlabId slab, SectionPlan& plan) {
+    Plan& whole = window_.plan;
+    const IdVector<SectionId, Nesting>& nestings = window_.prepared.nestings;
+    const auto& below = whole.correspondence.component[lower_section(slab)];
+    const auto& above = whole.correspondence.component[upper_section(slab)];
+    if (!has_ends(plan.region_links, below.size(), above.size())) {
+      return no_fit(slab.index(), "links a region that there is not");
+    }
+    if (!fits(plan.between, below.size(), above.size())) {
+      return no_fit(slab.index(), "has sections between that are of other regions");
+    }
+    for (RegionMotion& motion : plan.motions) {
+      motion.slab = slab;
+      const SectionId s = section_of(slab, motion.upper);
+      if (motion.contour.index() >= nestings[s].region.size()) {
+        return no_fit(slab.index(), "moves a contour that there is not");
+      }
+      whole.motions.push_back(motion);
+    }
+    add(std::move(plan.region_links), slab, whole.correspondence);
+    if (whole.voids) {
+      if (!has_ends(plan.void_links, whole.voids->component[lower_section(slab)].size(),
+                    whole.voids->component[upper_section(slab)].size())) {
+        return no_fit(slab.index(), "links a void that there is not");
+      }
+      add(std::move(plan.void_links), slab, *whole.voids);
+    }
+    whole.between.push_back(std::move(plan.between));
+    return std::nullopt;
+  }
+
+  static bool has_ends(const SlabDecision& decision, std::size_t below, std::size_t above) {
+    const auto has = [&](const Link& link) {
+      return link.lower.index() < below && link.upper.index() < above;
+    };
+    return std::all_of(decision.links.begin(), decision.links.end(), has) &&
+           std::all_of(decision.candidates.begin(), decision.candidates.end(),
+                       [&](const LinkCandidate& candidate) { return has(candidate.link); });
+  }
+
+  [[nodiscard]] Error no_fit(std::size_t s, const std::string& why) const {
+    Error error{ErrorCode::invalid_input, "the plan does not fit: the section " + why, {}};
+    error.where.section = slabs_.first + s;
+    return error;
+  }
+
+  SlabRange slabs_;
+  BuiltStack window_;
+};
+
+}  // namespace
+
+StackFacts facts_of(const BuiltStack& planned) {
+  StackFacts facts{planned.prepared.section_count(), 0, planned.plan.exponent, planned.plan.ends,
+                   planned.prepared.least_long};
+  for (const auto& section : planned.plan.correspondence.component) {
+    for (const ComponentId c : section)
+      facts.components = std::max(facts.components, c.index() + 1);
+  }
+  return facts;
+}
+
+IdVector<SectionId, SectionPlan> section_plans(const BuiltStack& planned) {
+  const Plan& plan = planned.plan;
+  IdVector<SectionId, SectionPlan> plans(planned.prepared.section_count());
+  for (const SectionId s : plans.ids()) {
+    plans[s].section = planned.prepared.stack.sections[s];
+    plans[s].regions = components_of(plan.correspondence, s);
+    if (plan.voids) plans[s].voids = components_of(*plan.voids, s);
+  }
+  for (const SlabId slab : plan.between.ids()) {
+    SectionPlan& of_slab = plans[lower_section(slab)];
+    of_slab.region_links = decision_of(plan.correspondence, slab);
+    if (plan.voids) of_slab.void_links = decision_of(*plan.voids, slab);
+    of_slab.between = plan.between[slab];
+  }
+  for (RegionMotion motion : plan.motions) {
+    std::vector<RegionMotion>& of_slab = plans[lower_section(motion.slab)].motions;
+    motion.slab = SlabId(0);
+    of_slab.push_back(motion);
+  }
+  return plans;
+}
+
+Result<BuiltStack> window_of(const StackFacts& facts, const SlabRange& slabs,
+                             std::vector<SectionPlan> plans, std::optional<Section> below,
+                             std::optional<Section> above) {
+  return guard_internal([&]() -> Result<BuiltStack> {
+    WindowMaker maker(facts, slabs);
+    Result<BuiltStack> window = maker.make(std::move(plans));
+    if (!window) return window;
+    window->prepared.beyond_below = std::move(below);
+    window->prepared.beyond_above = std::move(above);
+    return window;
+  });
+}
+
+namespace {
+
+void number_as_whole(Model& model, const SlabRange& slabs) {
+  const auto moved = [&](auto& id) {
+    if (id.valid()) id = std::remove_cvref_t<decltype(id)>(id.index() + slabs.first);
+  };
+  for (SlabId& slab : model.slab) moved(slab);
+  for (SectionId& section : model.section) moved(section);
+  for (auto& link : model.links) moved(link.slab);
+  for (auto& motion : model.motions) moved(motion.slab);
+  for (auto& link : model.void_links) moved(link.slab);
+  for (auto& deviation : model.deviations) moved(deviation.slab);
+}
+
+ClusterSpan span_of(const std::vector<SlabId>& slabs, const Beyond& beyond, std::size_t first) {
+  return {{first + slabs.front().index(), first + slabs.back().index() + 1}, beyond};
+}
+
+}  // namespace
+
+Result<BuiltRange> take_range(const StackFacts& facts, const SlabRange& slabs, BuiltStack& window,
+                              unsigned threads) {
+  BuiltRange built;
+  built.slabs = slabs;
+  for (const OpenCluster& open : window.open) {
+    built.clusters.push_back(span_of(open.slabs, open.beyond, slabs.first));
+  }
+  for (const std::vector<SlabId>& mended : window.mended) {
+    built.clusters.push_back(span_of(mended, {}, slabs.first));
+  }
+  std::optional<Model> model = take_model(window, threads);
+  if (!model) {
+    Error error{
+        ErrorCode::unrepresentable,
+        "a coordinate would lose bits in the unit of the stack, unless all of it is made in "
+        "one run",
+        {}};
+    error.where.slab = slabs.first;
+    return error;
+  }
+  built.model = std::move(*model);
+  number_as_whole(built.model, slabs);
+  built.model.component_count = facts.components;
+  return built;
+}
+
+Place in_whole(Place place, const SlabRange& slabs) {
+  if (place.section) *place.section += slabs.first;
+  if (place.slab) *place.slab += slabs.first;
+  return place;
+}
+
+}  // namespace tetloft::internal

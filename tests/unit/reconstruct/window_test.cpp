@@ -1,0 +1,205 @@
+// Stacks built window by window, wherever they are cut, are those of the direct run.
+#include "reconstruct/window.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <tetloft/reconstruct.hpp>
+
+#include "core/prng.hpp"
+#include "core/watched_work.hpp"
+#include "property/same_model.hpp"
+#include "reconstruct/settle.hpp"
+#include "support/signed_record.hpp"
+#include "support/slabs/cases.hpp"
+
+namespace tetloft::testing {
+
+using namespace internal;
+namespace {
+
+// A planned stack as bytes: all that a machine needs that builds a part of it.
+struct PlannedBytes {
+  StackFacts facts;
+  std::vector<std::string> sections;
+};
+
+SectionPlan read_back(const std::string& bytes) {
+  Result<SectionPlan> plan = section_plan_from_record(bytes, "name");
+  EXPECT_TRUE(plan) << to_string(plan.error());
+  EXPECT_EQ(to_record(*plan), bytes);
+  return *std::move(plan);
+}
+
+// Builds ranges of a plan, and counts.
+class Builder {
+ public:
+  Builder(const PlannedBytes& planned, const ReconstructOptions& options)
+      : planned_(planned), options_(options) {}
+
+  Result<BuiltRange> operator()(const SlabRange& slabs) {
+    ++built;
+    std::vector<SectionPlan> plans;
+    for (std::size_t s = slabs.first; s <= slabs.end; ++s) {
+      plans.push_back(read_back(planned_.sections[s]));
+    }
+    const auto beyond = [&](bool is_there, std::size_t s) {
+      return is_there ? std::optional(read_back(planned_.sections[s]).section) : std::nullopt;
+    };
+    Result<BuiltStack> window =
+        window_of(planned_.facts, slabs, std::move(plans), beyond(slabs.first > 0, slabs.first - 1),
+                  beyond(slabs.end + 1 < planned_.facts.sections, slabs.end + 1));
+    if (!window) return window.error();
+    WatchedWork work(options_.execution, 0);
+    if (auto error = build_window(*window, options_, work)) return *error;
+    return take_range(planned_.facts, slabs, *window, 1);
+  }
+
+  std::size_t built = 0;
+
+ private:
+  const PlannedBytes& planned_;
+  const ReconstructOptions& options_;
+};
+
+// What the cuts went through.
+struct Seen {
+  std::size_t models = 0, windows = 0, open = 0, settled = 0, whole = 0, mended = 0;
+};
+
+std::optional<PlannedBytes> planned_bytes(const SectionStack& stack,
+                                          const ReconstructOptions& options, Unit unit) {
+  WatchedWork work(options.execution, 0);
+  Result<BuiltStack> planned = plan_stack(unit, stack, options, work);
+  if (!planned) return std::nullopt;
+  PlannedBytes bytes;
+  bytes.facts = facts_of(*planned);
+  for (const SectionPlan& plan : section_plans(*planned)) bytes.sections.push_back(to_record(plan));
+  return bytes;
+}
+
+// By windows of these slabs; none where the unit will not do, or nothing less than the whole.
+std::optional<Model> by_windows(const PlannedBytes& planned, const ReconstructOptions& options,
+                                const std::vector<SlabRange>& cuts, Seen& seen) {
+  Builder build(planned, options);
+  std::vector<BuiltRange> pieces;
+  std::vector<ClusterSpan> clusters;
+  for (const SlabRange& slabs : cuts) {
+    Result<BuiltRange> piece = build(slabs);
+    if (!piece) {
+      EXPECT_EQ(piece.error().code, ErrorCode::unrepresentable) << to_string(piece.error());
+      return std::nullopt;
+    }
+    ++seen.windows;
+    for (const ClusterSpan& cluster : piece->clusters) {
+      (cluster.beyond.any() ? seen.open : seen.mended) += 1;
+    }
+    clusters.insert(clusters.end(), piece->clusters.begin(), piece->clusters.end());
+    pieces.push_back(std::move(*piece));
+  }
+  const std::size_t slabs = planned.facts.sections - 1;
+  Result<Settled> settled = settle(slabs, clusters, std::ref(build));
+  if (!settled || settled->whole) {
+    EXPECT_TRUE(settled) << to_string(settled.error());
+    ++seen.whole;
+    return std::nullopt;
+  }
+  seen.settled += settled->ranges.size();
+  // From below: of each piece what no settled range replaces.
+  JoinedModel joined;
+  const auto add = [&](const BuiltRange& from, const SlabRange& range) {
+    const Result<void> fine = joined.add(from.model, range);
+    EXPECT_TRUE(fine) << to_string(fine.error());
+  };
+  for (const auto& [range, from] : [&] {
+         std::vector<std::pair<SlabRange, const BuiltRange*>> segments;
+         for (const BuiltRange& made : settled->ranges) segments.emplace_back(made.slabs, &made);
+         for (const BuiltRange& piece : pieces) {
+           std::size_t at = piece.slabs.first;
+           for (const BuiltRange& made : settled->ranges) {
+             if (made.slabs.end <= at || made.slabs.first >= piece.slabs.end) continue;
+             if (made.slabs.first > at) segments.push_back({{at, made.slabs.first}, &piece});
+             at = made.slabs.end;
+           }
+           if (at < piece.slabs.end || slabs == 0) {
+             segments.push_back({{at, piece.slabs.end}, &piece});
+           }
+         }
+         std::sort(segments.begin(), segments.end(),
+                   [](const auto& a, const auto& b) { return a.first.first < b.first.first; });
+         return segments;
+       }()) {
+    add(*from, range);
+  }
+  return joined.take();
+}
+
+std::vector<SlabRange> cut(std::size_t slabs, Prng& prng, std::size_t most) {
+  std::vector<SlabRange> cuts;
+  for (std::size_t at = 0; at < slabs;) {
+    const std::size_t end =
+        std::min<std::size_t>(slabs, at + 1 + static_cast<std::size_t>(prng.below(most)));
+    cuts.push_back({at, end});
+    at = end;
+  }
+  if (cuts.empty()) cuts.push_back({0, 0});
+  return cuts;
+}
+
+void expect_same_by_windows(const SectionStack& stack, const ReconstructOptions& options,
+                            Prng& prng, Seen& seen) {
+  const Result<Reconstruction> direct = reconstruct(stack, options);
+  if (!direct) return;
+  for (const std::size_t most : {std::size_t{1}, std::size_t{3}}) {
+    const std::vector<SlabRange> cuts = cut(stack.sections.size() - 1, prng, most);
+    const std::size_t whole = seen.whole;
+    for (const Unit unit : {Unit::of_the_stack, Unit::as_given}) {
+      const auto planned = planned_bytes(stack, options, unit);
+      ASSERT_TRUE(planned);
+      const std::optional<Model> model = by_windows(*planned, options, cuts, seen);
+      if (seen.whole != whole) break;
+      if (!model && unit == Unit::of_the_stack) continue;
+      ASSERT_TRUE(model.has_value());
+      EXPECT_TRUE(same_bits(*model, direct->model));
+      ++seen.models;
+      break;
+    }
+  }
+}
+
+TEST(Windows, WhereverAStackIsCutItIsThatOfTheDirectRun) {
+  Prng prng(910);
+  Seen seen;
+  for (const StackKind kind : all_kinds()) {
+    const SectionStack stack = generate(kind, 911).stack;
+    if (stack.vertex_count() > 1500) continue;
+    SCOPED_TRACE(name_of(kind));
+    for (const Criterion criterion : {Criterion::overlap, Criterion::reverse, Criterion::moved}) {
+      ReconstructOptions options;
+      options.execution.threads = 1;
+      options.correspondence.criterion = criterion;
+      options.ends = seen.models % 2 == 0 ? Ends::half : Ends::flat;
+      expect_same_by_windows(stack, options, prng, seen);
+    }
+  }
+  RecordProperty("open", static_cast<int>(seen.open));
+  std::printf("models %zu windows %zu open %zu settled %zu mended %zu whole %zu\n", seen.models,
+              seen.windows, seen.open, seen.settled, seen.mended, seen.whole);
+  EXPECT_GT(seen.models, 75U);
+}
+
+TEST(Windows, SoIsASingleSection) {
+  Prng prng(912);
+  Seen seen;
+  expect_same_by_windows(stack_of_boxes({{box(0, 0, 4, 2)}}), {}, prng, seen);
+  EXPECT_EQ(seen.models, 2U);
+}
+
+}  // namespace
+}  // namespace tetloft::testing
