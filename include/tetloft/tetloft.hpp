@@ -22,6 +22,7 @@
 #include <tetloft/location_kind.hpp>
 #include <tetloft/model.hpp>
 #include <tetloft/periodic.hpp>
+#include <tetloft/pieces.hpp>
 #include <tetloft/point.hpp>
 #include <tetloft/predicates.hpp>
 #include <tetloft/reconstruct.hpp>

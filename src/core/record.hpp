@@ -49,6 +49,12 @@ class RecordWriter {
     for (const auto& item : range) put(item);
   }
 
+  /// The number of bytes, and they.
+  void put_text(std::string_view text) {
+    put_count(text.size());
+    bytes_.append(text);
+  }
+
   [[nodiscard]] std::string take();
 
  private:
@@ -83,6 +89,14 @@ class RecordReader {
     std::vector<T> items(get_count(size_of<T>()));
     for (auto&& item : items) item = get<T>();
     return items;
+  }
+
+  /// Bytes as put_text() writes them.
+  [[nodiscard]] std::string get_text() {
+    const std::size_t size = get_count(1);
+    std::string text(left_.substr(0, size));
+    left_.remove_prefix(size);
+    return text;
   }
 
   /// Refuses the record; the first reason counts.

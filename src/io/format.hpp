@@ -37,6 +37,8 @@ struct Target {
   /// Of a model that lies elsewhere than its stack, whose points are handed over as they lie in
   /// its file: those of the stack. Null: the same.
   const IdVector<VertexId, Point3>* stack_points = nullptr;
+  /// Of a .vtu: bytes to be kept in it (vtu_piece.hpp); empty: none.
+  std::string_view piece = {};
 };
 
 using Written = Result<std::vector<Warning>>;

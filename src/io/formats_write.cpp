@@ -9,6 +9,7 @@
 #include "io/arguments.hpp"
 #include "io/formats.hpp"
 #include "io/stage.hpp"
+#include "io/vtu_piece.hpp"
 #include "model/well_formed.hpp"
 
 namespace tetloft {
@@ -174,6 +175,17 @@ Result<io::Staged> io::stage_model(const std::string& path, const Model& model,
     Result<void> beside = stage_companions(*staged, model, path, options, watcher);
     return beside ? std::move(staged) : Result<Staged>(beside.error());
   });
+}
+Result<io::Staged> io::stage_piece(const std::string& path, const Model& model,
+                                   std::string_view bytes, Encoding encoding,
+                                   TemporaryWatcher* watcher) {
+  const Body body = model_body(model);
+  return stage_as(Contents::model, path, writing("vtu", encoding), watcher,
+                  [&](const Format& format, Sink& sink, const Target& target) {
+                    Target with_bytes = target;
+                    with_bytes.piece = bytes;
+                    return body(format, sink, with_bytes);
+                  });
 }
 Result<io::Staged> io::stage_surface(const std::string& path, const Model& model,
                                      const WriteOptions& options, TemporaryWatcher* watcher) {

@@ -16,6 +16,7 @@
 #include "io/vtk_text.hpp"
 #include "io/vtk_write.hpp"
 #include "io/vtu_frame.hpp"
+#include "io/vtu_piece.hpp"
 #include "io/vtu_read.hpp"
 #include "model/fields.hpp"
 #include "model/tables.hpp"
@@ -74,6 +75,12 @@ VtkArray frame_array(const Frame& frame) {
                            [numbers = numbers_of(frame)](std::size_t i) { return numbers[i]; });
 }
 
+VtkArray piece_array(std::string_view bytes) {
+  return vtk_array<std::uint8_t>(std::string(kPieceArray), 1, bytes.size(), [bytes](std::size_t i) {
+    return static_cast<std::uint8_t>(bytes[i]);
+  });
+}
+
 VtkArray stack_point_array(const IdVector<VertexId, Point3>& points) {
   return vtk_array<double>(std::string(kStackPointArray), 3, 3 * points.size(),
                            [&points](std::size_t i) {
@@ -108,6 +115,7 @@ Written write_grid(Sink& sink, const Model& model, const Target& target) {
     if (!is_exact(model.frame)) fields[0].arrays.push_back(stack_point_array(*target.stack_points));
   }
   add_texts(model, tables);
+  if (!target.piece.empty()) tables.arrays.push_back(piece_array(target.piece));
   // A mesh without any provenance has no element for it.
   if (fields[0].arrays.empty() && fields[1].arrays.empty()) fields.clear();
   return append_grid(sink, std::move(tables), std::move(fields), model.points.raw(),

@@ -14,6 +14,7 @@
 #include "io/vtk_data.hpp"
 #include "io/vtk_text.hpp"
 #include "io/vtu_frame.hpp"
+#include "io/vtu_piece.hpp"
 #include "io/vtu_scan.hpp"
 #include "io/xml.hpp"
 #include "model/fields.hpp"
@@ -25,6 +26,26 @@ namespace {
 
 // Half-faces 4 t + i must fit into 32 bits (tet_mesh.hpp).
 constexpr std::size_t kTetLimit = std::size_t{1} << 30;
+
+// Nothing where there is no such array, or another writer's.
+Result<std::optional<std::string>> bytes_of_column(const VtuDeclaration& grid,
+                                                   const XmlScanner& scanner,
+                                                   std::string_view name) {
+  using Bytes = std::optional<std::string>;
+  const DataArray* const array = grid.find_column(name);
+  if (array == nullptr || array->type != ScalarType::uint8 || array->components != 1) {
+    return Bytes();
+  }
+  const auto values = read_integers(*array, grid.source, scanner);
+  if (!values) return values.error();
+  std::string bytes;
+  bytes.reserve(values->size());
+  for (const std::int64_t value : *values) {
+    if (value < 0 || value > 255) return Bytes();
+    bytes += static_cast<char>(static_cast<unsigned char>(value));
+  }
+  return Bytes(std::move(bytes));
+}
 
 class GridDecoder {
  public:
@@ -168,18 +189,9 @@ class GridDecoder {
   }
 
   Result<void> read_text(std::string_view name) {
-    const DataArray* const array = grid_.find_column(name);
-    // Another writer's?
-    if (array == nullptr || array->type != ScalarType::uint8 || array->components != 1) return {};
-    const auto values = read_integers(*array, grid_.source, scanner_);
-    if (!values) return values.error();
-    std::string bytes;
-    bytes.reserve(values->size());
-    for (const std::int64_t value : *values) {
-      if (value < 0 || value > 255) return {};
-      bytes += static_cast<char>(static_cast<unsigned char>(value));
-    }
-    set_text(model_, name, bytes);
+    const auto bytes = bytes_of_column(grid_, scanner_, name);
+    if (!bytes) return bytes.error();
+    if (*bytes) set_text(model_, name, **bytes);
     return {};
   }
 
@@ -329,6 +341,24 @@ Result<ReadModel> read_vtu_source(const Source& source, const ReadOptions& /*opt
   Result<Model> model = GridDecoder(*grid, scanner).decode();
   if (!model) return model.error();
   return ReadModel{*std::move(model), {}};
+}
+
+Result<std::string> piece_bytes(std::string_view file, const std::string& name) {
+  XmlScanner scanner(file, name);
+  const Result<VtuDeclaration> grid = scan_vtu(scanner);
+  if (!grid) return grid.error();
+  std::vector<const DataArray*> arrays;
+  if (const DataArray* const array = grid->find_column(kPieceArray)) arrays.push_back(array);
+  Result<void> unpacked = check_unpacking(arrays, grid->source, kGridUnpacked, scanner);
+  if (!unpacked) return unpacked.error();
+  auto bytes = bytes_of_column(*grid, scanner, kPieceArray);
+  if (!bytes) return bytes.error();
+  if (!*bytes) {
+    Error error{ErrorCode::invalid_input, "it is a mesh, but no piece of a planned stack", {}};
+    error.where.file = name;
+    return error;
+  }
+  return **std::move(bytes);
 }
 
 }  // namespace tetloft::internal::io

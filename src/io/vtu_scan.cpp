@@ -11,6 +11,7 @@
 #include "io/numbers.hpp"
 #include "io/vtk_text.hpp"
 #include "io/vtu_frame.hpp"
+#include "io/vtu_piece.hpp"
 #include "model/fields.hpp"
 #include "model/tables.hpp"
 
@@ -50,6 +51,7 @@ std::optional<KnownArray> known_array(std::string_view group, std::string_view n
     }
   });
   if (group != "FieldData") return found;
+  if (name == kPieceArray) return KnownArray{group, kPieceArray, VtuRole::column};
   for (const std::string_view text : kTextArrays) {
     if (name == text) found = KnownArray{group, text, VtuRole::column};
   }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/guard.hpp"
+#include "reconstruct/hints.hpp"
 #include "reconstruct/inner_record.hpp"
 #include "sections/complement.hpp"
 
@@ -238,6 +239,9 @@ Result<BuiltRange> take_range(const StackFacts& facts, const SlabRange& slabs, B
         {}};
     error.where.slab = slabs.first;
     return error;
+  }
+  if (auto hint = hint_of_many_tets(window.prepared, *model)) {
+    window.warnings.push_back(*std::move(hint));
   }
   built.model = std::move(*model);
   number_as_whole(built.model, slabs);

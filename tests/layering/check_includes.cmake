@@ -33,10 +33,11 @@ set(may_reconstruct core arithmetic spatial predicates mesh delaunay2 delaunay3 
 set(may_geiger core predicates mesh delaunay2 delaunay3 sections model slab)
 set(may_check core arithmetic predicates mesh sections motion contact model)
 set(may_io core predicates sections model)
+set(may_pieces core sections model slab correspondence between reconstruct io)
 set(may_render core mesh sections model io)
 set(may_report core mesh sections model check io render)
 set(modules core arithmetic spatial predicates mesh delaunay2 delaunay3 triangulation2 triangulation3 voronoi periodic sections motion contact model slab correspondence between completion subdivision
-  reconstruct geiger check io render report c)
+  reconstruct geiger check io pieces render report c)
 # The C interface stands beside the command line: all of the public API, and core.
 set(may_c core model)
 

@@ -56,7 +56,7 @@ TEST(ComponentNames, AreNoneWithoutLabels) {
   const auto solid = reconstruct(tubes());
   ASSERT_TRUE(solid.ok());
   EXPECT_TRUE(solid->model.component_names.empty());
-  EXPECT_TRUE(names_by_labels(Model(), {label(0, 0, 1)}).empty());
+  EXPECT_TRUE(names_by_labels(solid->partition, 3, {}).empty());
 }
 
 }  // namespace

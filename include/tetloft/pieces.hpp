@@ -1,0 +1,130 @@
+// Stacks beyond one machine: what has to be decided over the whole stack is decided once, as a
+// plan; pieces of it, some slabs each, are built from the plan anywhere, in any order; joined they
+// are the model of the single run, bit for bit, however the stack was cut.
+//
+// A plan is a file with the sections and all that was decided about them; of it a piece reads its
+// own part alone. A piece is a .vtu that any tool reads: the solid of its slabs, with numbers of
+// slabs, sections and components of the whole stack, and what joining needs as data of the whole.
+// Both say which plan they are of. Files appear complete or not at all.
+//
+// A slab may need finer contours in a section that it shares with the next piece. Such slabs are
+// left open, and joining builds them from the plan, with all that they touch: the solids of others
+// do not depend on them (src/reconstruct/README.md, "Clusters").
+//
+// Errors: io where a file cannot be read or written; invalid_input, naming the file, where it is no
+// plan or piece, is damaged or of another version.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <tetloft/execution.hpp>
+#include <tetloft/export.hpp>
+#include <tetloft/io.hpp>
+#include <tetloft/reconstruct.hpp>
+#include <tetloft/result.hpp>
+#include <tetloft/section_stack.hpp>
+#include <tetloft/valid_stack.hpp>
+
+namespace tetloft {
+
+/// The file that a planned stack was read from, so that another one is not taken for it. Empty: it
+/// came from none.
+struct PlanSource {
+  std::string name;  ///< without folders
+  std::uint64_t bytes = 0;
+  std::uint64_t checksum = 0;
+  friend bool operator==(const PlanSource&, const PlanSource&) = default;
+};
+/// Of a file as it is now. Reads all of it.
+[[nodiscard]] TETLOFT_API Result<PlanSource> plan_source(const std::string& path);
+
+/// What a plan is about.
+struct PlanSummary {
+  /// Of two plans of one stack by the same options the same.
+  std::uint64_t identity = 0;
+  PlanSource source;
+  ReconstructOptions options;  ///< as it was made with; the execution is not kept
+  std::size_t sections = 0;
+  std::size_t contours = 0;
+  std::size_t vertices = 0;
+  double lowest = 0;   ///< z of the first section
+  double highest = 0;  ///< of the last
+  std::size_t components = 0;
+  std::size_t cavities = 0;          ///< that are decided; 0 by VoidRule::free
+  std::size_t sections_between = 0;  ///< to be put between
+};
+
+struct WrittenPlan {
+  PlanSummary summary;
+  std::vector<Warning> warnings;  ///< those of reconstruct() that are about the whole stack
+};
+/// Decides all that reconstruct() decides over the stack, and writes it to a file. Refused as
+/// reconstruct() does, but for what only shows when slabs are built.
+[[nodiscard]] TETLOFT_API Result<WrittenPlan> write_plan(const std::string& path,
+                                                         const SectionStack& stack,
+                                                         const ReconstructOptions& options = {},
+                                                         const PlanSource& source = {});
+[[nodiscard]] TETLOFT_API Result<WrittenPlan> write_plan(const std::string& path,
+                                                         const ValidStack& stack,
+                                                         const ReconstructOptions& options = {},
+                                                         const PlanSource& source = {});
+/// What a plan says of itself. Its sections are not looked at.
+[[nodiscard]] TETLOFT_API Result<PlanSummary> read_plan(const std::string& path);
+/// Reads all of it: refused where any part is damaged or does not fit.
+[[nodiscard]] TETLOFT_API Result<PlanSummary> check_plan(const std::string& path);
+
+struct PieceOptions {
+  Encoding encoding = Encoding::binary;
+  Execution execution = {};
+};
+
+/// What a piece is.
+struct PieceSummary {
+  std::uint64_t plan = 0;  ///< the identity of its plan
+  std::size_t first = 0;   ///< its slabs are first … end − 1
+  std::size_t end = 0;
+  std::size_t sections = 0;            ///< of the whole stack
+  std::vector<std::size_t> open = {};  ///< the slabs that are left to joining
+};
+
+struct WrittenPiece {
+  PieceSummary summary;
+  ReconstructReport report;  ///< of its slabs; vertices and sections shared with others count
+  std::vector<Warning> warnings;
+};
+/// Builds the slabs first … end − 1 (of a stack of one section 0 and 0) of a plan, and writes them
+/// to a .vtu. Refused (usage) are slabs that the plan has not, or none, and a path without ".vtu";
+/// and what reconstruct() would refuse in these slabs.
+[[nodiscard]] TETLOFT_API Result<WrittenPiece> write_piece(const std::string& path,
+                                                           const std::string& plan,
+                                                           std::size_t first, std::size_t end,
+                                                           const PieceOptions& options = {});
+/// What a piece says of itself.
+[[nodiscard]] TETLOFT_API Result<PieceSummary> read_piece(const std::string& path);
+
+struct JoinOptions {
+  /// Needed where slabs are left open, not else. Empty: none.
+  std::string plan = {};
+  Execution execution = {};
+};
+
+struct Joined {
+  Model model;
+  /// Seconds, work and rules are sums over all that was built, what joining built again too.
+  ReconstructReport report;
+  std::size_t settled = 0;   ///< slabs built by joining
+  std::vector<Warning> warnings;
+};
+/// The model of all pieces of a stack, given in any order: that of the single run. Refused
+/// (invalid_input), naming files and slabs, where pieces are of different plans, overlap, are
+/// missing, or differ in the section that they share; (usage) where slabs are open and no plan is
+/// given, or one that is not theirs.
+[[nodiscard]] TETLOFT_API Result<Joined> join_pieces(std::span<const std::string> pieces,
+                                                     const JoinOptions& options = {});
+
+}  // namespace tetloft

@@ -1,0 +1,46 @@
+// Plans, pieces and joined models up to the last step: files that are complete and appear when the
+// caller commits them.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <tetloft/pieces.hpp>
+
+#include "io/stage.hpp"
+#include "pieces/piece_record.hpp"
+#include "pieces/plan_head.hpp"
+#include "reconstruct/prepare.hpp"
+
+namespace tetloft::internal::pieces {
+
+struct StagedPlan {
+  PlanSummary summary;
+  std::vector<Warning> warnings;
+  std::vector<io::PendingFile> files;
+};
+/// As write_plan().
+[[nodiscard]] Result<StagedPlan> stage_plan(const std::string& path, const GivenStack& given,
+                                            const ReconstructOptions& options,
+                                            const PlanSource& source,
+                                            io::TemporaryWatcher* watcher = nullptr);
+
+struct StagedPiece {
+  PieceSummary summary;
+  ReconstructReport report;
+  std::vector<Warning> warnings;
+  std::vector<io::PendingFile> files;
+};
+/// As write_piece().
+[[nodiscard]] Result<StagedPiece> stage_piece(const std::string& path, const std::string& plan,
+                                              const SlabRange& slabs, const PieceOptions& options,
+                                              io::TemporaryWatcher* watcher = nullptr);
+
+[[nodiscard]] PlanSummary summary_of(const PlanHead& head, std::uint64_t identity);
+[[nodiscard]] PieceSummary summary_of(const PieceRecord& record);
+/// Of the bytes of a file.
+[[nodiscard]] Result<PieceRecord> piece_record_of(std::string_view file, const std::string& name);
+
+}  // namespace tetloft::internal::pieces

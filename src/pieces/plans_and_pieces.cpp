@@ -1,0 +1,248 @@
+// Plans and pieces as files.
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <utility>
+
+#include <tetloft/pieces.hpp>
+
+#include "core/guard.hpp"
+#include "core/parallel.hpp"
+#include "core/watched_work.hpp"
+#include "io/bytes/checksum.hpp"
+#include "io/files.hpp"
+#include "io/vtu_piece.hpp"
+#include "pieces/piece_file.hpp"
+#include "pieces/plan_file.hpp"
+#include "reconstruct/component_names.hpp"
+#include "reconstruct/decide_voids.hpp"
+#include "reconstruct/report_of.hpp"
+
+namespace tetloft {
+
+using namespace internal;
+
+namespace internal::pieces {
+
+namespace {
+
+PlanHead head_of(const BuiltStack& planned, const SectionStack& stack,
+                 const ReconstructOptions& options, const PlanSource& source) {
+  PlanHead head;
+  head.facts = facts_of(planned);
+  head.options = options;
+  head.source = source;
+  head.contours = stack.contour_count();
+  head.vertices = stack.vertex_count();
+  if (planned.plan.voids) head.cavities = cavities(*planned.plan.voids);
+  for (const between::InnerSections& inner : planned.plan.between) {
+    head.sections_between += inner.sections.size();
+  }
+  head.lowest = stack.sections.raw().front().z;
+  head.highest = stack.sections.raw().back().z;
+  head.frame = stack.frame;
+  head.about = stack.about;
+  head.component_names = names_by_labels(planned.plan.correspondence.partition,
+                                         head.facts.components, options.correspondence.labels);
+  return head;
+}
+
+}  // namespace
+
+PlanSummary summary_of(const PlanHead& head, std::uint64_t identity) {
+  return {identity,
+          head.source,
+          head.options,
+          head.facts.sections,
+          head.contours,
+          head.vertices,
+          head.lowest,
+          head.highest,
+          head.facts.components,
+          head.cavities,
+          head.sections_between};
+}
+
+Result<StagedPlan> stage_plan(const std::string& path, const GivenStack& given,
+                              const ReconstructOptions& options, const PlanSource& source,
+                              io::TemporaryWatcher* watcher) {
+  using Planned = std::optional<BuiltStack>;
+  Result<BuiltStack> planned =
+      in_either_unit(options, [&](Unit unit, const ReconstructOptions& in_unit) -> Result<Planned> {
+        WatchedWork work(in_unit.execution, 0);
+        Result<BuiltStack> made = plan_stack(unit, given, in_unit, work);
+        if (!made) return made.error();
+        return Planned(std::move(*made));
+      });
+  if (!planned) return planned.error();
+  return guard_internal([&]() -> Result<StagedPlan> {
+    StagedPlan plan;
+    const PlanHead head = head_of(*planned, *given.stack, options, source);
+    Result<io::Staged> staged = io::stage(path, watcher, [&](io::Sink& sink) -> io::Written {
+      plan.summary = summary_of(head, append_plan(sink, head, *planned));
+      return std::vector<Warning>();
+    });
+    if (!staged) return staged.error();
+    plan.files = std::move(staged->files);
+    plan.warnings = std::move(planned->warnings);
+    return plan;
+  });
+}
+
+Result<StagedPiece> stage_piece(const std::string& path, const std::string& plan_path,
+                                const SlabRange& slabs, const PieceOptions& options,
+                                io::TemporaryWatcher* watcher) {
+  return guard_threads(options, [&](const PieceOptions& own) -> Result<StagedPiece> {
+    const Result<PlanFile> plan = PlanFile::open(plan_path);
+    if (!plan) return plan.error();
+    const bool single = plan->slabs() == 0 && slabs == SlabRange{0, 0};
+    if (!single && !(slabs.first < slabs.end && slabs.end <= plan->slabs())) {
+      return Error{ErrorCode::usage,
+                   "there are no slabs " + std::to_string(slabs.first) + ':' +
+                       std::to_string(slabs.end) + ": the plan has " +
+                       (plan->slabs() == 0 ? "none, 0:0 is all of it"
+                                           : "those of 0:" + std::to_string(plan->slabs())),
+                   {}};
+    }
+    Result<PlannedRange> made = build_range(*plan, slabs, own.execution);
+    if (!made) return made.error();
+    PieceRecord record;
+    record.plan = plan->identity();
+    record.sections = plan->head().facts.sections;
+    record.components = plan->head().facts.components;
+    record.slabs = slabs;
+    record.names = plan->head().component_names;
+    record.clusters = made->built.clusters;
+    record.report = made->report;
+    StagedPiece piece;
+    piece.summary = internal::pieces::summary_of(record);
+    piece.report = made->report;
+    piece.report.slices = slabs.end - slabs.first + 1;
+    describe(made->built.model, own.execution.threads, piece.report);
+    piece.warnings = std::move(made->warnings);
+    Result<io::Staged> staged =
+        io::stage_piece(path, made->built.model, to_record(record), own.encoding, watcher);
+    if (!staged) return staged.error();
+    piece.files = std::move(staged->files);
+    return piece;
+  });
+}
+
+PieceSummary summary_of(const PieceRecord& record) {
+  PieceSummary summary{record.plan, record.slabs.first, record.slabs.end, record.sections, {}};
+  for (const ClusterSpan& cluster : record.clusters) {
+    if (!cluster.beyond.any()) continue;
+    for (std::size_t slab = cluster.slabs.first; slab < cluster.slabs.end; ++slab) {
+      summary.open.push_back(slab);
+    }
+  }
+  std::sort(summary.open.begin(), summary.open.end());
+  return summary;
+}
+
+Result<PieceRecord> piece_record_of(std::string_view file, const std::string& name) {
+  const Result<std::string> bytes = io::piece_bytes(file, name);
+  if (!bytes) return bytes.error();
+  return piece_from_record(*bytes, name);
+}
+
+}  // namespace internal::pieces
+
+namespace {
+
+template <class Stack>
+Result<WrittenPlan> write_plan_of(const std::string& path, const Stack& stack,
+                                  const ReconstructOptions& options, const PlanSource& source) {
+  Result<pieces::StagedPlan> plan = pieces::stage_plan(path, stack, options, source);
+  if (!plan) return plan.error();
+  return guard_internal([&]() -> Result<WrittenPlan> {
+    if (Result<void> done = io::commit_all(plan->files); !done) return done.error();
+    return WrittenPlan{std::move(plan->summary), std::move(plan->warnings)};
+  });
+}
+
+Result<PlanSummary> summary_of_plan(const pieces::PlanFile& plan) {
+  return pieces::summary_of(plan.head(), plan.identity());
+}
+
+}  // namespace
+
+Result<PlanSource> plan_source(const std::string& path) {
+  return guard_internal([&]() -> Result<PlanSource> {
+    std::ifstream file(path, std::ios::binary);
+    PlanSource source{std::filesystem::path(path).filename().string(), 0, 0};
+    std::uint32_t crc = io::kCrcOfNothing;
+    std::uint32_t adler = io::kAdlerOfNothing;
+    std::string piece(std::size_t{1} << 20, '\0');
+    while (file) {
+      file.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+      const auto count = static_cast<std::size_t>(file.gcount());
+      crc = io::crc32(crc, std::string_view(piece).substr(0, count));
+      adler = io::adler32(adler, std::string_view(piece).substr(0, count));
+      source.bytes += count;
+    }
+    if (!file.eof()) {
+      Error error{ErrorCode::io, "the file cannot be read", {}};
+      error.where.file = path;
+      return error;
+    }
+    source.checksum = std::uint64_t{crc} << 32 | adler;
+    return source;
+  });
+}
+
+Result<WrittenPlan> write_plan(const std::string& path, const SectionStack& stack,
+                               const ReconstructOptions& options, const PlanSource& source) {
+  return write_plan_of(path, stack, options, source);
+}
+Result<WrittenPlan> write_plan(const std::string& path, const ValidStack& stack,
+                               const ReconstructOptions& options, const PlanSource& source) {
+  return write_plan_of(path, stack, options, source);
+}
+
+Result<PlanSummary> read_plan(const std::string& path) {
+  return guard_internal([&]() -> Result<PlanSummary> {
+    const Result<pieces::PlanFile> plan = pieces::PlanFile::open(path);
+    if (!plan) return plan.error();
+    return summary_of_plan(*plan);
+  });
+}
+
+Result<PlanSummary> check_plan(const std::string& path) {
+  return guard_internal([&]() -> Result<PlanSummary> {
+    const Result<pieces::PlanFile> plan = pieces::PlanFile::open(path);
+    if (!plan) return plan.error();
+    if (plan->slabs() == 0) {
+      const Result<BuiltStack> window = plan->window({0, 0});
+      if (!window) return window.error();
+    }
+    for (std::size_t slab = 0; slab < plan->slabs(); ++slab) {
+      const Result<BuiltStack> window = plan->window({slab, slab + 1});
+      if (!window) return window.error();
+    }
+    return summary_of_plan(*plan);
+  });
+}
+
+Result<WrittenPiece> write_piece(const std::string& path, const std::string& plan,
+                                 std::size_t first, std::size_t end, const PieceOptions& options) {
+  Result<pieces::StagedPiece> piece = pieces::stage_piece(path, plan, {first, end}, options);
+  if (!piece) return piece.error();
+  return guard_internal([&]() -> Result<WrittenPiece> {
+    if (Result<void> done = io::commit_all(piece->files); !done) return done.error();
+    return WrittenPiece{std::move(piece->summary), piece->report, std::move(piece->warnings)};
+  });
+}
+
+Result<PieceSummary> read_piece(const std::string& path) {
+  return guard_internal([&]() -> Result<PieceSummary> {
+    const Result<std::string> bytes = io::read_file(path);
+    if (!bytes) return bytes.error();
+    const Result<pieces::PieceRecord> record = pieces::piece_record_of(*bytes, path);
+    if (!record) return record.error();
+    return pieces::summary_of(*record);
+  });
+}
+
+}  // namespace tetloft

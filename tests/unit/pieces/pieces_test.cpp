@@ -1,0 +1,222 @@
+// Plans, pieces and joined models through files: the model of the single run, wherever the stack
+// was cut; and what does not belong together is named.
+#include <tetloft/pieces.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include <tetloft/check.hpp>
+
+#include "property/same_model.hpp"
+#include "support/slabs/cases.hpp"
+#include "support/stacks/shapes.hpp"
+
+namespace tetloft::testing {
+namespace {
+
+class Folder {
+ public:
+  Folder()
+      : path_(std::filesystem::path(::testing::TempDir()) /
+              (std::string("tetloft_pieces_") +
+               ::testing::UnitTest::GetInstance()->current_test_info()->name())) {
+    std::filesystem::create_directories(path_);
+  }
+  ~Folder() { std::filesystem::remove_all(path_); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  [[nodiscard]] std::string operator/(const std::string& name) const {
+    return (path_ / name).string();
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+using Cuts = std::vector<std::size_t>;  // where pieces begin, and the end
+
+std::vector<std::string> write_pieces(const Folder& folder, const Cuts& cuts) {
+  std::vector<std::string> paths;
+  for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
+    paths.push_back(folder / ("piece" + std::to_string(k) + ".vtu"));
+    const auto piece = write_piece(paths.back(), folder / "plan", cuts[k], cuts[k + 1]);
+    EXPECT_TRUE(piece.ok()) << to_string(piece.error());
+  }
+  return paths;
+}
+
+void expect_joined(const SectionStack& stack, const ReconstructOptions& options, const Cuts& cuts,
+                   std::size_t settled) {
+  const Folder folder;
+  const auto direct = reconstruct(stack, options);
+  ASSERT_TRUE(direct.ok());
+  const auto plan = write_plan(folder / "plan", stack, options);
+  ASSERT_TRUE(plan.ok()) << to_string(plan.error());
+  std::vector<std::string> paths = write_pieces(folder, cuts);
+  std::reverse(paths.begin(), paths.end());
+  JoinOptions joining;
+  joining.plan = folder / "plan";
+  const auto joined = join_pieces(paths, joining);
+  ASSERT_TRUE(joined.ok()) << to_string(joined.error());
+  EXPECT_TRUE(same_bits(joined->model, direct->model));
+  EXPECT_EQ(*format_vtu(joined->model), *format_vtu(direct->model));
+  EXPECT_EQ(joined->settled, settled);
+  // What was built twice counts twice.
+  if (settled == 0) EXPECT_EQ(joined->report.rules, direct->report.rules);
+  EXPECT_EQ(joined->report.tets, direct->report.tets);
+  EXPECT_EQ(joined->report.volume, direct->report.volume);
+  EXPECT_EQ(joined->report.slices, direct->report.slices);
+  EXPECT_EQ(joined->report.input_vertices, direct->report.input_vertices);
+  EXPECT_EQ(joined->report.sections_between, direct->report.sections_between);
+}
+
+TEST(Pieces, JoinedAreTheModelOfTheSingleRun) {
+  const SectionStack stack = sample("torus.cnt");
+  const std::size_t slabs = stack.sections.size() - 1;
+  for (const Cuts& cuts :
+       {Cuts{0, slabs}, Cuts{0, 1, slabs}, Cuts{0, slabs - 1, slabs}, Cuts{0, 4, 9, 13, slabs}}) {
+    expect_joined(stack, {}, cuts, 0);
+    ReconstructOptions options;
+    options.ends = Ends::half;
+    options.between = 0;
+    options.correspondence.labels = {{SectionId(3), ContourId(0), 5}};
+    expect_joined(stack, options, cuts, 0);
+  }
+}
+
+TEST(Pieces, ASingleSectionIsOnePiece) {
+  expect_joined(stack_of_boxes({{box(0, 0, 4, 2)}}), {}, {0, 0}, 0);
+}
+
+// The slab of cases/shielded.cnt needs refined contours: its neighbours are built again.
+TEST(Pieces, SlabsThatNeedMoreThanTheirPieceAreSettledByJoining) {
+  const SectionStack slab = sample("cases/shielded.cnt");
+  const Section plate = stack_of_boxes({{box(-1000, 0, 200, 100)}}).sections[SectionId(0)];
+  SectionStack stack;
+  const auto add = [&](double z, Section section) {
+    section.z = z;
+    stack.sections.push_back(std::move(section));
+  };
+  for (double z = -4; z < 0; ++z) add(z, plate);
+  add(0, slab.sections[SectionId(0)]);
+  add(1, slab.sections[SectionId(1)]);
+  for (double z = 2; z < 6; ++z) add(z, plate);
+  ReconstructOptions options;
+  options.divide_coarse = false;
+  options.correspondence.criterion = Criterion::overlap;
+  options.correspondence.labels = {{SectionId(4), ContourId(0), 1},
+                                   {SectionId(4), ContourId(1), 3},
+                                   {SectionId(5), ContourId(0), 1},
+                                   {SectionId(5), ContourId(1), 2}};
+  ASSERT_GT(
+      reconstruct(stack, options)->report.rules[static_cast<std::size_t>(Rule::gabriel_refinement)],
+      0U);
+  expect_joined(stack, options, {0, 9}, 0);
+  expect_joined(stack, options, {0, 2, 7, 9}, 0);
+  expect_joined(stack, options, {0, 4, 9}, 3);     // below the slab
+  expect_joined(stack, options, {0, 5, 9}, 3);     // above it
+  expect_joined(stack, options, {0, 4, 5, 9}, 3);  // alone
+  expect_joined(stack, options, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9}, 3);
+
+  const Folder folder;
+  ASSERT_TRUE(write_plan(folder / "plan", stack, options).ok());
+  const auto without = join_pieces(write_pieces(folder, {0, 4, 9}));
+  ASSERT_FALSE(without.ok());
+  EXPECT_EQ(without.error().code, ErrorCode::usage);
+  EXPECT_NE(without.error().message.find("slabs 4:6"), std::string::npos)
+      << without.error().message;
+  EXPECT_EQ(read_piece(folder / "piece1.vtu")->open, (std::vector<std::size_t>{4, 5}));
+}
+
+TEST(Pieces, EachIsASolidThatEveryToolReads) {
+  const Folder folder;
+  const SectionStack stack = sample("torus.cnt");
+  ASSERT_TRUE(write_plan(folder / "plan", stack).ok());
+  const auto paths = write_pieces(folder, {0, 7, 19});
+  const auto model = read_vtu(paths[1]);
+  ASSERT_TRUE(model.ok());
+  for (const SlabId slab : model->slab) EXPECT_GE(slab.index(), 7U);
+  SectionStack part;
+  for (std::size_t s = 7; s < 20; ++s) part.sections.push_back(stack.sections[SectionId(s)]);
+  EXPECT_GT(volume(*model), 0);
+  const PieceSummary said = *read_piece(paths[1]);
+  EXPECT_EQ(said.first, 7U);
+  EXPECT_EQ(said.end, 19U);
+  EXPECT_EQ(said.sections, 20U);
+  EXPECT_EQ(said.plan, read_plan(folder / "plan")->identity);
+  EXPECT_TRUE(said.open.empty());
+}
+
+void expect_refused(const Result<Joined>& joined, ErrorCode code, const std::string& why) {
+  ASSERT_FALSE(joined.ok());
+  EXPECT_EQ(joined.error().code, code);
+  EXPECT_NE(to_string(joined.error()).find(why), std::string::npos) << to_string(joined.error());
+}
+
+TEST(Pieces, ThatDoNotBelongTogetherAreNamed) {
+  const Folder folder;
+  const SectionStack stack = sample("torus.cnt");
+  ASSERT_TRUE(write_plan(folder / "plan", stack).ok());
+  const std::vector<std::string> p = write_pieces(folder, {0, 7, 12, 19});
+  using Paths = std::vector<std::string>;
+  expect_refused(join_pieces(Paths{p[0], p[2]}), ErrorCode::invalid_input, "slabs 7:12");
+  expect_refused(join_pieces(Paths{p[1], p[2]}), ErrorCode::invalid_input, "slabs 0:7");
+  expect_refused(join_pieces(Paths{p[1], p[0]}), ErrorCode::invalid_input, "slabs 12:19");
+  expect_refused(join_pieces(Paths{p[0], p[1], p[1], p[2]}), ErrorCode::invalid_input,
+                 "slabs 7:12 is twice");
+  expect_refused(join_pieces(Paths{}), ErrorCode::usage, "no piece");
+  const std::string none = folder / "none.vtu";
+  expect_refused(join_pieces(Paths{p[0], none, p[2]}), ErrorCode::io, none);
+  ReconstructOptions other;
+  other.ends = Ends::half;
+  ASSERT_TRUE(write_plan(folder / "other", stack, other).ok());
+  const std::string foreign = folder / "foreign.vtu";
+  ASSERT_TRUE(write_piece(foreign, folder / "other", 7, 12).ok());
+  expect_refused(join_pieces(Paths{p[0], foreign, p[2]}), ErrorCode::invalid_input, foreign);
+  const std::string solid = folder / "solid.vtu";
+  ASSERT_TRUE(write_vtu(solid, reconstruct(stack)->model).ok());
+  expect_refused(join_pieces(Paths{p[0], solid, p[2]}), ErrorCode::invalid_input, "no piece");
+}
+
+TEST(Pieces, DamagedPlansAreRefused) {
+  const Folder folder;
+  const SectionStack stack =
+      stack_of_boxes({{box(0, 0, 4, 2)}, {box(0, 0, 3, 2), box(5, 0, 6, 2)}, {box(1, 0, 2, 2)}});
+  const auto written = write_plan(folder / "plan", stack);
+  ASSERT_TRUE(written.ok());
+  EXPECT_EQ(check_plan(folder / "plan")->identity, written->summary.identity);
+  std::ifstream file(folder / "plan", std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  const std::string path = folder / "damaged";
+  for (std::size_t at = 0; at < bytes.size(); ++at) {
+    std::string damaged = bytes;
+    damaged[at] = static_cast<char>(damaged[at] ^ (1 << at % 8));
+    std::ofstream(path, std::ios::binary) << damaged;
+    EXPECT_FALSE(check_plan(path).ok()) << at;
+  }
+  for (const std::size_t size : {std::size_t{0}, bytes.size() / 2, bytes.size() - 1}) {
+    std::ofstream(path, std::ios::binary) << bytes.substr(0, size);
+    EXPECT_FALSE(read_plan(path).ok()) << size;
+  }
+}
+
+TEST(Pieces, SlabsThatThereAreNotAreRefused) {
+  const Folder folder;
+  ASSERT_TRUE(write_plan(folder / "plan", sample("torus.cnt")).ok());
+  for (const auto& [first, end] : std::vector<std::pair<std::size_t, std::size_t>>{
+           {3, 3}, {5, 4}, {0, 20}, {19, 20}, {0, 0}}) {
+    const auto piece = write_piece(folder / "piece.vtu", folder / "plan", first, end);
+    ASSERT_FALSE(piece.ok());
+    EXPECT_EQ(piece.error().code, ErrorCode::usage);
+    EXPECT_FALSE(std::filesystem::exists(folder / "piece.vtu"));
+  }
+}
+
+}  // namespace
+}  // namespace tetloft::testing
