@@ -15,6 +15,8 @@ struct Command {
 };
 
 [[nodiscard]] Command reconstruct_command();
+[[nodiscard]] Command plan_command();
+[[nodiscard]] Command join_command();
 [[nodiscard]] Command check_command();
 [[nodiscard]] Command delaunay_command();
 [[nodiscard]] Command info_command();

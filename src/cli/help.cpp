@@ -34,10 +34,10 @@ std::string exit_code_sentence() {
 }  // namespace
 
 std::vector<Command> all_commands() {
-  return {reconstruct_command(), check_command(),    links_command(),  between_command(),
-          delaunay_command(),    skeleton_command(), render_command(), report_command(),
-          info_command(),        convert_command(),  slice_command(),  completion_command(),
-          manual_command()};
+  return {reconstruct_command(), check_command(),      links_command(),  between_command(),
+          delaunay_command(),    skeleton_command(),   render_command(), report_command(),
+          plan_command(),        join_command(),       info_command(),   convert_command(),
+          slice_command(),       completion_command(), manual_command()};
 }
 
 std::span<const ExitCode> exit_codes() { return kExitCodes; }

@@ -103,7 +103,8 @@ Result<ModelOutputs> model_outputs(const Arguments& arguments) {
   const Result<Encoding> encoding = encoding_of(arguments);
   if (!encoding) return encoding.error();
   outputs.encoding = *encoding;
-  std::vector<std::string> taken{arguments.operand(0)};
+  std::vector<std::string> taken;
+  for (std::size_t k = 0; k < arguments.operand_count(); ++k) taken.push_back(arguments.operand(k));
   if (const auto labels = arguments.text("--labels")) taken.push_back(*labels);
   Result<void> checked;
   if (outputs.solid) {

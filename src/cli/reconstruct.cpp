@@ -2,9 +2,7 @@
 #include <optional>
 #include <utility>
 
-#include "cli/between_option.hpp"
 #include "cli/commands.hpp"
-#include "cli/engine_option.hpp"
 #include "cli/file_formats.hpp"
 #include "cli/geiger_method.hpp"
 #include "cli/label_input.hpp"
@@ -12,6 +10,7 @@
 #include "cli/outputs.hpp"
 #include "cli/progress.hpp"
 #include "cli/reconstruct_all.hpp"
+#include "cli/reconstruct_piece.hpp"
 #include "cli/reconstruct_request.hpp"
 #include "cli/repaired_output.hpp"
 
@@ -35,6 +34,7 @@ Usage reconstruct_usage() {
               "side of its bounding box, with a warning. Nothing is written when the command "
               "fails."};
   for (const Option& option : stack_options()) usage.options.push_back(option);
+  for (const Option& option : solid_options()) usage.options.push_back(option);
   for (const Option& option :
        {Option{"--method",
                "NAME",
@@ -42,21 +42,11 @@ Usage reconstruct_usage() {
                "keeps none of the guarantees (--verify tells which it broke)",
                {},
                {"nonato", "geiger"}},
-        sections_between("--between", "auto"), kNoDivideOption,
-        Option{"--ends",
-               "HOW",
-               "the ends of the stack: flat (default) at the outer sections, or half a gap "
-               "beyond them",
-               {},
-               {"flat", "half"}},
-        Option{"--thickness", "T", "of the solid made of a single section, above 0"},
-        Option{"--delaunay",
-               "ENGINE",
-               "slab (default) or incremental: what triangulates the slabs; the result is the "
-               "same",
-               {},
-               engine_words()},
-        kWorkLimitOption, kThreadsOption,
+        Option{"--plan", "PLAN",
+               "build a piece of this plan of IN (tetloft plan), as it was decided there"},
+        Option{
+            "--slabs", "A:B",
+            "with --plan: the piece's slabs, A to B - 1; slab k is between sections k and k + 1"},
         Option{"--verify", "", "check the result; write nothing and exit with 70 if it fails"},
         kAsciiOption, kCompressOption, kJsonOption, kQuietOption, kHelpOption}) {
     usage.options.push_back(option);
@@ -160,6 +150,9 @@ std::string to_text(const Reconstruction& result, const StackInput& input, const
 }
 
 Result<int> run_reconstruct(const Arguments& arguments, Console& console) {
+  if (arguments.has("--plan") || arguments.has("--slabs")) {
+    return reconstruct_piece(arguments, console);
+  }
   const auto method = arguments.choice("--method");
   if (!method) return method.error();
   if (method->value_or(0) == 1) return reconstruct_by_geiger(arguments, console);

@@ -1,6 +1,8 @@
 // See reconstruct_request.hpp.
 #include "cli/reconstruct_request.hpp"
 
+#include <utility>
+
 #include "cli/between_option.hpp"
 #include "cli/engine_option.hpp"
 #include "cli/verdicts.hpp"
@@ -11,12 +13,37 @@ namespace tetloft::cli {
 
 using namespace internal;
 
+std::vector<Option> solid_options() {
+  return {sections_between("--between", "auto"),
+          kNoDivideOption,
+          {"--ends",
+           "HOW",
+           "the ends of the stack: flat (default) at the outer sections, or half a gap "
+           "beyond them",
+           {},
+           {"flat", "half"}},
+          {"--thickness", "T", "of the solid made of a single section, above 0"},
+          {"--delaunay",
+           "ENGINE",
+           "slab (default) or incremental: what triangulates the slabs; the result is the "
+           "same",
+           {},
+           engine_words()},
+          kWorkLimitOption,
+          kThreadsOption};
+}
+
 Result<ReconstructRequest> reconstruct_request_of(const Arguments& arguments, Console& console) {
-  ReconstructRequest request;
-  request.input = arguments.operand(0);
   auto outputs = model_outputs(arguments);
   if (!outputs) return outputs.error();
-  request.outputs = *std::move(outputs);
+  Result<ReconstructRequest> request = solid_request_of(arguments, console);
+  if (request) request->outputs = *std::move(outputs);
+  return request;
+}
+
+Result<ReconstructRequest> solid_request_of(const Arguments& arguments, Console& console) {
+  ReconstructRequest request;
+  request.input = arguments.operand(0);
   const auto correspondence = correspondence_options(arguments, console);
   if (!correspondence) return correspondence.error();
   request.options.correspondence = *correspondence;

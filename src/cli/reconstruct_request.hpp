@@ -20,7 +20,14 @@ struct ReconstructRequest {
   bool verify = false;
 };
 
-/// Everything that can be said about the command line before a file is read.
+/// The options that say how a stack is made into a solid: usage and value of each. Without those of
+/// stack_options().
+[[nodiscard]] std::vector<Option> solid_options();
+
+/// Everything but the outputs that can be said about the command line before a file is read.
+[[nodiscard]] Result<ReconstructRequest> solid_request_of(const Arguments& arguments,
+                                                          Console& console);
+/// The same with outputs.
 [[nodiscard]] Result<ReconstructRequest> reconstruct_request_of(const Arguments& arguments,
                                                                 Console& console);
 
