@@ -27,20 +27,6 @@ namespace {
 // So many points between two looks at the stop token.
 constexpr std::size_t kPointsOfLook2 = 4096;
 
-Result<void> check_points2(std::span<const Point2> points) {
-  if (points.size() >= Incremental2::kMostVertices) {
-    return Error{ErrorCode::invalid_input, "2^29 points or more", {}};
-  }
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (Result<void> fine = triangulation2::check_point(points[i]); !fine) {
-      Error error = fine.error();
-      error.where.vertex = i;
-      return error;
-    }
-  }
-  return {};
-}
-
 }  // namespace
 
 const DelaunayTriangulation2::Impl& DelaunayTriangulation2::get() const {
@@ -72,7 +58,7 @@ Result<DelaunayTriangulation2> DelaunayTriangulation2::of(std::span<const Point2
                                                           const Execution& execution) {
   return guard_threads(execution, [&](const Execution& own) -> Result<DelaunayTriangulation2> {
     if (Result<void> fit = fp_self_check(); !fit) return fit.error();
-    if (Result<void> fine = check_points2(points); !fine) return fine.error();
+    if (Result<void> fine = triangulation2::check_points(points); !fine) return fine.error();
     DelaunayTriangulation2 result;
     if (!points.empty()) (void)result.own().take_all(points, own);
     return result;
@@ -91,7 +77,7 @@ Result<DelaunayTriangulation2::Insertion> DelaunayTriangulation2::insert(const P
 Result<std::vector<DelaunayVertex>> DelaunayTriangulation2::insert(std::span<const Point2> points,
                                                                    const Execution& execution) {
   return guard_internal([&]() -> Result<std::vector<DelaunayVertex>> {
-    if (Result<void> fine = check_points2(points); !fine) return fine.error();
+    if (Result<void> fine = triangulation2::check_points(points); !fine) return fine.error();
     if (constraint_count() != 0) {
       // What was divided is not joined again: a copy can be let go.
       auto copy = std::make_unique<Impl>(*impl_);
