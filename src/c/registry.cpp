@@ -31,6 +31,7 @@ const char* name_of(HandleType type) {
     case HandleType::triangulation: return "a triangulation";
     case HandleType::points: return "points";
     case HandleType::delaunay: return "a Delaunay triangulation";
+    case HandleType::delaunay_plane: return "a Delaunay triangulation of the plane";
   }
   return "nothing";
 }

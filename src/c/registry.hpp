@@ -23,6 +23,7 @@ enum class HandleType : std::uint8_t {
   triangulation,
   points,
   delaunay,
+  delaunay_plane,
 };
 /// "stack", with its article: "a stack".
 [[nodiscard]] const char* name_of(HandleType type);

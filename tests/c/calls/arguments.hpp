@@ -39,8 +39,9 @@ enum class Kind {
   triangulation,
   points,
   delaunay,
+  delaunay_plane,
 };
-inline constexpr int kKinds = 13;
+inline constexpr int kKinds = 14;
 
 template <class Handle>
 struct KindOf;
@@ -62,6 +63,7 @@ TETLOFT_KIND(mesh)
 TETLOFT_KIND(triangulation)
 TETLOFT_KIND(points)
 TETLOFT_KIND(delaunay)
+TETLOFT_KIND(delaunay_plane)
 #undef TETLOFT_KIND
 
 /// The _free function of a kind.

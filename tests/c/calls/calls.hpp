@@ -22,6 +22,7 @@ struct Call {
 [[nodiscard]] std::span<const Call> calls_of_models();    // with reconstruction, surfaces, pictures
 [[nodiscard]] std::span<const Call> calls_of_meshes();    // with verdicts, triangulations, points
 [[nodiscard]] std::span<const Call> calls_of_delaunay();  // triangulations that change
+[[nodiscard]] std::span<const Call> calls_of_planes();    // the same in the plane
 
 /// All of them, by name.
 [[nodiscard]] std::vector<Call> all_calls();
