@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -96,6 +97,14 @@ class tetloft::DelaunayTriangulation2::Impl {
       if (vertex_of[i] != all[i]) places.give_back(i);
     }
     return vertex_of;
+  }
+  /// The first points there are, by place, and those that have a vertex. False where two of these
+  /// are equal.
+  [[nodiscard]] bool take_vertices(std::span<const Point2> points,
+                                   std::span<const std::uint32_t> live) {
+    for (std::size_t i = 0; i < points.size(); ++i) plane.provide(VertexId(i), points[i]);
+    const std::vector<VertexId> vertices(live.begin(), live.end());
+    return live.empty() || plane.build(vertices, {.threads = 1}) == vertices;
   }
   /// What is said of a vertex that a constraint goes over, if one does.
   [[nodiscard]] Result<void> check_free(VertexId v) const {
