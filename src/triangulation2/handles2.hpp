@@ -122,11 +122,20 @@ class tetloft::DelaunayTriangulation2::Impl {
     return c.index() < ends.size() && ends[c][0].valid();
   }
   [[nodiscard]] Result<void> check_ends(const std::array<DelaunayVertex, 2>& segment) const;
+  /// The vertices on the segment from u to v, in order; refused where it crosses a constraint.
+  [[nodiscard]] Result<std::vector<VertexId>> path_between(VertexId u, VertexId v) const;
+  /// A constraint comes to go over a path between two of its vertices.
+  void lay(ConstraintId c, std::span<const VertexId> path);
   [[nodiscard]] Result<ConstraintId> constrain(VertexId u, VertexId v);
-  /// What it has done when it fails stays.
+  // What these have done when they fail stays.
   [[nodiscard]] Result<ConstraintId> constrain_dividing(VertexId u, VertexId v);
   [[nodiscard]] Result<ConstraintId> constrain_one(const std::array<DelaunayVertex, 2>& segment,
                                                    Crossing crossing);
+  /// False where one is refused.
+  [[nodiscard]] bool constrain_in_any_order(
+      std::span<const std::array<DelaunayVertex, 2>> segments);
+  [[nodiscard]] Result<void> constrain_in_order(
+      std::span<const std::array<DelaunayVertex, 2>> segments, Crossing crossing);
   [[nodiscard]] std::vector<std::array<VertexId, 2>> edges_of(ConstraintId c) const;
 
   /// Points one after the other, along a curve: each search starts at the last one.
