@@ -65,6 +65,19 @@ class Incremental2 {
   }
   /// The vertex of t at p, or invalid.
   [[nodiscard]] SiteId vertex_at(const Point2& p, TriangleId t) const;
+  /// What an insertion removes, and the edges that it joins to the new vertex.
+  struct HorizonEdge {
+    SiteId from;  ///< directed counter-clockwise around the cavity
+    SiteId to;
+    HalfEdgeId outer;  ///< the edge's side that stays
+    LabelId label;
+  };
+  struct Conflict {
+    std::vector<TriangleId> zone;
+    std::vector<HorizonEdge> horizon;  ///< in order, counter-clockwise
+  };
+  /// That of p, for t as locate() finds it. Requires that p is no vertex of t. Changes nothing.
+  [[nodiscard]] Conflict conflict(const Point2& p, TriangleId t) const;
 
   // Labelled edges as walls: what is behind one is not seen, and counts for nothing in circles. The
   // triangulation is the constrained one then, unique like the other. See walls.cpp.
@@ -138,13 +151,6 @@ class Incremental2 {
     std::array<SiteId, 3> apex;          // the vertex that half-edge i is opposite to
     std::array<HalfEdgeId, 3> opposite;  // the other side of half-edge i
   };
-  struct HorizonEdge {
-    SiteId from;  // directed counter-clockwise around the cavity
-    SiteId to;
-    HalfEdgeId outer;  // the edge's side that stays
-    LabelId label;
-  };
-
   [[nodiscard]] const Triangle& at(HalfEdgeId h) const { return triangles_[triangle(h).index()]; }
   void set_opposite(HalfEdgeId h, HalfEdgeId other) {
     triangles_[triangle(h).index()].opposite[h.value() & 3U] = other;
@@ -159,10 +165,11 @@ class Incremental2 {
   [[nodiscard]] TriangleId locate(const Filter& filter, const Point2& p, TriangleId hint) const;
   [[nodiscard]] TriangleId walk_among_walls(const Filter& filter, const Point2& p,
                                             HalfEdgeId entry) const;
-  [[nodiscard]] bool in_conflict(TriangleId t, const Point2& p) const;
-  [[nodiscard]] bool decide_conflict(TriangleId t, const Point2& p) const;
-  void collect_conflict_zone(const Point2& p, TriangleId first);
-  SiteId divide(HalfEdgeId wall, const Point2& p, TriangleId at);
+  [[nodiscard]] bool in_conflict(const Filter& filter, TriangleId t, const Point2& p) const;
+  [[nodiscard]] bool decide_conflict(const Filter& filter, TriangleId t, const Point2& p) const;
+  void collect_conflict(const Filter& filter, const Point2& p, TriangleId first, HalfEdgeId open,
+                        Conflict& conflict, std::vector<HalfEdgeId>& stack) const;
+  void note_touched();
   void provide_memory();
   [[nodiscard]] SiteId take_site(const Point2& p);
   void star_cavity(SiteId v);
@@ -205,9 +212,8 @@ class Incremental2 {
   bool walls_ = false;
   bool stack_is_short_ = false;  // memory ended when an edge was to be pushed
 
-  std::vector<TriangleId> zone_;      // scratch of insert()
-  std::vector<HorizonEdge> horizon_;  // scratch of insert()
-  std::vector<HalfEdgeId> stack_;     // scratch of collect_conflict_zone() and remove()
+  Conflict conflict_;              // scratch of insert()
+  std::vector<HalfEdgeId> stack_;  // scratch of insert() and remove()
   std::vector<LabelId> touched_;
 };
 

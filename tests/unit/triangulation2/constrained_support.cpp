@@ -51,6 +51,36 @@ testing::AssertionResult covers_its_segment(const DelaunayTriangulation2& t, Con
   return testing::AssertionSuccess();
 }
 
+std::set<std::array<DelaunayVertex, 3>> triangles_by_vertices(const DelaunayTriangulation2& t) {
+  std::set<std::array<DelaunayVertex, 3>> result;
+  for (const TriangleId triangle : t.triangles()) {
+    auto v = t.vertices(triangle);
+    std::sort(v.begin(), v.end());
+    result.insert(v);
+  }
+  return result;
+}
+
+DelaunayTriangulation2 constrained_at_random(const PlaneSource& source, Prng& prng) {
+  DelaunayTriangulation2 t;
+  for (int step = 0; step < 60; ++step) {
+    const std::vector<DelaunayVertex> live = live_vertices(t);
+    const auto draw = [&] { return live[prng.below(live.size())]; };
+    const std::vector<ConstraintId> constraints = t.constraints();
+    if (live.size() < 6 || prng.chance(0.55)) {
+      (void)value_of(t.insert(source.draw(prng)));
+    } else if (prng.chance(0.2)) {
+      (void)t.remove(draw());  // refused where a constraint holds it
+    } else if (!constraints.empty() && prng.chance(0.2)) {
+      succeed(t.remove_constraint(constraints[prng.below(constraints.size())]));
+    } else {
+      (void)t.insert_constraint(draw(), draw(),
+                                prng.chance(0.5) ? Crossing::split : Crossing::refuse);
+    }
+  }
+  return t;
+}
+
 namespace {
 
 // Of points whose coordinates are multiples of three, few: no vertex in a triangle's perturbed
