@@ -1012,6 +1012,22 @@ TETLOFT_C_API tetloft_status tetloft_delaunay_plane_within(const tetloft_delauna
                                                            uint64_t* vertices, size_t capacity,
                                                            size_t* count);
 
+/* Of the triangles whose circles hold the point those from which it is seen, past no constraint but
+ * one that it lies on. The horizon's edges, two vertices each, one behind the other,
+ * counter-clockwise around the point, from the vertex of lowest index, or where the point lies
+ * outside or on the hull from one end to the other. */
+TETLOFT_C_API tetloft_status tetloft_delaunay_plane_conflict_zone(
+    const tetloft_delaunay_plane* delaunay, double x, double y, uint64_t near, uint64_t* triangles,
+    size_t triangle_capacity, size_t* triangle_count, uint64_t* horizon, size_t horizon_capacity,
+    size_t* horizon_count, uint64_t* neighbours, size_t neighbour_capacity,
+    size_t* neighbour_count);
+
+/* With the constraints. */
+TETLOFT_C_API tetloft_status
+tetloft_delaunay_plane_serialise(const tetloft_delaunay_plane* delaunay, tetloft_bytes** bytes);
+TETLOFT_C_API tetloft_status tetloft_delaunay_plane_deserialise(const void* data, size_t size,
+                                                                tetloft_delaunay_plane** delaunay);
+
 /* --- points from files (tetloft/formats.hpp) ------------------------------------------------- */
 
 typedef struct tetloft_points tetloft_points;

@@ -6,6 +6,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -20,6 +23,17 @@
 #include "c/vertex_numbers.hpp"
 
 namespace tetloft::internal::c {
+
+/// Of edges.
+template <std::size_t n>
+[[nodiscard]] std::vector<std::array<VertexNumber, n>> vertex_numbers(
+    const std::vector<std::array<DelaunayVertex, n>>& simplices) {
+  std::vector<std::array<VertexNumber, n>> numbers;
+  for (const std::array<DelaunayVertex, n>& vertices : simplices) {
+    numbers.push_back(vertex_numbers(vertices));
+  }
+  return numbers;
+}
 
 /// Copies the parts of a conflict zone to the caller's arrays: all of them, or none.
 template <class Cell, class Face>
@@ -272,6 +286,27 @@ class Changing {
                                VertexNumber* vertices, std::size_t capacity, std::size_t* count) {
     return found(delaunay, vertices, capacity, count, "vertices", [&](const Triangulation& t) {
       return vertex_numbers(value_of(t.vertices_within(point, radius)));
+    });
+  }
+
+  static tetloft_status serialise(const Handle* delaunay, tetloft_bytes** bytes) {
+    clear(bytes);
+    return answer([&] {
+      const auto value = value_of_handle(delaunay, "delaunay");
+      require_output(bytes, "bytes");
+      const std::vector<std::byte> made =
+          value_of(value->ask([](const Triangulation& t) { return t.serialise(); }));
+      hand_out(bytes, std::string(reinterpret_cast<const char*>(made.data()), made.size()));
+    });
+  }
+
+  static tetloft_status deserialise(const void* data, std::size_t size, Handle** delaunay) {
+    clear(delaunay);
+    return answer([&] {
+      require_output(delaunay, "delaunay");
+      const std::string_view bytes = bytes_of(data, size);
+      hand_out(delaunay, ValueOf<Handle>(value_of(Triangulation::deserialise(
+                             std::as_bytes(std::span(bytes.data(), bytes.size()))))));
     });
   }
 

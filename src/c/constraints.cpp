@@ -125,14 +125,10 @@ tetloft_status tetloft_delaunay_plane_constraint_ends(const tetloft_delaunay_pla
 tetloft_status tetloft_delaunay_plane_constraint_edges(const tetloft_delaunay_plane* delaunay,
                                                        uint32_t constraint, uint64_t* edges,
                                                        size_t capacity, size_t* count) {
-  return ConstrainedPlane::found(
-      delaunay, edges, capacity, count, "edges", [&](const DelaunayTriangulation2& t) {
-        std::vector<std::array<VertexNumber, 2>> numbers;
-        for (const auto& edge : t.edges(live_constraint(t, constraint))) {
-          numbers.push_back(vertex_numbers(edge));
-        }
-        return numbers;
-      });
+  return ConstrainedPlane::found(delaunay, edges, capacity, count, "edges",
+                                 [&](const DelaunayTriangulation2& t) {
+                                   return vertex_numbers(t.edges(live_constraint(t, constraint)));
+                                 });
 }
 
 tetloft_status tetloft_delaunay_plane_edge_constraints(const tetloft_delaunay_plane* delaunay,

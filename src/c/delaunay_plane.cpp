@@ -141,3 +141,33 @@ tetloft_status tetloft_delaunay_plane_within(const tetloft_delaunay_plane* delau
                                              size_t capacity, size_t* count) {
   return ChangingPlane::within(delaunay, {x, y}, radius, vertices, capacity, count);
 }
+
+tetloft_status tetloft_delaunay_plane_conflict_zone(const tetloft_delaunay_plane* delaunay,
+                                                    double x, double y, uint64_t near,
+                                                    uint64_t* triangles, size_t triangle_capacity,
+                                                    size_t* triangle_count, uint64_t* horizon,
+                                                    size_t horizon_capacity, size_t* horizon_count,
+                                                    uint64_t* neighbours, size_t neighbour_capacity,
+                                                    size_t* neighbour_count) {
+  clear(triangle_count, horizon_count, neighbour_count);
+  return answer([&] {
+    value_of_handle(delaunay, "delaunay")->ask([&](const DelaunayTriangulation2& t) {
+      const tetloft::ConflictZone2 zone = value_of(t.conflict_zone({x, y}, vertex_of_number(near)));
+      fill_zone(ChangingPlane::corners(t, zone.triangles),
+                {triangles, triangle_capacity, triangle_count, "triangles"},
+                vertex_numbers(zone.horizon), {horizon, horizon_capacity, horizon_count, "horizon"},
+                vertex_numbers(zone.neighbours),
+                {neighbours, neighbour_capacity, neighbour_count, "neighbours"});
+    });
+  });
+}
+
+tetloft_status tetloft_delaunay_plane_serialise(const tetloft_delaunay_plane* delaunay,
+                                                tetloft_bytes** bytes) {
+  return ChangingPlane::serialise(delaunay, bytes);
+}
+
+tetloft_status tetloft_delaunay_plane_deserialise(const void* data, size_t size,
+                                                  tetloft_delaunay_plane** delaunay) {
+  return ChangingPlane::deserialise(data, size, delaunay);
+}

@@ -1,10 +1,6 @@
 // Delaunay triangulations of points in space that change.
 #include <tetloft/delaunay_triangulation3.hpp>
 
-#include <array>
-#include <string>
-#include <vector>
-
 #include "c/changing.hpp"
 
 namespace tetloft::internal::c {
@@ -156,23 +152,10 @@ tetloft_status tetloft_delaunay_conflict_zone(const tetloft_delaunay* delaunay, 
 }
 
 tetloft_status tetloft_delaunay_serialise(const tetloft_delaunay* delaunay, tetloft_bytes** bytes) {
-  clear(bytes);
-  return answer([&] {
-    const auto value = value_of_handle(delaunay, "delaunay");
-    require_output(bytes, "bytes");
-    const std::vector<std::byte> made =
-        value_of(value->ask([](const DelaunayTriangulation3& t) { return t.serialise(); }));
-    hand_out(bytes, std::string(reinterpret_cast<const char*>(made.data()), made.size()));
-  });
+  return ChangingSpace::serialise(delaunay, bytes);
 }
 
 tetloft_status tetloft_delaunay_deserialise(const void* data, size_t size,
                                             tetloft_delaunay** delaunay) {
-  clear(delaunay);
-  return answer([&] {
-    require_output(delaunay, "delaunay");
-    const std::string_view bytes = bytes_of(data, size);
-    hand_out(delaunay, ValueOf<tetloft_delaunay>(value_of(DelaunayTriangulation3::deserialise(
-                           std::as_bytes(std::span(bytes.data(), bytes.size()))))));
-  });
+  return ChangingSpace::deserialise(data, size, delaunay);
 }

@@ -27,6 +27,17 @@ namespace {
 // So many points between two looks at the stop token.
 constexpr std::size_t kPointsOfLook2 = 4096;
 
+// Around the ghost the hull is met clockwise, as the plane is seen from outside.
+template <class Use>
+void for_each_on_hull(const Incremental2& plane, Use&& use) {
+  const HalfEdgeId first = plane.out(Incremental2::kGhost);
+  HalfEdgeId h = first;
+  do {
+    use(plane.destination(h));
+    h = plane.rotate_back(h);
+  } while (h != first);
+}
+
 }  // namespace
 
 const DelaunayTriangulation2::Impl& DelaunayTriangulation2::get() const {
@@ -179,7 +190,9 @@ bool DelaunayTriangulation2::is_live(TriangleId t) const { return get().is_live(
 
 // The other ones are one ghost for each edge of the hull.
 std::size_t DelaunayTriangulation2::triangle_count() const {
-  return dimension() < 2 ? 0 : triangle_slots() - hull().size();
+  std::size_t count = triangle_slots();
+  if (count != 0) for_each_on_hull(get().plane.triangles(), [&](SiteId) { --count; });
+  return count;
 }
 
 DelaunayVertex DelaunayTriangulation2::vertex_at(std::size_t index) const {
@@ -223,7 +236,6 @@ LiveRange<DelaunayTriangulation2, TriangleId> DelaunayTriangulation2::triangles(
   return LiveRange<DelaunayTriangulation2, TriangleId>(*this);
 }
 
-// Around the ghost the hull is met clockwise, as the plane is seen from outside.
 std::vector<DelaunayVertex> DelaunayTriangulation2::hull() const {
   const Impl& impl = get();
   std::vector<DelaunayVertex> result;
@@ -231,13 +243,7 @@ std::vector<DelaunayVertex> DelaunayTriangulation2::hull() const {
     for (const VertexId v : impl.plane.row()) result.push_back(impl.handle(v));
     return result;
   }
-  const Incremental2& plane = impl.plane.triangles();
-  const HalfEdgeId first = plane.out(Incremental2::kGhost);
-  HalfEdgeId h = first;
-  do {
-    result.push_back(impl.handle(plane.destination(h)));
-    h = plane.rotate_back(h);
-  } while (h != first);
+  for_each_on_hull(impl.plane.triangles(), [&](SiteId s) { result.push_back(impl.handle(s)); });
   std::rotate(result.begin(), std::min_element(result.begin(), result.end()), result.end());
   return result;
 }

@@ -54,13 +54,11 @@ void expect_same_constraint(const tetloft_delaunay_plane* c, const DelaunayTrian
   EdgeNumbers ends{};
   ASSERT_OK(tetloft_delaunay_plane_constraint_ends(c, of.value(), ends.data()));
   EXPECT_EQ(ends, numbers(t.ends(of)));
-  std::vector<EdgeNumbers> edges;
-  for (const auto& edge : t.edges(of)) edges.push_back(numbers(edge));
   expect_found<EdgeNumbers, Number>(
       [&](auto* a, auto n, auto* count) {
         return tetloft_delaunay_plane_constraint_edges(c, of.value(), a, n, count);
       },
-      edges);
+      numbers(t.edges(of)));
   int has = 7;
   ASSERT_OK(tetloft_delaunay_plane_has_constraint(c, of.value(), &has));
   EXPECT_EQ(has, 1);
@@ -192,8 +190,18 @@ TEST_F(ChangingPlaneOfC, HasTheHistoryOfCpp) {
   expect_same_plane(c, t);
   Owned<tetloft_delaunay_plane> copy;
   ASSERT_OK(tetloft_delaunay_plane_copy(c, copy.out()));
+  Owned<tetloft_bytes> bytes;
+  ASSERT_OK(tetloft_delaunay_plane_serialise(c, bytes.out()));
   ASSERT_OK(tetloft_delaunay_plane_clear(c));
   expect_same_plane(copy, t);
+  const std::string data = bytes_of(bytes);
+  const auto expected = t.serialise().value();
+  EXPECT_EQ(data, std::string(reinterpret_cast<const char*>(expected.data()), expected.size()));
+  Owned<tetloft_delaunay_plane> read;
+  ASSERT_OK(tetloft_delaunay_plane_deserialise(data.data(), data.size(), read.out()));
+  expect_same_plane(read, DelaunayTriangulation2::deserialise(expected).value());
+  EXPECT_EQ(tetloft_delaunay_plane_deserialise(data.data(), data.size() - 1, read.out()),
+            TETLOFT_INVALID_INPUT);
   expect_same_plane(c, DelaunayTriangulation2());
 }
 
@@ -238,6 +246,12 @@ TEST_F(ChangingPlaneOfC, AnswersAsCpp) {
             return tetloft_delaunay_plane_within(c, q.x, q.y, 1.5, a, n, count);
           },
           numbers(t.vertices_within(q, 1.5).value()));
+      const ConflictZone2 zone = t.conflict_zone(q).value();
+      expect_zone<3>(
+          [&](auto... parts) {
+            return tetloft_delaunay_plane_conflict_zone(c, q.x, q.y, nearest[i], parts...);
+          },
+          corners<3>(t, zone.triangles), numbers(zone.horizon), numbers(zone.neighbours));
     }
     std::size_t count = 0;
     EXPECT_EQ(tetloft_delaunay_plane_within(c, 0, 0, -1, nullptr, 0, &count),

@@ -1,7 +1,5 @@
 // Delaunay triangulations that change: the five points of two tets, numbered as they come.
-#include <algorithm>
 #include <array>
-#include <new>
 
 #include "c/calls/calls.hpp"
 #include "c/calls/changing.hpp"
@@ -25,23 +23,6 @@ tetloft_status about(A& a, Query query, Limit limit) {
   const double z = a.real(0.25);
   const auto array = a.output_array<std::uint64_t>();
   return query(delaunay, x, y, z, limit, array.data, array.size, a.output<std::size_t>());
-}
-
-// What serialise() makes.
-std::vector<char> delaunay_bytes() {
-  auto* const delaunay = static_cast<tetloft_delaunay*>(new_handle(Kind::delaunay));
-  tetloft_bytes* bytes = nullptr;
-  const tetloft_status status = tetloft_delaunay_serialise(delaunay, &bytes);
-  free_handle(Kind::delaunay, delaunay);
-  if (status != TETLOFT_OK) throw std::bad_alloc();
-  const void* data = nullptr;
-  std::size_t size = 0;
-  tetloft_bytes_data(bytes, &data, &size);
-  std::array<char, 1024> copy{};
-  size = std::min(size, copy.size());
-  std::copy_n(static_cast<const char*>(data), size, copy.begin());
-  free_handle(Kind::bytes, bytes);
-  return {copy.begin(), copy.begin() + static_cast<std::ptrdiff_t>(size)};
 }
 
 constexpr auto kCalls = std::to_array<Call>({
@@ -143,14 +124,9 @@ constexpr auto kCalls = std::to_array<Call>({
        const double y = a.real(0.25);
        const double z = a.real(0.125);
        const std::uint64_t near = vertex(a, 3);
-       const auto tets = a.output_array<std::uint64_t>(4);
-       auto* const tet_count = a.output<std::size_t>();
-       const auto horizon = a.output_array<std::uint64_t>(3);
-       auto* const horizon_count = a.output<std::size_t>();
-       const auto neighbours = a.output_array<std::uint64_t>();
-       return tetloft_delaunay_conflict_zone(
-           delaunay, x, y, z, near, tets.data, tets.size, tet_count, horizon.data, horizon.size,
-           horizon_count, neighbours.data, neighbours.size, a.output<std::size_t>());
+       return zone(a, 4, [&](auto... parts) {
+         return tetloft_delaunay_conflict_zone(delaunay, x, y, z, near, parts...);
+       });
      }},
     {"tetloft_delaunay_serialise",
      [](A& a) {
@@ -159,7 +135,7 @@ constexpr auto kCalls = std::to_array<Call>({
      }},
     {"tetloft_delaunay_deserialise",
      [](A& a) {
-       const auto data = a.array(delaunay_bytes());
+       const auto data = a.array(serialised<D>(tetloft_delaunay_serialise));
        return tetloft_delaunay_deserialise(data.data, data.size,
                                            a.handle_output<tetloft_delaunay>());
      }},

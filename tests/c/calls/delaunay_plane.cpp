@@ -188,6 +188,26 @@ constexpr auto kPlaneCalls = std::to_array<Call>({
      }},
     {"tetloft_delaunay_plane_within",
      [](A& a) { return about_plane(a, tetloft_delaunay_plane_within, a.real(0.75)); }},
+    {"tetloft_delaunay_plane_conflict_zone",
+     [](A& a) {
+       auto* const delaunay = a.handle<P>();
+       const double x = a.real(0.5);
+       const double y = a.real(0.25);
+       const std::uint64_t near = vertex(a, 3);
+       return zone(a, 3, [&](auto... parts) {
+         return tetloft_delaunay_plane_conflict_zone(delaunay, x, y, near, parts...);
+       });
+     }},
+    {"tetloft_delaunay_plane_serialise",
+     [](A& a) {
+       auto* const delaunay = a.handle<P>();
+       return tetloft_delaunay_plane_serialise(delaunay, a.handle_output<tetloft_bytes>());
+     }},
+    {"tetloft_delaunay_plane_deserialise",
+     [](A& a) {
+       const auto data = a.array(serialised<P>(tetloft_delaunay_plane_serialise));
+       return tetloft_delaunay_plane_deserialise(data.data, data.size, a.handle_output<P>());
+     }},
 });
 
 }  // namespace
