@@ -140,6 +140,26 @@ class Incremental2 {
   /// The half-edge from a to b, or invalid. O(smaller degree).
   [[nodiscard]] HalfEdgeId find_edge(SiteId a, SiteId b) const;
 
+  /// The edge that the segment from a to b leaves the star of a by, its origin to the right; or
+  /// invalid, and `along` is the neighbour of a on the segment.
+  [[nodiscard]] HalfEdgeId first_crossed(SiteId a, SiteId b, SiteId& along) const;
+  /// The first vertex that the segment from a to b meets. `cross(h)` is told of all edges that it
+  /// crosses before, in order, h from the right of the segment to its left.
+  template <class Cross>
+  SiteId follow(SiteId a, SiteId b, const Cross& cross) const {
+    SiteId met;
+    HalfEdgeId h = first_crossed(a, b, met);
+    while (!met.valid()) {
+      cross(h);
+      const HalfEdgeId across = opposite(h);
+      const SiteId v = apex(across);
+      const Sign side = side_of_segment(a, b, v);
+      if (side == Sign::zero) met = v;
+      h = side == Sign::positive ? next(across) : previous(across);
+    }
+    return met;
+  }
+
   /// Labels the edge, on both sides. A label stays while its edge does.
   void set_label(HalfEdgeId h, LabelId label);
   /// The labels of edges of which an insertion removed a triangle, since the last call;
@@ -193,7 +213,7 @@ class Incremental2 {
     SiteId from;  // clockwise from what is to become the new edge beside the vertex
     SiteId to;
   };
-  [[nodiscard]] HalfEdgeId first_crossed(SiteId a, SiteId b, SiteId& along) const;
+  [[nodiscard]] Sign side_of_segment(SiteId a, SiteId b, SiteId v) const;
   [[nodiscard]] Corner corner_between(SiteId a, SiteId b) const;
   void cut_off(const Corner& corner);
   [[nodiscard]] LabelId label(HalfEdgeId h) const {

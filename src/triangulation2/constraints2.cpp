@@ -24,6 +24,7 @@ using triangulation2::EdgesOfPlane;
 using triangulation2::HalfEdgeId;
 using triangulation2::Incremental2;
 using triangulation2::LivePlane;
+using triangulation2::Wall;
 
 namespace {
 
@@ -41,7 +42,7 @@ Error crossed_by(const LivePlane& plane, const std::array<VertexId, 2>& wall, Ve
   Error error{ErrorCode::invalid_input,
               "a constraint of vertices " + std::to_string(u.value()) + " and " +
                   std::to_string(v.value()) + " crosses constraint " +
-                  std::to_string(plane.walls().over(wall[0], wall[1])->front().value()),
+                  std::to_string(plane.walls().find(wall[0], wall[1])->lowest().value()),
               {}};
   const std::optional<Point2> at = triangulation2::crossing_of(
       plane.point(u), plane.point(v), plane.point(wall[0]), plane.point(wall[1]));
@@ -63,7 +64,7 @@ Result<void> DelaunayTriangulation2::Impl::check_ends(
 }
 
 Result<std::vector<VertexId>> DelaunayTriangulation2::Impl::path_between(VertexId u,
-                                                                        VertexId v) const {
+                                                                         VertexId v) const {
   std::vector<VertexId> path{u};
   while (path.back() != v) {
     const LivePlane::Step step = plane.step(path.back(), v);
@@ -76,7 +77,7 @@ Result<std::vector<VertexId>> DelaunayTriangulation2::Impl::path_between(VertexI
 void DelaunayTriangulation2::Impl::lay(ConstraintId c, std::span<const VertexId> path) {
   std::size_t made = 0;
   try {
-    for (; made + 1 < path.size(); ++made) plane.add_to_edge(path[made], path[made + 1], {c});
+    for (; made + 1 < path.size(); ++made) plane.add_to_edge(path[made], path[made + 1], {&c, 1});
   } catch (...) {
     while (made-- > 0) plane.take_from_edge(path[made], path[made + 1], c);
     throw;
@@ -160,7 +161,7 @@ Result<ConstraintId> DelaunayTriangulation2::Impl::constrain_dividing(VertexId u
     pieces.push_back({piece.of, x, piece.to});
     pieces.push_back({piece.of, piece.from, x});
     // Gone where x lies on it and has divided it.
-    if (x == p || x == q || plane.walls().over(p, q) == nullptr) continue;
+    if (x == p || x == q || plane.walls().find(p, q) == nullptr) continue;
     const std::vector<ConstraintId> over = plane.open_edge(p, q);
     pieces.push_back({over, p, x});
     pieces.push_back({over, x, q});
@@ -176,11 +177,8 @@ std::vector<std::array<VertexId, 2>> DelaunayTriangulation2::Impl::edges_of(Cons
     const VertexId v = open.back();
     open.pop_back();
     EdgesOfPlane(plane).for_each_neighbour(v, [&](VertexId u) {
-      const std::vector<ConstraintId>* over = plane.walls().over(v, u);
-      if (over != nullptr && std::binary_search(over->begin(), over->end(), c) &&
-          edges.insert(triangulation2::Walls::edge(v, u)).second) {
-        open.push_back(u);
-      }
+      const Wall* wall = plane.walls().find(v, u);
+      if (wall != nullptr && wall->has(c) && edges.insert(wall->edge()).second) open.push_back(u);
       return true;
     });
   }
@@ -265,9 +263,9 @@ std::vector<ConstraintId> DelaunayTriangulation2::constraints() const {
 std::vector<ConstraintId> DelaunayTriangulation2::constraints(DelaunayVertex u,
                                                               DelaunayVertex v) const {
   const Impl& impl = get();
-  const std::vector<ConstraintId>* over = impl.plane.walls().over(impl.id(u), impl.id(v));
-  if (over == nullptr) return {};
-  std::vector<ConstraintId> result = *over;
+  const Wall* wall = impl.plane.walls().find(impl.id(u), impl.id(v));
+  if (wall == nullptr) return {};
+  std::vector<ConstraintId> result = wall->constraints();
   result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;
 }
@@ -293,9 +291,9 @@ Result<std::vector<TriangleId>> DelaunayTriangulation2::inside() const {
   return guard_internal([&]() -> Result<std::vector<TriangleId>> {
     const Impl& impl = get();
     std::vector<bool> is_odd(impl.places.size());
-    for (const auto& [edge, over] : impl.plane.walls().edges()) {
-      if (over.size() % 2 == 0) continue;
-      for (const VertexId v : edge) is_odd[v.index()] = !is_odd[v.index()];
+    for (const Wall& wall : impl.plane.walls().all()) {
+      if (wall.count() % 2 == 0) continue;
+      for (const VertexId v : wall.edge()) is_odd[v.index()] = !is_odd[v.index()];
     }
     if (const auto end = std::find(is_odd.begin(), is_odd.end(), true); end != is_odd.end()) {
       Error error{ErrorCode::invalid_input, "a constraint ends where no other goes on", {}};
@@ -309,7 +307,7 @@ Result<std::vector<TriangleId>> DelaunayTriangulation2::inside() const {
       if (!plane.is_wall(h)) return false;
       const VertexId from = impl.plane.vertex(plane.origin(h));
       const VertexId to = impl.plane.vertex(plane.destination(h));
-      return impl.plane.walls().over(from, to)->size() % 2 != 0;
+      return impl.plane.walls().find(from, to)->count() % 2 != 0;
     };
     enum class Side : std::uint8_t { unknown, outside, inside };
     std::vector<Side> side(plane.triangle_count(), Side::unknown);

@@ -123,10 +123,10 @@ class tetloft::DelaunayTriangulation2::Impl {
   }
   /// What is said of a vertex that a constraint goes over, if one does.
   [[nodiscard]] Result<void> check_free(VertexId v) const {
-    const std::vector<ConstraintId>* over = plane.wall_of(v);
-    if (over == nullptr) return {};
+    const internal::triangulation2::Wall* wall = plane.wall_of(v);
+    if (wall == nullptr) return {};
     Error error{ErrorCode::invalid_input,
-                "constraint " + std::to_string(over->front().value()) + " goes over the vertex",
+                "constraint " + std::to_string(wall->lowest().value()) + " goes over the vertex",
                 {}};
     error.where.vertex = v.index();
     return error;

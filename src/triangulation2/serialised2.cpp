@@ -34,14 +34,18 @@ using EndsOfConstraints = IdVector<ConstraintId, std::array<VertexId, 2>>;
 struct Piece2 {
   std::array<VertexId, 2> edge;  // by increasing id
   ConstraintId of;
-  [[nodiscard]] auto key() const { return std::tie(edge[0], edge[1], of); }
 };
+
+bool is_before(const Piece2& a, const Piece2& b) {
+  return std::tie(a.edge, a.of) < std::tie(b.edge, b.of);
+}
 
 std::vector<Piece2> pieces_of(const LivePlane& plane) {
   std::vector<Piece2> pieces;
-  for (const auto& [edge, over] : plane.walls().edges()) {
-    for (const ConstraintId c : over) pieces.push_back({edge, c});
+  for (const triangulation2::Wall& wall : plane.walls().all()) {
+    for (const ConstraintId c : wall.constraints()) pieces.push_back({wall.edge(), c});
   }
+  std::sort(pieces.begin(), pieces.end(), is_before);
   return pieces;
 }
 
@@ -68,8 +72,7 @@ std::vector<Piece2> read_pieces(RecordReader& reader, const LivePlane& plane,
     reader.require(piece.of.index() < ends.size() && ends[piece.of][0].valid(),
                    "has an edge of a constraint that there is none of");
   }
-  const auto by_key = [](const Piece2& a, const Piece2& b) { return a.key() < b.key(); };
-  reader.require(std::is_sorted(pieces.begin(), pieces.end(), by_key),
+  reader.require(std::is_sorted(pieces.begin(), pieces.end(), is_before),
                  "has edges of constraints that are not in order");
   return pieces;
 }
@@ -157,7 +160,8 @@ Result<DelaunayTriangulation2> DelaunayTriangulation2::deserialise(
     auto read = get_vertices<Point2>(reader, triangulation2::Incremental2::kMostVertices);
     DelaunayTriangulation2 result;
     Impl& impl = result.own();
-    reader.require(reader.refused() || impl.take_vertices(read.points, read.live), "has two vertices at one point");
+    reader.require(reader.refused() || impl.take_vertices(read.points, read.live),
+                   "has two vertices at one point");
     impl.places = std::move(read.places);
     impl.ends = read_ends(reader, impl.plane);
     const std::vector<Piece2> pieces = read_pieces(reader, impl.plane, impl.ends);

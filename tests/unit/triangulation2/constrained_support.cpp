@@ -61,6 +61,30 @@ std::set<std::array<DelaunayVertex, 3>> triangles_by_vertices(const DelaunayTria
   return result;
 }
 
+testing::AssertionResult are_same_constrained(const DelaunayTriangulation2& a,
+                                              const DelaunayTriangulation2& b) {
+  if (live_vertices(a) != live_vertices(b) || a.vertex_slots() != b.vertex_slots() ||
+      a.vertex_count() != b.vertex_count()) {
+    return testing::AssertionFailure() << "vertices";
+  }
+  for (const DelaunayVertex v : a.vertices()) {
+    if (a.point(v) != b.point(v)) return testing::AssertionFailure() << "a point";
+  }
+  if (a.dimension() != b.dimension() || a.edges() != b.edges() ||
+      triangles_by_vertices(a) != triangles_by_vertices(b)) {
+    return testing::AssertionFailure() << "triangles";
+  }
+  if (a.constraints() != b.constraints() || a.constraint_count() != b.constraint_count()) {
+    return testing::AssertionFailure() << "constraints";
+  }
+  for (const ConstraintId c : a.constraints()) {
+    if (a.ends(c) != b.ends(c) || a.edges(c) != b.edges(c)) {
+      return testing::AssertionFailure() << "a constraint";
+    }
+  }
+  return testing::AssertionSuccess();
+}
+
 DelaunayTriangulation2 constrained_at_random(const PlaneSource& source, Prng& prng) {
   DelaunayTriangulation2 t;
   for (int step = 0; step < 60; ++step) {

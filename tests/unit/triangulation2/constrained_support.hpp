@@ -25,6 +25,10 @@ using Edge = std::array<DelaunayVertex, 2>;
 [[nodiscard]] std::set<std::array<DelaunayVertex, 3>> triangles_by_vertices(
     const DelaunayTriangulation2& t);
 
+/// The same handles, points, constraints, edges and triangles?
+[[nodiscard]] testing::AssertionResult are_same_constrained(const DelaunayTriangulation2& a,
+                                                            const DelaunayTriangulation2& b);
+
 /// Points and constraints that came, divided each other where they cross, and went.
 [[nodiscard]] DelaunayTriangulation2 constrained_at_random(const PlaneSource& source, Prng& prng);
 
