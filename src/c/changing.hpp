@@ -87,8 +87,8 @@ class Changing {
       fill_array(value->ask(ask), array, capacity, count, name);
     });
   }
-  // The same where `number_of` tells the number of elements before `write` puts them there, which
-  // must not fail.
+  // The same where `number_of` tells the number of elements before `write` makes them, if they are
+  // to be made, and puts them there.
   template <class Number, class NumberOf, class Write>
   static tetloft_status counted(const Handle* handle, Number* array, std::size_t capacity,
                                 std::size_t* count, const char* name, NumberOf&& number_of,

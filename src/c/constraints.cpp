@@ -105,8 +105,12 @@ tetloft_status tetloft_delaunay_plane_has_constraint(const tetloft_delaunay_plan
 tetloft_status tetloft_delaunay_plane_constraints(const tetloft_delaunay_plane* delaunay,
                                                   uint32_t* constraints, size_t capacity,
                                                   size_t* count) {
-  return ConstrainedPlane::found(delaunay, constraints, capacity, count, "constraints",
-                                 [](const DelaunayTriangulation2& t) { return t.constraints(); });
+  return ConstrainedPlane::counted(
+      delaunay, constraints, capacity, count, "constraints",
+      [](const DelaunayTriangulation2& t) { return t.constraint_count(); },
+      [](const DelaunayTriangulation2& t, uint32_t* to) {
+        for (const ConstraintId c : t.constraints()) *to++ = c.value();
+      });
 }
 
 tetloft_status tetloft_delaunay_plane_constraint_ends(const tetloft_delaunay_plane* delaunay,

@@ -24,6 +24,9 @@ enum class HandleType : std::uint8_t {
   points,
   delaunay,
   delaunay_plane,
+  cells,
+  natural_neighbours,
+  periodic_tets,
 };
 /// "stack", with its article: "a stack".
 [[nodiscard]] const char* name_of(HandleType type);

@@ -3,18 +3,22 @@
 from __future__ import annotations
 
 import ctypes
-from ctypes import c_int, c_size_t, c_uint32, c_uint64
+from ctypes import c_double, c_int, c_size_t, c_uint32, c_uint64
+from typing import Any, Optional
 
 from . import _structs as structs
-from ._arrays import ArrayLike, Ids, Vertices, filled, vertex_tuples
+from ._arrays import ArrayLike, Doubles, Ids, Vertices, doubles, filled, vertex_tuples
 from ._changing import ChangingDelaunay, vertex_number
+from ._handles import Handle
 from ._library import lib
 from ._options import choice, whole
+from ._running import Progress, Run, Stop
+from .voronoi import NaturalNeighbours, VoronoiCell, VoronoiCells, check_values, clipping_box
 
 
 class DelaunayTriangulation3(ChangingDelaunay):
     """The Delaunay triangulation of the points that are there, whatever was done before: insert,
-    remove, move; nearest, locate, neighbours.
+    remove, move; nearest, locate, neighbours; Voronoi cells, natural neighbours.
 
     ``points``: (n, 3); vertex i is that of point i, of equal ones the first has it. A vertex is an
     integer, index + 2^32 · generation: the index is taken again when it is gone, the generation
@@ -50,7 +54,70 @@ class DelaunayTriangulation3(ChangingDelaunay):
     def tets(self) -> Vertices:
         """(m, 4) vertices. Where none was removed, and no points were equal, they are the rows of
         ``points``."""
-        return self._found("tets", c_uint64, 4)
+        return self._found(self._function("tets"), c_uint64, 4)
+
+    def cells(self, box: Optional[ArrayLike] = None, *, threads: int = 0,
+              progress: Optional[Progress] = None, stop: Optional[Stop] = None) -> VoronoiCells:
+        """The Voronoi cells of all vertices, by index: whole, or what of them is in a box, given as
+        its low and its high corner. Those in a box are bounded, and their volumes sum to its."""
+        clip, made, run = clipping_box(box), Handle("cells"), Run(threads, progress, stop)
+        run.call(lib.tetloft_delaunay_cells, self._open(), clip and clip.pointer, run.pointer,
+                 made.out)
+        return VoronoiCells._of(made)
+
+    def cell(self, vertex: int, box: Optional[ArrayLike] = None) -> VoronoiCell:
+        """That of one vertex."""
+        clip, made = clipping_box(box), Handle("cells")
+        lib.tetloft_delaunay_cell(self._open(), vertex_number(vertex), clip and clip.pointer, made.out)
+        return VoronoiCells._of(made)[0]
+
+    def volumes(self, *, threads: int = 0, progress: Optional[Progress] = None,
+                stop: Optional[Stop] = None) -> Doubles:
+        """(``slots``,): of all whole cells, by index of vertex, infinite where unbounded, 0 where
+        there is no vertex. Several times as fast as making the cells."""
+        run = Run(threads, progress, stop)
+
+        def ask(handle: Handle, *arguments: Any) -> None:
+            run.call(lib.tetloft_delaunay_volumes, handle, run.pointer, *arguments)
+
+        return self._found(ask, c_double, 1)
+
+    @property
+    def circumspheres(self) -> Doubles:
+        """(m, 4): centre and radius of the spheres through the vertices of ``tets``."""
+        return self._found(self._function("circumspheres"), c_double, 4)
+
+    def natural_neighbours(self, points: ArrayLike, weights: str = "sibson", *, threads: int = 0,
+                           progress: Optional[Progress] = None,
+                           stop: Optional[Stop] = None) -> NaturalNeighbours:
+        """The vertices that would be neighbours of each point of (n, 3), were it one, and their
+        weights: "sibson", by what its cell would take of theirs, or "laplace", by area over
+        distance of its faces, in less time. A vertex has itself alone, a point outside of the hull
+        none. The point is the weighted mean of its neighbours."""
+        given, made = doubles(points, 3, "points"), Handle("natural_neighbours")
+        run = Run(threads, progress, stop)
+        run.call(lib.tetloft_delaunay_natural_neighbours_all, self._open(), given.pointer,
+                 given.rows, choice(structs.WEIGHTS, weights, "weights"), run.pointer, made.out)
+        return NaturalNeighbours._of(made)
+
+    def interpolate(self, values: ArrayLike, points: ArrayLike, weights: str = "sibson", *,
+                    threads: int = 0, progress: Optional[Progress] = None,
+                    stop: Optional[Stop] = None) -> Doubles:
+        """Values between vertices: at each point of (n, 3) the weighted mean of those of its
+        natural neighbours, so that linear functions are reproduced. NaN outside of the hull.
+        ``values``: (``slots``,) or (``slots``, k), by index of vertex; where none was removed they
+        are those of the points that it was made of.
+
+        >>> t = DelaunayTriangulation3([(0, 0, 0), (2, 0, 0), (0, 2, 0), (0, 0, 2)])
+        >>> found = t.interpolate([7, 8, 9, 10], [(0.5, 0.5, 0.5), (2, 2, 2)])
+        >>> [round(float(value), 9) for value in found]
+        [8.5, nan]
+        """
+        given: Any = values if hasattr(values, "__len__") else list(values)  # type: ignore
+        check_values(given, self.slots)
+        found = self.natural_neighbours(points, weights, threads=threads, progress=progress,
+                                        stop=stop)
+        return found.mean(given)
 
 
 class DelaunayTriangulation2(ChangingDelaunay):
@@ -89,12 +156,12 @@ class DelaunayTriangulation2(ChangingDelaunay):
     def triangles(self) -> Vertices:
         """(m, 3) vertices, counter-clockwise. Where none was removed, and no points were equal,
         they are the rows of ``points``."""
-        return self._found("triangles", c_uint64, 3)
+        return self._found(self._function("triangles"), c_uint64, 3)
 
     def hull(self) -> Vertices:
         """The vertices on the hull, counter-clockwise from that of lowest index; of points in a row
         all of them, from one end to the other."""
-        return self._found("hull", c_uint64, 1)
+        return self._found(self._function("hull"), c_uint64, 1)
 
     def insert_constraint(self, u: int, v: int, crossing: str = "refuse") -> int:
         """The segment between two vertices, as a constraint.
@@ -131,7 +198,7 @@ class DelaunayTriangulation2(ChangingDelaunay):
     @property
     def constraints(self) -> Ids:
         """(k,), by number."""
-        return self._found("constraints", c_uint32, 1)
+        return self._found(self._function("constraints"), c_uint32, 1)
 
     def constraint_ends(self, constraint: int) -> tuple[int, int]:
         """The two vertices that it was given."""
@@ -141,16 +208,16 @@ class DelaunayTriangulation2(ChangingDelaunay):
 
     def constraint_edges(self, constraint: int) -> Vertices:
         """(k, 2): the edges that it goes over, each by index, sorted."""
-        return self._found("constraint_edges", c_uint64, 2, _constraint(constraint))
+        return self._found(self._function("constraint_edges"), c_uint64, 2, _constraint(constraint))
 
     def edge_constraints(self, u: int, v: int) -> Ids:
         """The constraints over an edge, by number; none where the vertices are not joined."""
-        return self._found("edge_constraints", c_uint32, 1, vertex_number(u), vertex_number(v))
+        return self._found(self._function("edge_constraints"), c_uint32, 1, vertex_number(u), vertex_number(v))
 
     def inside(self) -> Vertices:
         """(k, 3): the triangles that one comes to from outside across an odd number of constraints:
         of an outline and its holes what is between. Refused where constraints end."""
-        return self._found("inside", c_uint64, 3)
+        return self._found(self._function("inside"), c_uint64, 3)
 
 
 def _crossing(word: str) -> int:

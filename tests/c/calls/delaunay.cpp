@@ -12,8 +12,6 @@ namespace {
 using A = Arguments;
 using D = tetloft_delaunay;
 
-const std::vector<double> kQueries{0.1, 0.1, 0.1, 0.5, 0.5, 0, 9, 9, 9};
-
 // The vertices near a point, as far as `limit` says.
 template <class Query, class Limit>
 tetloft_status about(A& a, Query query, Limit limit) {
