@@ -1,4 +1,4 @@
-// Voronoi cells of a DelaunayTriangulation2, whole or clipped to a rectangle.
+// Voronoi cells of a DelaunayTriangulation2, whole or clipped to a rectangle; natural neighbours.
 //
 // As in voronoi.hpp the neighbours of a cell are the triangulation's, exact, and measures are
 // doubles, computed relative to the site.
@@ -69,5 +69,14 @@ struct VoronoiCell2 {
 [[nodiscard]] TETLOFT_API Result<std::vector<VoronoiCell2>> voronoi_cells(
     const DelaunayTriangulation2& triangulation, const ClippingRectangle& rectangle,
     const Execution& execution = {});
+
+/// The vertices that would be neighbours of a new one at the point, weighted as in space, with
+/// areas for volumes and lengths for areas; at a vertex it alone, on an edge of the hull its ends.
+/// `near` is a vertex to start the search at. Refused (invalid_input) where there are constraints,
+/// where the point is outside of the hull, not finite or, as its neighbours, beyond 2^300, and
+/// where the vertices span no plane; (usage) for weights that there are none of.
+[[nodiscard]] TETLOFT_API Result<NaturalNeighbours> natural_neighbours(
+    const DelaunayTriangulation2& triangulation, const Point2& point,
+    NaturalWeights weights = NaturalWeights::sibson, DelaunayVertex near = {});
 
 }  // namespace tetloft
