@@ -57,6 +57,11 @@ struct VoronoiCell2 {
 [[nodiscard]] TETLOFT_API Result<VoronoiCell2> voronoi_cell(
     const DelaunayTriangulation2& triangulation, DelaunayVertex site);
 
+/// The areas of all whole cells, by index of vertex: infinite where unbounded, 0 in places without
+/// a vertex. Refused as above.
+[[nodiscard]] TETLOFT_API Result<std::vector<double>> voronoi_areas(
+    const DelaunayTriangulation2& triangulation, const Execution& execution = {});
+
 /// What of a vertex's cell is in a rectangle, which the site need not be in; perhaps nothing. The
 /// areas of all sum to the rectangle's. Refused also where a corner of the rectangle is not finite
 /// or beyond 2^300, and where its low corner is not low.
