@@ -17,6 +17,7 @@
 #include "core/vector.hpp"
 #include "core/watched_work.hpp"
 #include "voronoi/cut_polyhedron.hpp"
+#include "voronoi/flag_volumes.hpp"
 #include "voronoi/moderate.hpp"
 
 namespace tetloft {
@@ -30,8 +31,9 @@ namespace {
 // weights only ratios count, and so no volume leaves the range of doubles.
 struct Surroundings {
   std::vector<DelaunayVertex> vertices;
-  std::vector<Point3> points;    // as they are
-  std::vector<Point3> offsets;   // relative, scaled
+  std::vector<Point3> points;   // as they are
+  std::vector<Point3> offsets;  // relative, divided by 2^exponent
+  int exponent = 0;
   std::optional<Point3> normal;  // on the hull: of its plane
 };
 
@@ -61,9 +63,11 @@ double largest_coordinate(const std::vector<Point3>& points) {
   return largest;
 }
 
-void scale_to_unit(std::vector<Point3>& points) {
+// Divides by a power of two near the largest; its exponent.
+int scale_to_unit(std::vector<Point3>& points) {
   const int exponent = std::ilogb(largest_coordinate(points));
   for (Point3& p : points) p = voronoi::times_power_of_two(p, -exponent);
+  return exponent;
 }
 
 Surroundings surroundings_of(const DelaunayTriangulation3& triangulation, const ConflictZone3& zone,
@@ -81,7 +85,7 @@ Surroundings surroundings_of(const DelaunayTriangulation3& triangulation, const 
     result.points.push_back(q);
     result.offsets.push_back(q - p);
   }
-  scale_to_unit(result.offsets);
+  result.exponent = scale_to_unit(result.offsets);
   // The normal of the widest facet.
   double widest = -1;
   for (const std::array<Point3, 3>& plane : planes) {
@@ -130,9 +134,77 @@ double taken_from(const CutPolyhedron& cell, const Surroundings& around, std::si
   return part.volume();
 }
 
-std::vector<double> natural_weights(const CutPolyhedron& cell, const Surroundings& around,
-                                    NaturalWeights kind) {
+// What the new cell takes from each: the parts of the old cells in the tets that go, less those of
+// the cells that stay in the tets that come. Nothing where what cancels is so much larger than the
+// cell, as in tets that are flat, that rounding might tell.
+class TakenByTets {
+ public:
+  TakenByTets(const DelaunayTriangulation3& triangulation, const Surroundings& around,
+              const Point3& p)
+      : triangulation_(triangulation),
+        around_(around),
+        point_(voronoi::times_power_of_two(p, -around.exponent)),
+        taken_(around.vertices.size()) {
+    for (const Point3& q : around.points) {
+      points_.push_back(voronoi::times_power_of_two(q, -around.exponent));
+    }
+  }
+
+  std::vector<double> of(const ConflictZone3& zone) {
+    for (const TetId t : zone.tets) {
+      const std::array<std::size_t, 4> v = places(triangulation_.vertices(t));
+      add({points_[v[0]], points_[v[1]], points_[v[2]], points_[v[3]]}, v, 1);
+    }
+    for (const HalfFaceId h : zone.horizon) {
+      const std::array<std::size_t, 3> v = places(triangulation_.vertices(h));
+      add({points_[v[0]], points_[v[1]], points_[v[2]], point_}, v, -1);
+    }
+    double sum = 0;
+    for (double& volume : taken_) sum += volume = std::max(volume, 0.0);
+    constexpr double kMostCancelled = 0x1p10;
+    if (!(terms_ < kMostCancelled * sum)) taken_.clear();
+    return std::move(taken_);
+  }
+
+ private:
+  template <std::size_t n>
+  std::array<std::size_t, n> places(const std::array<DelaunayVertex, n>& vertices) const {
+    std::array<std::size_t, n> result{};
+    std::transform(vertices.begin(), vertices.end(), result.begin(), [&](DelaunayVertex v) {
+      const auto found = std::lower_bound(around_.vertices.begin(), around_.vertices.end(), v);
+      return static_cast<std::size_t>(found - around_.vertices.begin());
+    });
+    return result;
+  }
+
+  // The new vertex, if it is one of the tet's, is the last.
+  template <std::size_t n>
+  void add(const std::array<Point3, 4>& tet, const std::array<std::size_t, n>& vertices, int sign) {
+    voronoi::for_each_corner(
+        tet, [&](std::size_t i, const voronoi::CornerOfTet& corner, int exponent) {
+          if (i >= n) return;
+          taken_[vertices[i]] += std::ldexp(sign * voronoi::flag_volume(corner), 3 * exponent);
+          terms_ += std::ldexp(voronoi::flag_volume_terms(corner), 3 * exponent);
+        });
+  }
+
+  const DelaunayTriangulation3& triangulation_;
+  const Surroundings& around_;
+  Point3 point_;
+  std::vector<Point3> points_;
+  std::vector<double> taken_;
+  double terms_ = 0;
+};
+
+std::vector<double> natural_weights(const DelaunayTriangulation3& triangulation,
+                                    const ConflictZone3& zone, const Surroundings& around,
+                                    const Point3& p, NaturalWeights kind) {
   std::vector<double> weights;
+  if (kind == NaturalWeights::sibson && !around.normal) {
+    weights = TakenByTets(triangulation, around, p).of(zone);
+    if (!weights.empty()) return weights;
+  }
+  const CutPolyhedron cell = cell_among(around);
   if (kind == NaturalWeights::sibson) {
     for (std::size_t i = 0; i < around.points.size(); ++i) {
       weights.push_back(taken_from(cell, around, i));
@@ -169,7 +241,7 @@ Result<NaturalNeighbours> weighted_neighbours(const DelaunayTriangulation3& tria
       result.weights.push_back(voronoi::nearer_to_origin(around.offsets[other]).offset);
     }
   } else {
-    result.weights = natural_weights(cell_among(around), around, kind);
+    result.weights = natural_weights(triangulation, zone, around, p, kind);
   }
   double sum = 0;
   for (const double w : result.weights) sum += w;
