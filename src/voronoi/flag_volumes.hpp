@@ -16,6 +16,7 @@
 
 #include "core/vector.hpp"
 #include "voronoi/circumcentre3.hpp"
+#include "voronoi/near_one.hpp"
 
 namespace tetloft::internal::voronoi {
 
