@@ -23,6 +23,7 @@ enum class HandleType : std::uint8_t {
   triangulation,
   points,
   delaunay,
+  delaunay_plane,
   cells,
   natural_neighbours,
   periodic_tets,

@@ -7,19 +7,12 @@
 #include <tetloft/periodic.hpp>
 #include <tetloft/voronoi.hpp>
 
+#include "c/changing_numbers.hpp"
 #include "c/owned.hpp"
 #include "core/prng.hpp"
 
 namespace tetloft::c_test {
 namespace {
-
-using Number = std::uint64_t;
-
-Number number(DelaunayVertex v) { return (Number{v.generation} << 32) + v.index; }
-
-const double* coordinates(const std::vector<Point3>& points) {
-  return reinterpret_cast<const double*>(points.data());
-}
 
 // An array of C, which lives as long as its handle.
 template <class T>

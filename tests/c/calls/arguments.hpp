@@ -39,11 +39,12 @@ enum class Kind {
   triangulation,
   points,
   delaunay,
+  delaunay_plane,
   cells,
   natural_neighbours,
   periodic_tets,
 };
-inline constexpr int kKinds = 16;
+inline constexpr int kKinds = 17;
 
 template <class Handle>
 struct KindOf;
@@ -65,6 +66,7 @@ TETLOFT_KIND(mesh)
 TETLOFT_KIND(triangulation)
 TETLOFT_KIND(points)
 TETLOFT_KIND(delaunay)
+TETLOFT_KIND(delaunay_plane)
 TETLOFT_KIND(cells)
 TETLOFT_KIND(natural_neighbours)
 TETLOFT_KIND(periodic_tets)

@@ -22,6 +22,7 @@ struct Call {
 [[nodiscard]] std::span<const Call> calls_of_models();    // with reconstruction, surfaces, pictures
 [[nodiscard]] std::span<const Call> calls_of_meshes();    // with verdicts, triangulations, points
 [[nodiscard]] std::span<const Call> calls_of_delaunay();  // triangulations that change
+[[nodiscard]] std::span<const Call> calls_of_planes();    // the same in the plane
 [[nodiscard]] std::span<const Call> calls_of_cells();     // with natural neighbours, periodic sets
 
 /// All of them, by name.
