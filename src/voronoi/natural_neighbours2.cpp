@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <tetloft/voronoi2.hpp>
@@ -13,6 +14,7 @@
 #include "core/sort_distinct.hpp"
 #include "core/vector.hpp"
 #include "voronoi/cut_polygon.hpp"
+#include "voronoi/natural_of_many.hpp"
 #include "voronoi/natural_weights.hpp"
 
 namespace tetloft {
@@ -127,28 +129,57 @@ Result<NaturalNeighbours> weighted_in_plane(const DelaunayTriangulation2& triang
   return voronoi::of_sum_one(around, areas_taken(cell, around, pairs));
 }
 
+// Of a point that is not outside.
+Result<NaturalNeighbours> plane_neighbours_at(const DelaunayTriangulation2& triangulation,
+                                              const Location2& at, const Point2& point,
+                                              NaturalWeights weights) {
+  if (at.kind == LocationKind::vertex) return NaturalNeighbours{{at.vertices[0]}, {1}};
+  return weighted_in_plane(triangulation, at, point, weights);
+}
+
+Result<void> check_natural_in_plane(const DelaunayTriangulation2& triangulation,
+                                    NaturalWeights weights, std::span<const Point2> points) {
+  if (Result<void> fine = voronoi::check_weights(weights); !fine) return fine;
+  for (const Point2& p : points) {
+    if (Result<void> fine = voronoi::check_asked(without_z(p)); !fine) return fine;
+  }
+  if (triangulation.constraint_count() == 0) return {};
+  return Error{ErrorCode::invalid_input, "among constraints there are no natural neighbours", {}};
+}
+
 }  // namespace
 
 Result<NaturalNeighbours> natural_neighbours(const DelaunayTriangulation2& triangulation,
                                              const Point2& point, NaturalWeights weights,
                                              DelaunayVertex near) {
   return guard_internal([&]() -> Result<NaturalNeighbours> {
-    if (Result<void> fine = voronoi::check_weights(weights); !fine) return fine.error();
-    const Point3 asked = without_z(point);
-    if (Result<void> fine = voronoi::check_asked(asked); !fine) return fine.error();
-    if (triangulation.constraint_count() != 0) {
-      return voronoi::refused_at("among constraints there are no natural neighbours", asked);
+    if (Result<void> fine = check_natural_in_plane(triangulation, weights, {&point, 1}); !fine) {
+      return fine.error();
     }
     if (triangulation.dimension() < 2) {
-      return voronoi::refused_at("the vertices span no plane", asked);
+      return voronoi::refused_at("the vertices span no plane", without_z(point));
     }
     const Result<Location2> at = triangulation.locate(point, near);
     if (!at) return at.error();
     if (at->kind == LocationKind::outside) {
-      return voronoi::refused_at("the point is outside of the hull", asked);
+      return voronoi::refused_at("the point is outside of the hull", without_z(point));
     }
-    if (at->kind == LocationKind::vertex) return NaturalNeighbours{{at->vertices[0]}, {1}};
-    return weighted_in_plane(triangulation, *at, point, weights);
+    return plane_neighbours_at(triangulation, *at, point, weights);
+  });
+}
+
+Result<NaturalNeighboursOfMany> natural_neighbours_of_many(
+    const DelaunayTriangulation2& triangulation, std::span<const Point2> points,
+    NaturalWeights weights, const Execution& execution) {
+  return guard_threads(execution, [&](const Execution& own) -> Result<NaturalNeighboursOfMany> {
+    if (Result<void> fine = check_natural_in_plane(triangulation, weights, points); !fine) {
+      return fine.error();
+    }
+    if (triangulation.dimension() < 2) return voronoi::natural_of_none(points.size());
+    return voronoi::natural_of_many(triangulation, points, own,
+                                    [&](const Location2& at, const Point2& p) {
+                                      return plane_neighbours_at(triangulation, at, p, weights);
+                                    });
   });
 }
 

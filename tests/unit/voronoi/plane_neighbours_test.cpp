@@ -172,6 +172,36 @@ TEST(PlaneNeighbours, DoNotDependOnTheUnit) {
   }
 }
 
+TEST(PlaneNeighbours, OfManyAreThoseOfEach) {
+  Prng prng(12);
+  for (const std::vector<Point2>& points :
+       {uniform_plane_points(300, 8), square_lattice(5), {{0, 0}, {1, 1}}, {}}) {
+    const DelaunayTriangulation2 t = plane_of(points);
+    std::vector<Point2> asked;
+    for (int i = 0; i < 700; ++i) {
+      asked.push_back({1.2 * prng.unit() - 0.1, static_cast<double>(prng.below(9)) / 8});
+    }
+    for (const NaturalWeights kind : kBothKinds) {
+      for (const unsigned threads : {1U, 3U}) {
+        const NaturalNeighboursOfMany many =
+            value_of(natural_neighbours_of_many(t, asked, kind, {.threads = threads}));
+        ASSERT_EQ(many.begin.size(), asked.size() + 1);
+        EXPECT_EQ(many.begin.back(), many.vertices.size());
+        for (std::size_t i = 0; i < asked.size(); ++i) {
+          const auto first = static_cast<std::ptrdiff_t>(many.begin[i]);
+          const auto last = static_cast<std::ptrdiff_t>(many.begin[i + 1]);
+          const Result<NaturalNeighbours> one = natural_neighbours(t, asked[i], kind);
+          const NaturalNeighbours expected = one ? *one : NaturalNeighbours();
+          EXPECT_EQ(std::vector(many.vertices.begin() + first, many.vertices.begin() + last),
+                    expected.vertices);
+          EXPECT_EQ(std::vector(many.weights.begin() + first, many.weights.begin() + last),
+                    expected.weights);
+        }
+      }
+    }
+  }
+}
+
 TEST(PlaneNeighbours, AreRefusedOutsideAndAmongConstraints) {
   DelaunayTriangulation2 t = plane_of(square_lattice(3));
   const auto code = [&](const Point2& p) { return natural_neighbours(t, p).error().code; };
@@ -187,6 +217,8 @@ TEST(PlaneNeighbours, AreRefusedOutsideAndAmongConstraints) {
   const auto c = t.insert_constraint(t.vertex_at(0), t.vertex_at(1));
   ASSERT_TRUE(c.ok());
   EXPECT_EQ(code({0.3, 0.3}), ErrorCode::invalid_input);
+  const std::vector<Point2> asked{{0.3, 0.3}};
+  EXPECT_EQ(natural_neighbours_of_many(t, asked).error().code, ErrorCode::invalid_input);
   ASSERT_TRUE(t.remove_constraint(*c).ok());
   EXPECT_TRUE(natural_neighbours(t, {0.3, 0.3}).ok());
 }
