@@ -76,7 +76,8 @@ class Changes(unittest.TestCase):
         made = tetloft.DelaunayTriangulation2(GRID + GRID[:2])
         self.assertEqual(rows(made.vertices), list(range(25)))
         self.assertEqual(rows(made.points), [list(p) for p in GRID])
-        self.assertEqual(rows(made.insert_all([(0, 1), (9, 9)], threads=1)), [1, 25])  # a free place
+        # The places of points that were there are free.
+        self.assertEqual(rows(made.insert_all([(0, 1), (9, 9)], threads=1)), [1, 25])
         made.remove(2)
         again = made.insert((0, 2))
         self.assertEqual((again % 2**32, again // 2**32), (2, 1))

@@ -41,7 +41,7 @@ def _start(near: Optional[int]) -> int:
 
 
 class ChangingDelaunay(Owner):
-    """Of points of ``_dimensions`` coordinates; functions of C begin with the name of the handle."""
+    """Of points of ``_dimensions`` coordinates; functions of C begin with the handle's name."""
 
     _kind: str
     _dimensions: int
@@ -130,12 +130,12 @@ class ChangingDelaunay(Owner):
     @property
     def vertices(self) -> Vertices:
         """(n,), by index."""
-        return self._found(self._function("vertices"), c_uint64, 1)
+        return self._listed("vertices", c_uint64, 1)
 
     @property
     def points(self) -> Doubles:
         """Those of ``vertices``, (n, 3) or (n, 2)."""
-        return self._found(self._function("points"), c_double, self._dimensions)
+        return self._listed("points", c_double, self._dimensions)
 
     def point(self, vertex: int) -> tuple[float, ...]:
         """Where a vertex is."""
@@ -145,11 +145,11 @@ class ChangingDelaunay(Owner):
 
     def star(self, vertex: int) -> Vertices:
         """The vertices of the tets of a vertex, (k, 4); in the plane of the triangles, (k, 3)."""
-        return self._found(self._function("star"), c_uint64, self._dimensions + 1, vertex_number(vertex))
+        return self._listed("star", c_uint64, self._dimensions + 1, vertex_number(vertex))
 
     def neighbours(self, vertex: int) -> Vertices:
         """The vertices that one has edges with, by index."""
-        return self._found(self._function("neighbours"), c_uint64, 1, vertex_number(vertex))
+        return self._listed("neighbours", c_uint64, 1, vertex_number(vertex))
 
     def locate(self, points: ArrayLike, *, threads: int = 0, progress: Optional[Progress] = None,
                stop: Optional[Stop] = None) -> tuple[Integers, Vertices]:
@@ -180,12 +180,12 @@ class ChangingDelaunay(Owner):
     def nearest_few(self, point: Sequence[float], most: int) -> Vertices:
         """The ``most`` vertices nearest to a point, or all there are, by distance, then by
         index."""
-        return self._found(self._function("nearest_few"), c_uint64, 1, *self._point(point),
-                           whole(most, "most", 0, 2**32))
+        return self._listed("nearest_few", c_uint64, 1, *self._point(point),
+                            whole(most, "most", 0, 2**32))
 
     def within(self, point: Sequence[float], radius: float) -> Vertices:
         """All vertices at most so far from a point, by distance, then by index."""
-        return self._found(self._function("within"), c_uint64, 1, *self._point(point), float(radius))
+        return self._listed("within", c_uint64, 1, *self._point(point), float(radius))
 
     def conflict_zone(self, point: Sequence[float], near: Optional[int] = None) -> ConflictZone:
         """What the insertion of a point would change. ``near``: a vertex where the search
@@ -223,6 +223,9 @@ class ChangingDelaunay(Owner):
 
     def __reduce__(self) -> Any:
         return type(self).from_bytes, (self.to_bytes(),)
+
+    def _listed(self, name: str, kind: Any, columns: int, *of: Any) -> Any:
+        return self._found(self._function(name), kind, columns, *of)
 
     def _found(self, function: Any, kind: Any, columns: int, *of: Any) -> Any:
         # Room for a few, as of one vertex; where there are more, for as many as there were: between

@@ -54,7 +54,7 @@ class DelaunayTriangulation3(ChangingDelaunay):
     def tets(self) -> Vertices:
         """(m, 4) vertices. Where none was removed, and no points were equal, they are the rows of
         ``points``."""
-        return self._found(self._function("tets"), c_uint64, 4)
+        return self._listed("tets", c_uint64, 4)
 
     def cells(self, box: Optional[ArrayLike] = None, *, threads: int = 0,
               progress: Optional[Progress] = None, stop: Optional[Stop] = None) -> VoronoiCells:
@@ -68,7 +68,8 @@ class DelaunayTriangulation3(ChangingDelaunay):
     def cell(self, vertex: int, box: Optional[ArrayLike] = None) -> VoronoiCell:
         """That of one vertex."""
         clip, made = clipping_box(box), Handle("cells")
-        lib.tetloft_delaunay_cell(self._open(), vertex_number(vertex), clip and clip.pointer, made.out)
+        lib.tetloft_delaunay_cell(self._open(), vertex_number(vertex), clip and clip.pointer,
+                                  made.out)
         return VoronoiCells._of(made)[0]
 
     def volumes(self, *, threads: int = 0, progress: Optional[Progress] = None,
@@ -85,7 +86,7 @@ class DelaunayTriangulation3(ChangingDelaunay):
     @property
     def circumspheres(self) -> Doubles:
         """(m, 4): centre and radius of the spheres through the vertices of ``tets``."""
-        return self._found(self._function("circumspheres"), c_double, 4)
+        return self._listed("circumspheres", c_double, 4)
 
     def natural_neighbours(self, points: ArrayLike, weights: str = "sibson", *, threads: int = 0,
                            progress: Optional[Progress] = None,
@@ -156,12 +157,12 @@ class DelaunayTriangulation2(ChangingDelaunay):
     def triangles(self) -> Vertices:
         """(m, 3) vertices, counter-clockwise. Where none was removed, and no points were equal,
         they are the rows of ``points``."""
-        return self._found(self._function("triangles"), c_uint64, 3)
+        return self._listed("triangles", c_uint64, 3)
 
     def hull(self) -> Vertices:
         """The vertices on the hull, counter-clockwise from that of lowest index; of points in a row
         all of them, from one end to the other."""
-        return self._found(self._function("hull"), c_uint64, 1)
+        return self._listed("hull", c_uint64, 1)
 
     def insert_constraint(self, u: int, v: int, crossing: str = "refuse") -> int:
         """The segment between two vertices, as a constraint.
@@ -198,7 +199,7 @@ class DelaunayTriangulation2(ChangingDelaunay):
     @property
     def constraints(self) -> Ids:
         """(k,), by number."""
-        return self._found(self._function("constraints"), c_uint32, 1)
+        return self._listed("constraints", c_uint32, 1)
 
     def constraint_ends(self, constraint: int) -> tuple[int, int]:
         """The two vertices that it was given."""
@@ -208,16 +209,16 @@ class DelaunayTriangulation2(ChangingDelaunay):
 
     def constraint_edges(self, constraint: int) -> Vertices:
         """(k, 2): the edges that it goes over, each by index, sorted."""
-        return self._found(self._function("constraint_edges"), c_uint64, 2, _constraint(constraint))
+        return self._listed("constraint_edges", c_uint64, 2, _constraint(constraint))
 
     def edge_constraints(self, u: int, v: int) -> Ids:
         """The constraints over an edge, by number; none where the vertices are not joined."""
-        return self._found(self._function("edge_constraints"), c_uint32, 1, vertex_number(u), vertex_number(v))
+        return self._listed("edge_constraints", c_uint32, 1, vertex_number(u), vertex_number(v))
 
     def inside(self) -> Vertices:
         """(k, 3): the triangles that one comes to from outside across an odd number of constraints:
         of an outline and its holes what is between. Refused where constraints end."""
-        return self._found(self._function("inside"), c_uint64, 3)
+        return self._listed("inside", c_uint64, 3)
 
 
 def _crossing(word: str) -> int:
