@@ -15,9 +15,9 @@
 #include "core/guard.hpp"
 #include "core/parallel.hpp"
 #include "core/vector.hpp"
-#include "core/watched_work.hpp"
 #include "voronoi/cut_polyhedron.hpp"
 #include "voronoi/flag_volumes.hpp"
+#include "voronoi/many_neighbours.hpp"
 #include "voronoi/moderate.hpp"
 
 namespace tetloft {
@@ -278,63 +278,6 @@ Result<NaturalNeighbours> neighbours_at(const DelaunayTriangulation3& triangulat
   return weighted_neighbours(triangulation, *zone, point, weights);
 }
 
-// Of the points first to last, what NaturalNeighboursOfMany has of all; begin without its 0.
-NaturalNeighboursOfMany neighbours_of_stretch(const DelaunayTriangulation3& triangulation,
-                                              const std::vector<Location3>& locations,
-                                              std::span<const Point3> points, std::size_t first,
-                                              std::size_t last, NaturalWeights weights) {
-  NaturalNeighboursOfMany found;
-  for (std::size_t i = first; i < last; ++i) {
-    if (locations[i].kind != LocationKind::outside) {
-      const Result<NaturalNeighbours> of =
-          neighbours_at(triangulation, locations[i], points[i], weights);
-      if (!of) throw Failed(of.error());
-      found.vertices.insert(found.vertices.end(), of->vertices.begin(), of->vertices.end());
-      found.weights.insert(found.weights.end(), of->weights.begin(), of->weights.end());
-    }
-    found.begin.push_back(found.vertices.size());
-  }
-  return found;
-}
-
-NaturalNeighboursOfMany joined_neighbours(std::vector<NaturalNeighboursOfMany> parts) {
-  NaturalNeighboursOfMany all;
-  all.begin.push_back(0);
-  for (NaturalNeighboursOfMany& part : parts) {
-    const std::size_t before = all.vertices.size();
-    for (const std::size_t end : part.begin) all.begin.push_back(before + end);
-    all.vertices.insert(all.vertices.end(), part.vertices.begin(), part.vertices.end());
-    all.weights.insert(all.weights.end(), part.weights.begin(), part.weights.end());
-    part = {};
-  }
-  return all;
-}
-
-// Locations are found along a curve, each from the one before; from there on each point is by
-// itself.
-Result<NaturalNeighboursOfMany> neighbours_of_many(const DelaunayTriangulation3& triangulation,
-                                                   std::span<const Point3> points,
-                                                   NaturalWeights weights,
-                                                   const Execution& execution) {
-  constexpr std::size_t kStretch = 256;
-  NaturalNeighboursOfMany none;
-  none.begin.assign(points.size() + 1, 0);
-  if (triangulation.dimension() < 3) return none;
-  const std::size_t stretches = (points.size() + kStretch - 1) / kStretch;
-  WatchedWork work(execution, stretches + 1);
-  work.go_on();
-  const Result<std::vector<Location3>> locations = triangulation.locate(points, untold(execution));
-  if (!locations) return locations.error();
-  work.step_done_go_on();
-  std::vector<NaturalNeighboursOfMany> parts(stretches);
-  parallel_for(stretches, execution.threads, [&](std::size_t k) {
-    parts[k] = neighbours_of_stretch(triangulation, *locations, points, k * kStretch,
-                                     std::min(points.size(), (k + 1) * kStretch), weights);
-    work.step_done_go_on();
-  });
-  return joined_neighbours(std::move(parts));
-}
-
 }  // namespace
 
 const char* name_of(NaturalWeights weights) {
@@ -365,7 +308,11 @@ Result<NaturalNeighboursOfMany> natural_neighbours_of_many(
     NaturalWeights weights, const Execution& execution) {
   return guard_threads(execution, [&](const Execution& own) -> Result<NaturalNeighboursOfMany> {
     if (Result<void> fine = check_natural(weights, points); !fine) return fine.error();
-    return neighbours_of_many(triangulation, points, weights, own);
+    if (triangulation.dimension() < 3) return voronoi::no_neighbours(points.size());
+    return voronoi::neighbours_of_each(triangulation, points, own,
+                                       [&](const Location3& at, const Point3& point) {
+                                         return neighbours_at(triangulation, at, point, weights);
+                                       });
   });
 }
 

@@ -5,15 +5,18 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <tetloft/voronoi2.hpp>
 
 #include "core/enums.hpp"
 #include "core/guard.hpp"
+#include "core/parallel.hpp"
 #include "core/sort_distinct.hpp"
 #include "core/vector.hpp"
 #include "voronoi/cut_polygon.hpp"
+#include "voronoi/many_neighbours.hpp"
 #include "voronoi/moderate.hpp"
 
 namespace tetloft {
@@ -188,20 +191,36 @@ Result<NaturalNeighbours> weighted_in_plane(const DelaunayTriangulation2& triang
   return result;
 }
 
+Result<void> check_natural_in_plane(const DelaunayTriangulation2& triangulation,
+                                    NaturalWeights weights, std::span<const Point2> points) {
+  if (!is_enumerator(weights, NaturalWeights::laplace)) {
+    return Error{ErrorCode::usage, "there are no such weights of natural neighbours", {}};
+  }
+  for (const Point2& p : points) {
+    if (!voronoi::is_moderate(without_z(p))) {
+      return refused_in_plane("a coordinate is not finite, or beyond 2^300", p);
+    }
+  }
+  if (triangulation.constraint_count() == 0) return {};
+  return Error{ErrorCode::invalid_input, "among constraints there are no natural neighbours", {}};
+}
+
+// Of a point that is not outside.
+Result<NaturalNeighbours> neighbours_in_plane(const DelaunayTriangulation2& triangulation,
+                                              const Location2& at, const Point2& point,
+                                              NaturalWeights weights) {
+  if (at.kind == LocationKind::vertex) return NaturalNeighbours{{at.vertices[0]}, {1}};
+  return weighted_in_plane(triangulation, at, point, weights);
+}
+
 }  // namespace
 
 Result<NaturalNeighbours> natural_neighbours(const DelaunayTriangulation2& triangulation,
                                              const Point2& point, NaturalWeights weights,
                                              DelaunayVertex near) {
   return guard_internal([&]() -> Result<NaturalNeighbours> {
-    if (!is_enumerator(weights, NaturalWeights::laplace)) {
-      return Error{ErrorCode::usage, "there are no such weights of natural neighbours", {}};
-    }
-    if (!voronoi::is_moderate(without_z(point))) {
-      return refused_in_plane("a coordinate is not finite, or beyond 2^300", point);
-    }
-    if (triangulation.constraint_count() != 0) {
-      return refused_in_plane("among constraints there are no natural neighbours", point);
+    if (Result<void> fine = check_natural_in_plane(triangulation, weights, {&point, 1}); !fine) {
+      return fine.error();
     }
     if (triangulation.dimension() < 2) {
       return refused_in_plane("the vertices span no plane", point);
@@ -211,8 +230,22 @@ Result<NaturalNeighbours> natural_neighbours(const DelaunayTriangulation2& trian
     if (at->kind == LocationKind::outside) {
       return refused_in_plane("the point is outside of the hull", point);
     }
-    if (at->kind == LocationKind::vertex) return NaturalNeighbours{{at->vertices[0]}, {1}};
-    return weighted_in_plane(triangulation, *at, point, weights);
+    return neighbours_in_plane(triangulation, *at, point, weights);
+  });
+}
+
+Result<NaturalNeighboursOfMany> natural_neighbours_of_many(
+    const DelaunayTriangulation2& triangulation, std::span<const Point2> points,
+    NaturalWeights weights, const Execution& execution) {
+  return guard_threads(execution, [&](const Execution& own) -> Result<NaturalNeighboursOfMany> {
+    if (Result<void> fine = check_natural_in_plane(triangulation, weights, points); !fine) {
+      return fine.error();
+    }
+    if (triangulation.dimension() < 2) return voronoi::no_neighbours(points.size());
+    return voronoi::neighbours_of_each(
+        triangulation, points, own, [&](const Location2& at, const Point2& point) {
+          return neighbours_in_plane(triangulation, at, point, weights);
+        });
   });
 }
 
