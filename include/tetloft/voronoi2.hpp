@@ -84,9 +84,10 @@ struct VoronoiCell2 {
 [[nodiscard]] TETLOFT_API Result<NaturalNeighbours> natural_neighbours(
     const DelaunayTriangulation2& triangulation, const Point2& point,
     NaturalWeights weights = NaturalWeights::sibson, DelaunayVertex near = {});
+
 /// Of each point what natural_neighbours() of it gives, to the bit; nothing where that refuses it
-/// as outside of the hull, or as the vertices span no plane. Refused are all where there are
-/// constraints, and where one is not finite or, as its neighbours, beyond 2^300.
+/// as outside of the hull, or as the vertices span no plane. Refused are all where one is not
+/// finite or, as its neighbours, beyond 2^300, and where there are constraints.
 [[nodiscard]] TETLOFT_API Result<NaturalNeighboursOfMany> natural_neighbours_of_many(
     const DelaunayTriangulation2& triangulation, std::span<const Point2> points,
     NaturalWeights weights = NaturalWeights::sibson, const Execution& execution = {});

@@ -44,6 +44,9 @@ class CutPolyhedron {
   static constexpr std::uint32_t kBoxFaces = 6;
 
   CutPolyhedron(const Point3& low, const Point3& high);
+  [[nodiscard]] static CutPolyhedron around_origin(double half) {
+    return {{-half, -half, -half}, {half, half, half}};
+  }
 
   /// Keeps what is in the half-space; the face on its plane has the next number, whether anything
   /// of it is there or not.
@@ -55,6 +58,8 @@ class CutPolyhedron {
   /// By number; without corners where nothing of it is left.
   [[nodiscard]] std::vector<CutFace> faces() const;
   [[nodiscard]] double volume() const;
+  /// Is anything left of the box's sides?
+  [[nodiscard]] bool reaches_box() const;
 
  private:
   struct Corner {

@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -11,31 +10,21 @@
 #include <tetloft/predicates.hpp>
 #include <tetloft/voronoi.hpp>
 
-#include "core/enums.hpp"
 #include "core/guard.hpp"
-#include "core/parallel.hpp"
 #include "core/vector.hpp"
 #include "voronoi/cut_polyhedron.hpp"
 #include "voronoi/flag_volumes.hpp"
-#include "voronoi/many_neighbours.hpp"
 #include "voronoi/moderate.hpp"
+#include "voronoi/natural_of_many.hpp"
+#include "voronoi/natural_weights.hpp"
 
 namespace tetloft {
 
 using namespace internal;
 using voronoi::CutPolyhedron;
+using voronoi::Surroundings;
 
 namespace {
-
-// The neighbours of a point that is no vertex, relative to it, and in a unit near the largest: of
-// weights only ratios count, and so no volume leaves the range of doubles.
-struct Surroundings {
-  std::vector<DelaunayVertex> vertices;
-  std::vector<Point3> points;   // as they are
-  std::vector<Point3> offsets;  // relative, divided by 2^exponent
-  int exponent = 0;
-  std::optional<Point3> normal;  // on the hull: of its plane
-};
 
 // The hull's facets among the tets in conflict that the point is in the plane of: of all planes of
 // the hull that it is on one at least, as it is in their closure, so in conflict.
@@ -55,21 +44,6 @@ std::vector<std::array<Point3, 3>> hull_planes(const DelaunayTriangulation3& tri
   return planes;
 }
 
-double largest_coordinate(const std::vector<Point3>& points) {
-  double largest = 0;
-  for (const Point3& p : points) {
-    largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  }
-  return largest;
-}
-
-// Divides by a power of two near the largest; its exponent.
-int scale_to_unit(std::vector<Point3>& points) {
-  const int exponent = std::ilogb(largest_coordinate(points));
-  for (Point3& p : points) p = voronoi::times_power_of_two(p, -exponent);
-  return exponent;
-}
-
 Surroundings surroundings_of(const DelaunayTriangulation3& triangulation, const ConflictZone3& zone,
                              const Point3& p) {
   using namespace vectors;
@@ -83,9 +57,8 @@ Surroundings surroundings_of(const DelaunayTriangulation3& triangulation, const 
     if (!inside) continue;
     result.vertices.push_back(v);
     result.points.push_back(q);
-    result.offsets.push_back(q - p);
   }
-  result.exponent = scale_to_unit(result.offsets);
+  result.put_offsets_from(p);
   // The normal of the widest facet.
   double widest = -1;
   for (const std::array<Point3, 3>& plane : planes) {
@@ -98,28 +71,17 @@ Surroundings surroundings_of(const DelaunayTriangulation3& triangulation, const 
   return result;
 }
 
-// The cell of the origin among points, in a cube that holds it. On the hull it has no end across
-// the plane, and a slice of constant thickness is as good. So near the hull that the cell is more
-// than 2^18 times as large as the distances, what is in the cube of that size: what is missing
-// changes the weights by some 2^-18, and in larger cells rounding of the bisectors' directions
-// tells.
-CutPolyhedron cell_among(const Surroundings& around) {
-  constexpr double kFirst = 0x1p2, kLarger = 0x1p8, kLast = 0x1p18;
+// The cell of the origin among points. On the hull it has no end across the plane, and a slice of
+// constant thickness is as good.
+CutPolyhedron cell_in_space(const Surroundings& around) {
   constexpr double kThickness = 1;
-  for (double half = kFirst;; half *= kLarger) {
-    CutPolyhedron cell({-half, -half, -half}, {half, half, half});
+  return voronoi::cell_among<CutPolyhedron>([&](CutPolyhedron& cell) {
     for (const Point3& offset : around.offsets) cell.cut(voronoi::nearer_to_origin(offset));
-    if (around.normal) {
-      const Point3& n = *around.normal;
-      cell.cut({n, kThickness});
-      cell.cut({{-n.x, -n.y, -n.z}, kThickness});
-    }
-    const std::vector<voronoi::CutFace> faces = cell.faces();
-    if (half >= kLast || std::all_of(faces.begin(), faces.begin() + CutPolyhedron::kBoxFaces,
-                                     [](const auto& side) { return side.corners.empty(); })) {
-      return cell;
-    }
-  }
+    if (!around.normal) return;
+    const Point3& n = *around.normal;
+    cell.cut({n, kThickness});
+    cell.cut({{-n.x, -n.y, -n.z}, kThickness});
+  });
 }
 
 // What of the cell is nearest to neighbour i.
@@ -204,7 +166,7 @@ std::vector<double> natural_weights(const DelaunayTriangulation3& triangulation,
     weights = TakenByTets(triangulation, around, p).of(zone);
     if (!weights.empty()) return weights;
   }
-  const CutPolyhedron cell = cell_among(around);
+  const CutPolyhedron cell = cell_in_space(around);
   if (kind == NaturalWeights::sibson) {
     for (std::size_t i = 0; i < around.points.size(); ++i) {
       weights.push_back(taken_from(cell, around, i));
@@ -219,51 +181,20 @@ std::vector<double> natural_weights(const DelaunayTriangulation3& triangulation,
   return weights;
 }
 
-Error refused_at(const char* why, const Point3& p) {
-  Error error{ErrorCode::invalid_input, why, {}};
-  error.where.point = p;
-  return error;
-}
-
 Result<NaturalNeighbours> weighted_neighbours(const DelaunayTriangulation3& triangulation,
                                               const ConflictZone3& zone, const Point3& p,
                                               NaturalWeights kind) {
   const Surroundings around = surroundings_of(triangulation, zone, p);
-  for (const DelaunayVertex v : around.vertices) {
-    if (!voronoi::is_moderate(triangulation.point(v))) {
-      return refused_at("a neighbour's coordinate is beyond 2^300", triangulation.point(v));
-    }
-  }
-  NaturalNeighbours result;
-  result.vertices = around.vertices;
-  if (around.vertices.size() == 2) {  // the ends of an edge of the hull
-    for (const std::size_t other : {std::size_t{1}, std::size_t{0}}) {
-      result.weights.push_back(voronoi::nearer_to_origin(around.offsets[other]).offset);
-    }
-  } else {
-    result.weights = natural_weights(triangulation, zone, around, p, kind);
-  }
-  double sum = 0;
-  for (const double w : result.weights) sum += w;
-  if (!(sum > 0 && std::isfinite(sum))) {  // vertices within ulps: nothing is left of the cell
-    const auto nearest = std::min_element(
-        around.offsets.begin(), around.offsets.end(),
-        [](const Point3& a, const Point3& b) { return vectors::dot(a, a) < vectors::dot(b, b); });
-    result.weights.assign(around.offsets.size(), 0);
-    result.weights[static_cast<std::size_t>(nearest - around.offsets.begin())] = sum = 1;
-  }
-  for (double& w : result.weights) w /= sum;
-  return result;
+  if (Result<void> fine = voronoi::check_neighbours(around); !fine) return fine.error();
+  return voronoi::of_sum_one(around, around.vertices.size() == 2  // the ends of an edge of the hull
+                                         ? voronoi::weights_between(around)
+                                         : natural_weights(triangulation, zone, around, p, kind));
 }
 
 Result<void> check_natural(NaturalWeights weights, std::span<const Point3> points) {
-  if (!is_enumerator(weights, NaturalWeights::laplace)) {
-    return Error{ErrorCode::usage, "there are no such weights of natural neighbours", {}};
-  }
+  if (Result<void> fine = voronoi::check_weights(weights); !fine) return fine;
   for (const Point3& p : points) {
-    if (!voronoi::is_moderate(p)) {
-      return refused_at("a coordinate is not finite, or beyond 2^300", p);
-    }
+    if (Result<void> fine = voronoi::check_asked(p); !fine) return fine;
   }
   return {};
 }
@@ -293,11 +224,12 @@ Result<NaturalNeighbours> natural_neighbours(const DelaunayTriangulation3& trian
                                              DelaunayVertex near) {
   return guard_internal([&]() -> Result<NaturalNeighbours> {
     if (Result<void> fine = check_natural(weights, {&point, 1}); !fine) return fine.error();
-    if (triangulation.dimension() < 3) return refused_at("the vertices span no space", point);
+    if (triangulation.dimension() < 3)
+      return voronoi::refused_at("the vertices span no space", point);
     const Result<Location3> at = triangulation.locate(point, near);
     if (!at) return at.error();
     if (at->kind == LocationKind::outside) {
-      return refused_at("the point is outside of the hull", point);
+      return voronoi::refused_at("the point is outside of the hull", point);
     }
     return neighbours_at(triangulation, *at, point, weights);
   });
@@ -308,11 +240,11 @@ Result<NaturalNeighboursOfMany> natural_neighbours_of_many(
     NaturalWeights weights, const Execution& execution) {
   return guard_threads(execution, [&](const Execution& own) -> Result<NaturalNeighboursOfMany> {
     if (Result<void> fine = check_natural(weights, points); !fine) return fine.error();
-    if (triangulation.dimension() < 3) return voronoi::no_neighbours(points.size());
-    return voronoi::neighbours_of_each(triangulation, points, own,
-                                       [&](const Location3& at, const Point3& point) {
-                                         return neighbours_at(triangulation, at, point, weights);
-                                       });
+    if (triangulation.dimension() < 3) return voronoi::natural_of_none(points.size());
+    return voronoi::natural_of_many(triangulation, points, own,
+                                    [&](const Location3& at, const Point3& p) {
+                                      return neighbours_at(triangulation, at, p, weights);
+                                    });
   });
 }
 

@@ -13,7 +13,6 @@
 #include "core/watched_work.hpp"
 #include "voronoi/flag_volumes.hpp"
 #include "voronoi/moderate.hpp"
-#include "voronoi/near_one.hpp"
 #include "voronoi/sites.hpp"
 
 namespace tetloft {
