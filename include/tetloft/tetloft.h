@@ -1152,6 +1152,64 @@ TETLOFT_C_API tetloft_status tetloft_natural_neighbours_weights(
 TETLOFT_C_API tetloft_status
 tetloft_natural_neighbours_free(tetloft_natural_neighbours* neighbours);
 
+/* --- Voronoi cells and natural neighbours in the plane (tetloft/voronoi2.hpp) ------------------
+ */
+
+/* As in space; TETLOFT_INVALID_INPUT where there are constraints, whose triangulation is another
+ * one than that of the cells. */
+typedef struct tetloft_plane_cells tetloft_plane_cells;
+/* `rectangle`: four coordinates, low x y and high x y, or NULL. */
+TETLOFT_C_API tetloft_status tetloft_delaunay_plane_cells(const tetloft_delaunay_plane* delaunay,
+                                                          const double* rectangle,
+                                                          const tetloft_execution* execution,
+                                                          tetloft_plane_cells** cells);
+TETLOFT_C_API tetloft_status tetloft_delaunay_plane_cell(const tetloft_delaunay_plane* delaunay,
+                                                         uint64_t vertex, const double* rectangle,
+                                                         tetloft_plane_cells** cells);
+TETLOFT_C_API tetloft_status tetloft_plane_cells_sites(const tetloft_plane_cells* cells,
+                                                       const uint64_t** sites, size_t* count);
+/* Of the whole cell: 0 where it goes on without end, if only beyond the rectangle. */
+TETLOFT_C_API tetloft_status tetloft_plane_cells_bounded(const tetloft_plane_cells* cells,
+                                                         const uint8_t** bounded, size_t* count);
+TETLOFT_C_API tetloft_status tetloft_plane_cells_areas(const tetloft_plane_cells* cells,
+                                                       const double** areas, size_t* count);
+TETLOFT_C_API tetloft_status tetloft_plane_cells_corner_begin(const tetloft_plane_cells* cells,
+                                                              const size_t** begin, size_t* count);
+/* Two coordinates each, of each cell counter-clockwise. */
+TETLOFT_C_API tetloft_status tetloft_plane_cells_corners(const tetloft_plane_cells* cells,
+                                                         const double** xy, size_t* count);
+TETLOFT_C_API tetloft_status tetloft_plane_cells_edge_begin(const tetloft_plane_cells* cells,
+                                                            const size_t** begin, size_t* count);
+/* Of edges, as of faces. */
+TETLOFT_C_API tetloft_status tetloft_plane_cells_neighbours(const tetloft_plane_cells* cells,
+                                                            const uint64_t** neighbours,
+                                                            size_t* count);
+TETLOFT_C_API tetloft_status tetloft_plane_cells_sides(const tetloft_plane_cells* cells,
+                                                       const uint8_t** sides, size_t* count);
+/* Whether anything of it is in the rectangle. */
+TETLOFT_C_API tetloft_status tetloft_plane_cells_inside(const tetloft_plane_cells* cells,
+                                                        const uint8_t** inside, size_t* count);
+/* Two places in all corners each, counter-clockwise around the cell; TETLOFT_NO_ID for an end that
+ * is none, where the edge goes on without it, and of edges of which nothing is inside. */
+TETLOFT_C_API tetloft_status tetloft_plane_cells_ends(const tetloft_plane_cells* cells,
+                                                      const uint32_t** ends, size_t* count);
+/* Infinite without end. */
+TETLOFT_C_API tetloft_status tetloft_plane_cells_lengths(const tetloft_plane_cells* cells,
+                                                         const double** lengths, size_t* count);
+TETLOFT_C_API tetloft_status tetloft_plane_cells_free(tetloft_plane_cells* cells);
+
+/* Of all whole cells, by index of vertex. */
+TETLOFT_C_API tetloft_status tetloft_delaunay_plane_areas(const tetloft_delaunay_plane* delaunay,
+                                                          const tetloft_execution* execution,
+                                                          double* areas, size_t capacity,
+                                                          size_t* count);
+TETLOFT_C_API tetloft_status tetloft_delaunay_plane_natural_neighbours(
+    const tetloft_delaunay_plane* delaunay, double x, double y, int32_t kind, uint64_t near,
+    uint64_t* vertices, double* weights, size_t capacity, size_t* count);
+TETLOFT_C_API tetloft_status tetloft_delaunay_plane_natural_neighbours_all(
+    const tetloft_delaunay_plane* delaunay, const double* xy, size_t point_count, int32_t kind,
+    const tetloft_execution* execution, tetloft_natural_neighbours** neighbours);
+
 /* --- Delaunay tets of periodic sets (tetloft/periodic.hpp) ------------------------------------ */
 
 /* Each once of all its images, sorted. */

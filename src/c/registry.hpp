@@ -25,6 +25,7 @@ enum class HandleType : std::uint8_t {
   delaunay,
   delaunay_plane,
   cells,
+  plane_cells,
   natural_neighbours,
   periodic_tets,
 };

@@ -120,6 +120,21 @@ struct CellsValue {
   std::vector<Point3> normals;                    ///< likewise
 };
 
+/// The same in the plane.
+struct PlaneCellsValue {
+  std::vector<std::uint64_t> sites;
+  std::vector<std::uint8_t> bounded;
+  std::vector<double> areas;
+  std::vector<std::size_t> corner_begin{0};
+  std::vector<Point2> corners;
+  std::vector<std::size_t> edge_begin{0};
+  std::vector<std::uint64_t> neighbours;
+  std::vector<std::uint8_t> sides;
+  std::vector<std::uint8_t> inside;
+  std::vector<std::array<std::uint32_t, 2>> ends;  ///< places in corners, or TETLOFT_NO_ID
+  std::vector<double> lengths;
+};
+
 /// Of points one after the other.
 struct NaturalNeighboursValue {
   std::vector<std::size_t> begin;
@@ -175,6 +190,9 @@ struct HandleTraits<tetloft_delaunay_plane>
     : HandleTraitsOf<ChangingValue<DelaunayTriangulation2>, HandleType::delaunay_plane> {};
 template <>
 struct HandleTraits<tetloft_cells> : HandleTraitsOf<CellsValue, HandleType::cells> {};
+template <>
+struct HandleTraits<tetloft_plane_cells>
+    : HandleTraitsOf<PlaneCellsValue, HandleType::plane_cells> {};
 template <>
 struct HandleTraits<tetloft_natural_neighbours>
     : HandleTraitsOf<NaturalNeighboursValue, HandleType::natural_neighbours> {};

@@ -14,21 +14,6 @@
 namespace tetloft::c_test {
 namespace {
 
-// An array of C, which lives as long as its handle.
-template <class T>
-struct Array {
-  const T* data = nullptr;
-  std::size_t size = 0;
-  const T& operator[](std::size_t i) const { return data[i]; }
-};
-template <class T, class Handle>
-Array<T> array_of(tetloft_status (*get)(const Handle*, const T**, std::size_t*),
-                  const Handle* handle) {
-  Array<T> array;
-  EXPECT_OK(get(handle, &array.data, &array.size));
-  return array;
-}
-
 // All arrays of cells.
 struct CellArrays {
   explicit CellArrays(const tetloft_cells* c)

@@ -10,10 +10,11 @@ from . import _structs as structs
 from ._arrays import ArrayLike, Doubles, Integers, Vertices, doubles, filled, numpy
 from ._handles import Handle, Owner
 from ._library import lib
-from ._options import whole
+from ._options import choice, whole
 from ._running import Progress, Run, Stop
 from .errors import TooSmall
 from .formats import Data, as_bytes, bytes_of
+from .voronoi import NaturalNeighbours, check_values
 
 Same = TypeVar("Same", bound="ChangingDelaunay")
 
@@ -203,6 +204,40 @@ class ChangingDelaunay(Owner):
             return ConflictZone(*(filled(array, count.value, width)
                                   for array, count, width in zip(made, counts, columns)))
 
+    def natural_neighbours(self, points: ArrayLike, weights: str = "sibson", *, threads: int = 0,
+                           progress: Optional[Progress] = None,
+                           stop: Optional[Stop] = None) -> NaturalNeighbours:
+        """The vertices that would be neighbours of each point, were it one, and their weights:
+        "sibson", by what its cell would take of theirs, or "laplace", by area over distance of its
+        faces, in the plane length over distance of its edges. A vertex has itself alone, a point
+        outside of the hull none. The point is the weighted mean of its neighbours. Refused among
+        constraints."""
+        given, made = self._coordinates(points), Handle("natural_neighbours")
+        run = Run(threads, progress, stop)
+        run.call(self._function("natural_neighbours_all"), self._open(), given.pointer,
+                 given.rows, choice(structs.WEIGHTS, weights, "weights"), run.pointer, made.out)
+        return NaturalNeighbours._of(made)
+
+    def interpolate(self, values: ArrayLike, points: ArrayLike, weights: str = "sibson", *,
+                    threads: int = 0, progress: Optional[Progress] = None,
+                    stop: Optional[Stop] = None) -> Doubles:
+        """Values between vertices: at each point the weighted mean of those of its natural
+        neighbours, so that linear functions are reproduced. NaN outside of the hull.
+        ``values``: (``slots``,) or (``slots``, k), by index of vertex; where none was removed they
+        are those of the points that it was made of.
+
+        >>> from tetloft import DelaunayTriangulation3
+        >>> t = DelaunayTriangulation3([(0, 0, 0), (2, 0, 0), (0, 2, 0), (0, 0, 2)])
+        >>> found = t.interpolate([7, 8, 9, 10], [(0.5, 0.5, 0.5), (2, 2, 2)])
+        >>> [round(float(value), 9) for value in found]
+        [8.5, nan]
+        """
+        given: Any = values if hasattr(values, "__len__") else list(values)  # type: ignore
+        check_values(given, self.slots)
+        found = self.natural_neighbours(points, weights, threads=threads, progress=progress,
+                                        stop=stop)
+        return found.mean(given)
+
     def to_bytes(self) -> bytes:
         """The same on every machine; what is made of them has the same vertices."""
         made = Handle("bytes")
@@ -226,6 +261,16 @@ class ChangingDelaunay(Owner):
 
     def _listed(self, name: str, kind: Any, columns: int, *of: Any) -> Any:
         return self._found(self._function(name), kind, columns, *of)
+
+    def _measured(self, what: str, threads: int, progress: Optional[Progress],
+                  stop: Optional[Stop]) -> Any:
+        """Of whole cells, by index of vertex."""
+        run = Run(threads, progress, stop)
+
+        def ask(handle: Handle, *arguments: Any) -> None:
+            run.call(self._function(what), handle, run.pointer, *arguments)
+
+        return self._found(ask, c_double, 1)
 
     def _found(self, function: Any, kind: Any, columns: int, *of: Any) -> Any:
         # Room for a few, as of one vertex; where there are more, for as many as there were: between

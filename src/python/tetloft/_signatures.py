@@ -311,6 +311,31 @@ FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
     "tetloft_natural_neighbours_vertices": (STATUS, [HANDLE, to(to(UINT64)), to(SIZE)]),
     "tetloft_natural_neighbours_weights": (STATUS, [HANDLE, to(to(DOUBLE)), to(SIZE)]),
     "tetloft_natural_neighbours_free": (STATUS, [HANDLE]),
+    "tetloft_delaunay_plane_cells": (STATUS, [
+        HANDLE, to(DOUBLE), to(structs.Execution), to(HANDLE),
+    ]),
+    "tetloft_delaunay_plane_cell": (STATUS, [HANDLE, UINT64, to(DOUBLE), to(HANDLE)]),
+    "tetloft_plane_cells_sites": (STATUS, [HANDLE, to(to(UINT64)), to(SIZE)]),
+    "tetloft_plane_cells_bounded": (STATUS, [HANDLE, to(to(UINT8)), to(SIZE)]),
+    "tetloft_plane_cells_areas": (STATUS, [HANDLE, to(to(DOUBLE)), to(SIZE)]),
+    "tetloft_plane_cells_corner_begin": (STATUS, [HANDLE, to(to(SIZE)), to(SIZE)]),
+    "tetloft_plane_cells_corners": (STATUS, [HANDLE, to(to(DOUBLE)), to(SIZE)]),
+    "tetloft_plane_cells_edge_begin": (STATUS, [HANDLE, to(to(SIZE)), to(SIZE)]),
+    "tetloft_plane_cells_neighbours": (STATUS, [HANDLE, to(to(UINT64)), to(SIZE)]),
+    "tetloft_plane_cells_sides": (STATUS, [HANDLE, to(to(UINT8)), to(SIZE)]),
+    "tetloft_plane_cells_inside": (STATUS, [HANDLE, to(to(UINT8)), to(SIZE)]),
+    "tetloft_plane_cells_ends": (STATUS, [HANDLE, to(to(UINT32)), to(SIZE)]),
+    "tetloft_plane_cells_lengths": (STATUS, [HANDLE, to(to(DOUBLE)), to(SIZE)]),
+    "tetloft_plane_cells_free": (STATUS, [HANDLE]),
+    "tetloft_delaunay_plane_areas": (STATUS, [
+        HANDLE, to(structs.Execution), to(DOUBLE), SIZE, to(SIZE),
+    ]),
+    "tetloft_delaunay_plane_natural_neighbours": (STATUS, [
+        HANDLE, DOUBLE, DOUBLE, INT32, UINT64, to(UINT64), to(DOUBLE), SIZE, to(SIZE),
+    ]),
+    "tetloft_delaunay_plane_natural_neighbours_all": (STATUS, [
+        HANDLE, to(DOUBLE), SIZE, INT32, to(structs.Execution), to(HANDLE),
+    ]),
     "tetloft_periodic_delaunay": (STATUS, [
         to(DOUBLE), SIZE, to(DOUBLE), to(structs.Execution), to(HANDLE),
     ]),

@@ -13,7 +13,8 @@ from ._handles import Handle
 from ._library import lib
 from ._options import choice, whole
 from ._running import Progress, Run, Stop
-from .voronoi import NaturalNeighbours, VoronoiCell, VoronoiCells, check_values, clipping_box
+from .plane_cells import PlaneCell, PlaneCells
+from .voronoi import VoronoiCell, VoronoiCells, clipping_box
 
 
 class DelaunayTriangulation3(ChangingDelaunay):
@@ -76,49 +77,12 @@ class DelaunayTriangulation3(ChangingDelaunay):
                 stop: Optional[Stop] = None) -> Doubles:
         """(``slots``,): of all whole cells, by index of vertex, infinite where unbounded, 0 where
         there is no vertex. Several times as fast as making the cells."""
-        run = Run(threads, progress, stop)
-
-        def ask(handle: Handle, *arguments: Any) -> None:
-            run.call(lib.tetloft_delaunay_volumes, handle, run.pointer, *arguments)
-
-        return self._found(ask, c_double, 1)
+        return self._measured("volumes", threads, progress, stop)
 
     @property
     def circumspheres(self) -> Doubles:
         """(m, 4): centre and radius of the spheres through the vertices of ``tets``."""
         return self._listed("circumspheres", c_double, 4)
-
-    def natural_neighbours(self, points: ArrayLike, weights: str = "sibson", *, threads: int = 0,
-                           progress: Optional[Progress] = None,
-                           stop: Optional[Stop] = None) -> NaturalNeighbours:
-        """The vertices that would be neighbours of each point of (n, 3), were it one, and their
-        weights: "sibson", by what its cell would take of theirs, or "laplace", by area over
-        distance of its faces, in less time. A vertex has itself alone, a point outside of the hull
-        none. The point is the weighted mean of its neighbours."""
-        given, made = doubles(points, 3, "points"), Handle("natural_neighbours")
-        run = Run(threads, progress, stop)
-        run.call(lib.tetloft_delaunay_natural_neighbours_all, self._open(), given.pointer,
-                 given.rows, choice(structs.WEIGHTS, weights, "weights"), run.pointer, made.out)
-        return NaturalNeighbours._of(made)
-
-    def interpolate(self, values: ArrayLike, points: ArrayLike, weights: str = "sibson", *,
-                    threads: int = 0, progress: Optional[Progress] = None,
-                    stop: Optional[Stop] = None) -> Doubles:
-        """Values between vertices: at each point of (n, 3) the weighted mean of those of its
-        natural neighbours, so that linear functions are reproduced. NaN outside of the hull.
-        ``values``: (``slots``,) or (``slots``, k), by index of vertex; where none was removed they
-        are those of the points that it was made of.
-
-        >>> t = DelaunayTriangulation3([(0, 0, 0), (2, 0, 0), (0, 2, 0), (0, 0, 2)])
-        >>> found = t.interpolate([7, 8, 9, 10], [(0.5, 0.5, 0.5), (2, 2, 2)])
-        >>> [round(float(value), 9) for value in found]
-        [8.5, nan]
-        """
-        given: Any = values if hasattr(values, "__len__") else list(values)  # type: ignore
-        check_values(given, self.slots)
-        found = self.natural_neighbours(points, weights, threads=threads, progress=progress,
-                                        stop=stop)
-        return found.mean(given)
 
 
 class DelaunayTriangulation2(ChangingDelaunay):
@@ -163,6 +127,30 @@ class DelaunayTriangulation2(ChangingDelaunay):
         """The vertices on the hull, counter-clockwise from that of lowest index; of points in a row
         all of them, from one end to the other."""
         return self._listed("hull", c_uint64, 1)
+
+    def cells(self, rectangle: Optional[ArrayLike] = None, *, threads: int = 0,
+              progress: Optional[Progress] = None, stop: Optional[Stop] = None) -> PlaneCells:
+        """The Voronoi cells of all vertices, by index: whole, or what of them is in a rectangle,
+        given as its low and its high corner; their areas sum to its. Refused among
+        constraints."""
+        clip, made = clipping_box(rectangle, 2, "rectangle"), Handle("plane_cells")
+        run = Run(threads, progress, stop)
+        run.call(lib.tetloft_delaunay_plane_cells, self._open(), clip and clip.pointer, run.pointer,
+                 made.out)
+        return PlaneCells._of(made)
+
+    def cell(self, vertex: int, rectangle: Optional[ArrayLike] = None) -> PlaneCell:
+        """That of one vertex."""
+        clip, made = clipping_box(rectangle, 2, "rectangle"), Handle("plane_cells")
+        lib.tetloft_delaunay_plane_cell(self._open(), vertex_number(vertex), clip and clip.pointer,
+                                        made.out)
+        return PlaneCells._of(made)[0]
+
+    def areas(self, *, threads: int = 0, progress: Optional[Progress] = None,
+              stop: Optional[Stop] = None) -> Doubles:
+        """(``slots``,): of all whole cells, by index of vertex, infinite where unbounded, 0 where
+        there is no vertex. Refused among constraints."""
+        return self._measured("areas", threads, progress, stop)
 
     def insert_constraint(self, u: int, v: int, crossing: str = "refuse") -> int:
         """The segment between two vertices, as a constraint.

@@ -70,6 +70,16 @@ void* new_plane() {
   return nullptr;
 }
 
+void* new_plane_cells() {
+  tetloft_delaunay_plane* plane = nullptr;
+  tetloft_plane_cells* made = nullptr;
+  tetloft_status status =
+      tetloft_delaunay_plane_create(kPlanePoints.data(), kPlanePoints.size() / 2, nullptr, &plane);
+  if (status == TETLOFT_OK) status = tetloft_delaunay_plane_cells(plane, nullptr, nullptr, &made);
+  tetloft_delaunay_plane_free(plane);
+  return handle_or_null(status, made);
+}
+
 void* new_natural_neighbours() {
   auto* const delaunay = static_cast<tetloft_delaunay*>(new_handle(Kind::delaunay));
   tetloft_natural_neighbours* made = nullptr;
@@ -100,6 +110,8 @@ tetloft_status free_handle(Kind kind, void* handle) {
     case Kind::delaunay_plane:
       return tetloft_delaunay_plane_free(static_cast<tetloft_delaunay_plane*>(handle));
     case Kind::cells: return tetloft_cells_free(static_cast<tetloft_cells*>(handle));
+    case Kind::plane_cells:
+      return tetloft_plane_cells_free(static_cast<tetloft_plane_cells*>(handle));
     case Kind::natural_neighbours:
       return tetloft_natural_neighbours_free(static_cast<tetloft_natural_neighbours*>(handle));
     case Kind::periodic_tets:
@@ -170,6 +182,7 @@ void* new_handle(Kind kind) {
       return handle_or_null(
           tetloft_periodic_voronoi(kTetPoints.data(), 2, kBoxVectors.data(), nullptr, &made), made);
     }
+    case Kind::plane_cells: return new_plane_cells();
     case Kind::natural_neighbours: return new_natural_neighbours();
     case Kind::periodic_tets: {
       tetloft_periodic_tets* made = nullptr;

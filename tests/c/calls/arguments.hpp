@@ -41,10 +41,11 @@ enum class Kind {
   delaunay,
   delaunay_plane,
   cells,
+  plane_cells,
   natural_neighbours,
   periodic_tets,
 };
-inline constexpr int kKinds = 17;
+inline constexpr int kKinds = 18;
 
 template <class Handle>
 struct KindOf;
@@ -68,6 +69,7 @@ TETLOFT_KIND(points)
 TETLOFT_KIND(delaunay)
 TETLOFT_KIND(delaunay_plane)
 TETLOFT_KIND(cells)
+TETLOFT_KIND(plane_cells)
 TETLOFT_KIND(natural_neighbours)
 TETLOFT_KIND(periodic_tets)
 #undef TETLOFT_KIND
