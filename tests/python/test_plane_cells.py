@@ -82,7 +82,8 @@ class CellsOfPlanePoints(unittest.TestCase):
         self.assertEqual(int(cells.edge_begin[80]), len(cells.lengths))
         for array in (cells.neighbours, cells.sides, cells.inside, cells.ends):
             self.assertEqual(len(array), len(cells.lengths))
-        self.assertEqual(rows(cells[-1].corners), rows(self.made.cell(79, [(0, 0), (1, 1)]).corners))
+        last = self.made.cell(79, [(0, 0), (1, 1)])
+        self.assertEqual(rows(cells[-1].corners), rows(last.corners))
         with self.assertRaises(IndexError):
             cells[80]
         cells.close()
