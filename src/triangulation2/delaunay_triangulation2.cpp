@@ -284,6 +284,20 @@ std::vector<DelaunayVertex> DelaunayTriangulation2::neighbours(DelaunayVertex v)
   return result;
 }
 
+std::array<TriangleId, 2> DelaunayTriangulation2::triangles(DelaunayVertex u,
+                                                            DelaunayVertex v) const {
+  const Impl& impl = get();
+  const VertexId from = impl.id(u), to = impl.id(v);
+  if (dimension() < 2) return {};
+  const Incremental2& plane = impl.plane.triangles();
+  const HalfEdgeId h = plane.find_edge(impl.plane.site(from), impl.plane.site(to));
+  if (!h.valid()) return {};
+  std::array<TriangleId, 2> sides{Incremental2::triangle(h),
+                                  Incremental2::triangle(plane.opposite(h))};
+  for (TriangleId& t : sides) t = plane.is_ghost(t) ? TriangleId() : t;
+  return sides;
+}
+
 bool DelaunayTriangulation2::is_on_hull(DelaunayVertex v) const {
   const Impl& impl = get();
   const VertexId id = impl.id(v);

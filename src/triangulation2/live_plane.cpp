@@ -75,7 +75,7 @@ VertexId LivePlane::insert(VertexId v, VertexId near) {
 }
 
 // Prepared, for afterwards there may be no memory.
-Walls::Division LivePlane::division_of(SiteId near, VertexId v) const {
+Walls::Division LivePlane::division_of(SiteId near, VertexId v) {
   const HalfEdgeId wall = plane_->wall_at(point(v), plane_->locate(point(v), near));
   if (!wall.valid()) return {};
   return walls_.prepare(vertex_of_[plane_->origin(wall)], vertex_of_[plane_->destination(wall)], v);
@@ -98,7 +98,7 @@ VertexId LivePlane::insert_into_row(VertexId v) {
   if (at < row_.size() && point(row_[at]) == p) return row_[at];
   if (is_in_row(p)) {
     Walls::Division division;
-    if (at > 0 && at < row_.size() && walls_.over(row_[at - 1], row_[at]) != nullptr) {
+    if (at > 0 && at < row_.size() && walls_.find(row_[at - 1], row_[at]) != nullptr) {
       division = walls_.prepare(row_[at - 1], row_[at], v);
     }
     row_.insert(row_.begin() + static_cast<std::ptrdiff_t>(at), v);
@@ -213,8 +213,8 @@ std::vector<VertexId> LivePlane::build(std::span<const VertexId> points,
   if (start.plane) {
     start.plane->respect_labels();
     // Of what was a row: all its edges are there.
-    for (const auto& entry : walls_.edges()) {
-      start.plane->make_wall(site_of[entry.first[0]], site_of[entry.first[1]], kWall);
+    for (const Wall& wall : walls_.all()) {
+      start.plane->make_wall(site_of[wall.edge()[0]], site_of[wall.edge()[1]], kWall);
     }
   }
   work.step_done();
@@ -228,11 +228,11 @@ std::vector<VertexId> LivePlane::build(std::span<const VertexId> points,
   return vertex_of_point;
 }
 
-const std::vector<ConstraintId>* LivePlane::wall_of(VertexId v) const {
-  const std::vector<ConstraintId>* result = nullptr;
+const Wall* LivePlane::wall_of(VertexId v) const {
+  const Wall* result = nullptr;
   if (walls_.empty()) return result;
   EdgesOfPlane(*this).for_each_neighbour(v, [&](VertexId u) {
-    result = walls_.over(v, u);
+    result = walls_.find(v, u);
     return result == nullptr;
   });
   return result;
@@ -252,14 +252,14 @@ LivePlane::Step LivePlane::step(VertexId a, VertexId b) const {
   return result;
 }
 
-void LivePlane::add_to_edge(VertexId a, VertexId b, const std::vector<ConstraintId>& over) {
-  const bool is_new = walls_.over(a, b) == nullptr;
+void LivePlane::add_to_edge(VertexId a, VertexId b, std::span<const ConstraintId> over) {
+  const bool is_new = walls_.find(a, b) == nullptr;
   walls_.add(a, b, over);
   if (!plane_ || !is_new) return;
   try {
     plane_->make_wall(site_of_[a], site_of_[b], kWall);
   } catch (...) {
-    (void)walls_.take_all(a, b);
+    walls_.remove(a, b);
     throw;
   }
 }
@@ -269,7 +269,8 @@ void LivePlane::take_from_edge(VertexId a, VertexId b, ConstraintId c) {
 }
 
 std::vector<ConstraintId> LivePlane::open_edge(VertexId a, VertexId b) {
-  std::vector<ConstraintId> over = walls_.take_all(a, b);
+  std::vector<ConstraintId> over = walls_.find(a, b)->constraints();
+  walls_.remove(a, b);
   if (plane_) plane_->remove_wall(site_of_[a], site_of_[b]);
   return over;
 }

@@ -99,6 +99,29 @@ TEST(Questions, LocateNamesTheSmallestSimplex) {
   EXPECT_EQ(std::count(seen.begin(), seen.end(), 0), 0);
 }
 
+TEST(Questions, SidesOfEdgesAreTheTrianglesThatHaveThem) {
+  const DelaunayTriangulation2 t = value_of(DelaunayTriangulation2::of(small_lattice()));
+  std::size_t sides = 0;
+  for (const auto& [u, v] : t.edges()) {
+    const std::array<TriangleId, 2> there = t.triangles(u, v);
+    const std::array<TriangleId, 2> back = t.triangles(v, u);
+    EXPECT_EQ(there[0], back[1]);
+    EXPECT_EQ(there[1], back[0]);
+    EXPECT_TRUE(there[0].valid() || there[1].valid());
+    if (!there[0].valid()) continue;
+    ++sides;
+    const auto w = t.vertices(there[0]);
+    const auto at = static_cast<std::size_t>(std::find(w.begin(), w.end(), u) - w.begin());
+    ASSERT_LT(at, 3U);
+    EXPECT_EQ(w[(at + 1) % 3], v);
+    sides += there[1].valid() ? 1U : 0U;
+  }
+  EXPECT_LT(sides, 3 * t.triangle_count());
+  const std::array<TriangleId, 2> none = t.triangles(t.vertex_at(0), t.vertex_at(143));
+  EXPECT_FALSE(none[0].valid() || none[1].valid());
+  EXPECT_THROW((void)t.triangles(t.vertex_at(0), {}), std::out_of_range);
+}
+
 TEST(Questions, LocateKnowsRows) {
   DelaunayTriangulation2 t;
   EXPECT_EQ(value_of(t.locate({0, 0})).kind, LocationKind::outside);
