@@ -877,6 +877,148 @@ TETLOFT_C_API tetloft_status tetloft_delaunay_serialise(const tetloft_delaunay* 
 TETLOFT_C_API tetloft_status tetloft_delaunay_deserialise(const void* data, size_t size,
                                                           tetloft_delaunay** delaunay);
 
+/* --- Voronoi cells (tetloft/voronoi.hpp, tetloft/periodic.hpp) -------------------------------- */
+
+/* One cell after the other, and so their corners and faces. An array …_begin tells where those of
+ * each begin: it has one element more than what it divides, and what begins at begin[i] ends before
+ * begin[i + 1]. */
+typedef struct tetloft_cells tetloft_cells;
+
+/* Of all vertices, by index. `box`: six coordinates, low x y z and high x y z, of what the cells
+ * are clipped to; NULL: they are whole, and may be unbounded. */
+TETLOFT_C_API tetloft_status tetloft_delaunay_cells(const tetloft_delaunay* delaunay,
+                                                    const double* box,
+                                                    const tetloft_execution* execution,
+                                                    tetloft_cells** cells);
+/* Of one vertex. */
+TETLOFT_C_API tetloft_status tetloft_delaunay_cell(const tetloft_delaunay* delaunay,
+                                                   uint64_t vertex, const double* box,
+                                                   tetloft_cells** cells);
+/* Of the points[i] + s0 a + s1 b + s2 c for all integers s: of 3 · point_count coordinates, and
+ * nine, the vectors a, b and c. Corners are relative to the point; points may lie anywhere. */
+TETLOFT_C_API tetloft_status tetloft_periodic_voronoi(const double* xyz, size_t point_count,
+                                                      const double* box,
+                                                      const tetloft_execution* execution,
+                                                      tetloft_cells** cells);
+
+/* Of cells. */
+
+/* Whose they are: vertices; of periodic sets indices of points. */
+TETLOFT_C_API tetloft_status tetloft_cells_sites(const tetloft_cells* cells, const uint64_t** sites,
+                                                 size_t* count);
+/* 0: it goes on without end, and its volume is infinite. */
+TETLOFT_C_API tetloft_status tetloft_cells_bounded(const tetloft_cells* cells,
+                                                   const uint8_t** bounded, size_t* count);
+TETLOFT_C_API tetloft_status tetloft_cells_volumes(const tetloft_cells* cells,
+                                                   const double** volumes, size_t* count);
+TETLOFT_C_API tetloft_status tetloft_cells_corner_begin(const tetloft_cells* cells,
+                                                        const size_t** begin, size_t* count);
+/* Three coordinates each. */
+TETLOFT_C_API tetloft_status tetloft_cells_corners(const tetloft_cells* cells, const double** xyz,
+                                                   size_t* count);
+TETLOFT_C_API tetloft_status tetloft_cells_face_begin(const tetloft_cells* cells,
+                                                      const size_t** begin, size_t* count);
+
+/* Of faces: of each cell one for each of its neighbours, by index, then those on the box. */
+
+/* The sides of a box. */
+typedef enum tetloft_side {
+  TETLOFT_SIDE_NONE = 0,
+  TETLOFT_SIDE_LOW_X = 1,
+  TETLOFT_SIDE_HIGH_X = 2,
+  TETLOFT_SIDE_LOW_Y = 3,
+  TETLOFT_SIDE_HIGH_Y = 4,
+  TETLOFT_SIDE_LOW_Z = 5,
+  TETLOFT_SIDE_HIGH_Z = 6
+} tetloft_side;
+/* Whose cell is across, as sites are; TETLOFT_NO_VERTEX on the box. */
+TETLOFT_C_API tetloft_status tetloft_cells_neighbours(const tetloft_cells* cells,
+                                                      const uint64_t** neighbours, size_t* count);
+/* Where it lies on the box (tetloft_side). */
+TETLOFT_C_API tetloft_status tetloft_cells_sides(const tetloft_cells* cells, const uint8_t** sides,
+                                                 size_t* count);
+/* 0: it goes on without end, and its area is infinite. */
+TETLOFT_C_API tetloft_status tetloft_cells_faces_bounded(const tetloft_cells* cells,
+                                                         const uint8_t** bounded, size_t* count);
+TETLOFT_C_API tetloft_status tetloft_cells_areas(const tetloft_cells* cells, const double** areas,
+                                                 size_t* count);
+TETLOFT_C_API tetloft_status tetloft_cells_face_corner_begin(const tetloft_cells* cells,
+                                                             const size_t** begin, size_t* count);
+/* Places in all corners, of each face counter-clockwise as seen from outside its cell; perhaps none
+ * of a face without area. */
+TETLOFT_C_API tetloft_status tetloft_cells_face_corners(const tetloft_cells* cells,
+                                                        const uint32_t** corners, size_t* count);
+/* Of periodic sets, else empty: three integers of each face, how many times a, b and c the
+ * neighbour is away from where it was given; and three coordinates of its normal, of length 1,
+ * towards the neighbour. */
+TETLOFT_C_API tetloft_status tetloft_cells_shifts(const tetloft_cells* cells,
+                                                  const int32_t** shifts, size_t* count);
+TETLOFT_C_API tetloft_status tetloft_cells_normals(const tetloft_cells* cells,
+                                                   const double** normals, size_t* count);
+TETLOFT_C_API tetloft_status tetloft_cells_free(tetloft_cells* cells);
+
+/* The volumes of all whole cells, by index of vertex: infinite where unbounded, 0 in places without
+ * a vertex; so many as there are slots. Several times as fast as the cells. */
+TETLOFT_C_API tetloft_status tetloft_delaunay_volumes(const tetloft_delaunay* delaunay,
+                                                      const tetloft_execution* execution,
+                                                      double* volumes, size_t capacity,
+                                                      size_t* count);
+/* The spheres through the vertices of the tets, as tetloft_delaunay_tets() has them, four numbers
+ * each: centre and radius. */
+TETLOFT_C_API tetloft_status tetloft_delaunay_circumspheres(const tetloft_delaunay* delaunay,
+                                                            double* spheres, size_t capacity,
+                                                            size_t* count);
+/* That through four points, of twelve coordinates; in a plane they have none: the radius is
+ * infinite. */
+TETLOFT_C_API tetloft_status tetloft_circumsphere(const double* xyz, double* sphere);
+
+/* --- natural neighbours (tetloft/voronoi.hpp) ------------------------------------------------- */
+
+typedef enum tetloft_natural_weights {
+  TETLOFT_SIBSON = 0, /* by what a new vertex's cell would take of theirs */
+  TETLOFT_LAPLACE = 1 /* by area over distance of its faces, which takes less time */
+} tetloft_natural_weights;
+
+/* The vertices that would be neighbours of a new one at a point, by index, and their weights, of
+ * sum 1: capacity and count are of both arrays. TETLOFT_INVALID_INPUT outside of the hull. `kind`:
+ * tetloft_natural_weights; `near`: a vertex where the search starts, or TETLOFT_NO_VERTEX. */
+TETLOFT_C_API tetloft_status tetloft_delaunay_natural_neighbours(
+    const tetloft_delaunay* delaunay, double x, double y, double z, int32_t kind, uint64_t near,
+    uint64_t* vertices, double* weights, size_t capacity, size_t* count);
+
+/* Of many points, one after the other: none of those outside of the hull. */
+typedef struct tetloft_natural_neighbours tetloft_natural_neighbours;
+TETLOFT_C_API tetloft_status tetloft_delaunay_natural_neighbours_all(
+    const tetloft_delaunay* delaunay, const double* xyz, size_t point_count, int32_t kind,
+    const tetloft_execution* execution, tetloft_natural_neighbours** neighbours);
+/* One more than points: those of point i are begin[i] to before begin[i + 1]. */
+TETLOFT_C_API tetloft_status tetloft_natural_neighbours_begin(
+    const tetloft_natural_neighbours* neighbours, const size_t** begin, size_t* count);
+TETLOFT_C_API tetloft_status tetloft_natural_neighbours_vertices(
+    const tetloft_natural_neighbours* neighbours, const uint64_t** vertices, size_t* count);
+TETLOFT_C_API tetloft_status tetloft_natural_neighbours_weights(
+    const tetloft_natural_neighbours* neighbours, const double** weights, size_t* count);
+TETLOFT_C_API tetloft_status
+tetloft_natural_neighbours_free(tetloft_natural_neighbours* neighbours);
+
+/* --- Delaunay tets of periodic sets (tetloft/periodic.hpp) ------------------------------------ */
+
+/* Each once of all its images, sorted. */
+typedef struct tetloft_periodic_tets tetloft_periodic_tets;
+/* Of a set as that of tetloft_periodic_voronoi(). */
+TETLOFT_C_API tetloft_status tetloft_periodic_delaunay(const double* xyz, size_t point_count,
+                                                       const double* box,
+                                                       const tetloft_execution* execution,
+                                                       tetloft_periodic_tets** tets);
+/* Four indices of points each. */
+TETLOFT_C_API tetloft_status tetloft_periodic_tets_points(const tetloft_periodic_tets* tets,
+                                                          const uint32_t** points, size_t* count);
+/* Four times three integers each: how many times a, b and c each of the points is away from where
+ * it was given; 0 of the first. */
+TETLOFT_C_API tetloft_status tetloft_periodic_tets_shifts(const tetloft_periodic_tets* tets,
+                                                          const int32_t** shifts, size_t* count);
+TETLOFT_C_API tetloft_status tetloft_periodic_tets_free(tetloft_periodic_tets* tets);
+
 /* --- points from files (tetloft/formats.hpp) ------------------------------------------------- */
 
 typedef struct tetloft_points tetloft_points;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -14,6 +13,7 @@
 #include <vector>
 
 #include <tetloft/ids.hpp>
+#include <tetloft/periodic.hpp>
 #include <tetloft/point.hpp>
 
 #include "c/call.hpp"
@@ -39,9 +39,10 @@ template <>
 struct Flat<Point3> {
   using Number = double;
 };
-template <std::integral I>
-struct Flat<I> {
-  using Number = I;
+template <class N>
+requires std::is_arithmetic_v<N>
+struct Flat<N> {
+  using Number = N;
 };
 template <class Enum>
 requires std::is_enum_v<Enum>
@@ -117,6 +118,9 @@ void require_countable(std::size_t count);
 /// The points of `count` pairs, or triples, of coordinates.
 [[nodiscard]] std::vector<Point2> plane_points(const double* xy, std::size_t count);
 [[nodiscard]] std::vector<Point3> space_points(const double* xyz, std::size_t count);
+
+/// Of nine coordinates, which must be there.
+[[nodiscard]] PeriodicBox periodic_box(const double* vectors);
 
 /// The tuples of ids, `n` in each.
 template <class IdType, std::size_t n>

@@ -10,21 +10,11 @@
 #include "c/arrays.hpp"
 #include "c/handles.hpp"
 #include "c/options.hpp"
+#include "c/vertex_numbers.hpp"
 
 namespace tetloft::internal::c {
 
 namespace {
-
-using VertexNumber = std::uint64_t;
-using TetNumbers = std::array<VertexNumber, 4>;
-
-constexpr VertexNumber vertex_number(DelaunayVertex v) {
-  return (VertexNumber{v.generation} << 32) | v.index;
-}
-constexpr DelaunayVertex vertex_of_number(VertexNumber number) {
-  return {static_cast<std::uint32_t>(number), static_cast<std::uint32_t>(number >> 32)};
-}
-static_assert(vertex_number(DelaunayVertex()) == TETLOFT_NO_VERTEX);
 
 static_assert(TETLOFT_LOCATION_VERTEX == static_cast<int>(LocationKind::vertex) &&
               TETLOFT_LOCATION_EDGE == static_cast<int>(LocationKind::edge) &&
@@ -32,29 +22,7 @@ static_assert(TETLOFT_LOCATION_VERTEX == static_cast<int>(LocationKind::vertex) 
               TETLOFT_LOCATION_TET == static_cast<int>(LocationKind::tet) &&
               TETLOFT_LOCATION_OUTSIDE == static_cast<int>(LocationKind::outside));
 
-std::vector<VertexNumber> vertex_numbers(const std::vector<DelaunayVertex>& vertices) {
-  std::vector<VertexNumber> numbers(vertices.size());
-  std::transform(vertices.begin(), vertices.end(), numbers.begin(), vertex_number);
-  return numbers;
-}
-
-TetNumbers tet_numbers(const std::array<DelaunayVertex, 4>& vertices) {
-  TetNumbers numbers{};
-  std::transform(vertices.begin(), vertices.end(), numbers.begin(), vertex_number);
-  return numbers;
-}
-
-// Ends a body with TETLOFT_INVALID_INPUT where there is no such vertex.
-DelaunayVertex live_vertex(const DelaunayTriangulation3& triangulation, VertexNumber number) {
-  const DelaunayVertex v = vertex_of_number(number);
-  if (!triangulation.is_live(v)) {
-    throw Failed(Error{ErrorCode::invalid_input,
-                       "there is no vertex " + std::to_string(v.index) + " of generation " +
-                           std::to_string(v.generation),
-                       {}});
-  }
-  return v;
-}
+using TetNumbers = std::array<VertexNumber, 4>;
 
 // Answers with what `ask` finds in the triangulation, copied to the caller's array.
 template <class Number, class Ask>
@@ -215,7 +183,7 @@ tetloft_status tetloft_delaunay_tets(const tetloft_delaunay* delaunay, uint64_t*
                                      size_t capacity, size_t* count) {
   return copy_found(delaunay, tets, capacity, count, "tets", [](const DelaunayTriangulation3& t) {
     std::vector<TetNumbers> numbers;
-    for (const tetloft::TetId tet : t.tets()) numbers.push_back(tet_numbers(t.vertices(tet)));
+    for (const tetloft::TetId tet : t.tets()) numbers.push_back(vertex_numbers(t.vertices(tet)));
     return numbers;
   });
 }
@@ -225,7 +193,7 @@ tetloft_status tetloft_delaunay_star(const tetloft_delaunay* delaunay, uint64_t 
   return copy_found(delaunay, tets, capacity, count, "tets", [&](const DelaunayTriangulation3& t) {
     std::vector<TetNumbers> numbers;
     for (const tetloft::TetId tet : t.star(live_vertex(t, vertex))) {
-      numbers.push_back(tet_numbers(t.vertices(tet)));
+      numbers.push_back(vertex_numbers(t.vertices(tet)));
     }
     return numbers;
   });

@@ -31,6 +31,9 @@ const char* name_of(HandleType type) {
     case HandleType::triangulation: return "a triangulation";
     case HandleType::points: return "points";
     case HandleType::delaunay: return "a Delaunay triangulation";
+    case HandleType::cells: return "Voronoi cells";
+    case HandleType::natural_neighbours: return "natural neighbours";
+    case HandleType::periodic_tets: return "tets of a periodic set";
   }
   return "nothing";
 }

@@ -2,6 +2,8 @@
 // DelaunayValue.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <mutex>
@@ -19,6 +21,7 @@
 #include <tetloft/delaunay_triangulation3.hpp>
 #include <tetloft/links.hpp>
 #include <tetloft/model.hpp>
+#include <tetloft/periodic.hpp>
 #include <tetloft/point.hpp>
 #include <tetloft/report.hpp>
 #include <tetloft/section_stack.hpp>
@@ -94,6 +97,37 @@ class DelaunayValue {
   std::unique_ptr<Shared> shared_;
 };
 
+/// Cells one after the other. What begins at begin[i] ends at begin[i + 1]: these arrays have one
+/// element more than what they divide.
+struct CellsValue {
+  std::vector<std::uint64_t> sites;
+  std::vector<std::uint8_t> bounded;
+  std::vector<double> volumes;
+  std::vector<std::size_t> corner_begin{0};  ///< of cells, in corners
+  std::vector<Point3> corners;
+  std::vector<std::size_t> face_begin{0};  ///< of cells, in the arrays of faces:
+  std::vector<std::uint64_t> neighbours;
+  std::vector<std::uint8_t> sides;
+  std::vector<std::uint8_t> faces_bounded;
+  std::vector<double> areas;
+  std::vector<std::size_t> face_corner_begin{0};  ///< of faces, in face_corners
+  std::vector<std::uint32_t> face_corners;        ///< places in corners
+  std::vector<LatticeShift> shifts;               ///< of faces of periodic sets
+  std::vector<Point3> normals;                    ///< likewise
+};
+
+/// Of points one after the other.
+struct NaturalNeighboursValue {
+  std::vector<std::size_t> begin;
+  std::vector<std::uint64_t> vertices;
+  std::vector<double> weights;
+};
+
+struct PeriodicTetsValue {
+  std::vector<std::array<std::uint32_t, 4>> points;
+  std::vector<std::array<LatticeShift, 4>> shifts;
+};
+
 /// The value and the type behind a handle of C.
 template <class Handle>
 struct HandleTraits;
@@ -131,5 +165,13 @@ template <>
 struct HandleTraits<tetloft_points> : HandleTraitsOf<std::vector<Point3>, HandleType::points> {};
 template <>
 struct HandleTraits<tetloft_delaunay> : HandleTraitsOf<DelaunayValue, HandleType::delaunay> {};
+template <>
+struct HandleTraits<tetloft_cells> : HandleTraitsOf<CellsValue, HandleType::cells> {};
+template <>
+struct HandleTraits<tetloft_natural_neighbours>
+    : HandleTraitsOf<NaturalNeighboursValue, HandleType::natural_neighbours> {};
+template <>
+struct HandleTraits<tetloft_periodic_tets>
+    : HandleTraitsOf<PeriodicTetsValue, HandleType::periodic_tets> {};
 
 }  // namespace tetloft::internal::c

@@ -24,7 +24,7 @@ using triangulation2::EdgesOfPlane;
 using triangulation2::HalfEdgeId;
 using triangulation2::Incremental2;
 using triangulation2::LivePlane;
-using triangulation2::Wall;
+using triangulation2::PlaneWall;
 
 namespace {
 
@@ -177,7 +177,7 @@ std::vector<std::array<VertexId, 2>> DelaunayTriangulation2::Impl::edges_of(Cons
     const VertexId v = open.back();
     open.pop_back();
     EdgesOfPlane(plane).for_each_neighbour(v, [&](VertexId u) {
-      const Wall* wall = plane.walls().find(v, u);
+      const PlaneWall* wall = plane.walls().find(v, u);
       if (wall != nullptr && wall->has(c) && edges.insert(wall->edge()).second) open.push_back(u);
       return true;
     });
@@ -263,7 +263,7 @@ std::vector<ConstraintId> DelaunayTriangulation2::constraints() const {
 std::vector<ConstraintId> DelaunayTriangulation2::constraints(DelaunayVertex u,
                                                               DelaunayVertex v) const {
   const Impl& impl = get();
-  const Wall* wall = impl.plane.walls().find(impl.id(u), impl.id(v));
+  const PlaneWall* wall = impl.plane.walls().find(impl.id(u), impl.id(v));
   if (wall == nullptr) return {};
   std::vector<ConstraintId> result = wall->constraints();
   result.erase(std::unique(result.begin(), result.end()), result.end());
@@ -291,7 +291,7 @@ Result<std::vector<TriangleId>> DelaunayTriangulation2::inside() const {
   return guard_internal([&]() -> Result<std::vector<TriangleId>> {
     const Impl& impl = get();
     std::vector<bool> is_odd(impl.places.size());
-    for (const Wall& wall : impl.plane.walls().all()) {
+    for (const PlaneWall& wall : impl.plane.walls().all()) {
       if (wall.count() % 2 == 0) continue;
       for (const VertexId v : wall.edge()) is_odd[v.index()] = !is_odd[v.index()];
     }

@@ -108,7 +108,7 @@ class tetloft::DelaunayTriangulation2::Impl {
   }
   /// What is said of a vertex that a constraint goes over, if one does.
   [[nodiscard]] Result<void> check_free(VertexId v) const {
-    const internal::triangulation2::Wall* wall = plane.wall_of(v);
+    const internal::triangulation2::PlaneWall* wall = plane.wall_of(v);
     if (wall == nullptr) return {};
     Error error{ErrorCode::invalid_input,
                 "constraint " + std::to_string(wall->lowest().value()) + " goes over the vertex",

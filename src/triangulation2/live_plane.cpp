@@ -215,7 +215,7 @@ std::vector<VertexId> LivePlane::build(std::span<const VertexId> points,
   if (start.plane) {
     start.plane->respect_labels();
     // Of what was a row: all its edges are there.
-    for (const Wall& wall : walls_.all()) {
+    for (const PlaneWall& wall : walls_.all()) {
       start.plane->make_wall(site_of[wall.edge()[0]], site_of[wall.edge()[1]], kWall);
     }
   }
@@ -230,8 +230,8 @@ std::vector<VertexId> LivePlane::build(std::span<const VertexId> points,
   return vertex_of_point;
 }
 
-const Wall* LivePlane::wall_of(VertexId v) const {
-  const Wall* result = nullptr;
+const PlaneWall* LivePlane::wall_of(VertexId v) const {
+  const PlaneWall* result = nullptr;
   if (walls_.empty()) return result;
   EdgesOfPlane(*this).for_each_neighbour(v, [&](VertexId u) {
     result = walls_.find(v, u);

@@ -63,7 +63,7 @@ class LivePlane {
 
   [[nodiscard]] const Walls& walls() const { return walls_; }
   /// A wall at v, or null.
-  [[nodiscard]] const Wall* wall_of(VertexId v) const;
+  [[nodiscard]] const PlaneWall* wall_of(VertexId v) const;
   /// What one comes to on the way from a to another vertex b.
   struct Step {
     VertexId reached;                 ///< the first vertex on the segment

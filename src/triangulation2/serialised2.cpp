@@ -42,7 +42,7 @@ bool is_before(const Piece2& a, const Piece2& b) {
 
 std::vector<Piece2> pieces_of(const LivePlane& plane) {
   std::vector<Piece2> pieces;
-  for (const triangulation2::Wall& wall : plane.walls().all()) {
+  for (const triangulation2::PlaneWall& wall : plane.walls().all()) {
     for (const ConstraintId c : wall.constraints()) pieces.push_back({wall.edge(), c});
   }
   std::sort(pieces.begin(), pieces.end(), is_before);

@@ -19,7 +19,7 @@
 namespace tetloft::internal::triangulation2 {
 
 /// An edge, by increasing id, and the constraints over it: at least one.
-class Wall {
+class PlaneWall {
  public:
   using Edge = std::array<VertexId, 2>;
   [[nodiscard]] static Edge edge_of(VertexId a, VertexId b) {
@@ -27,9 +27,9 @@ class Wall {
   }
 
   /// `constraints` is not empty.
-  Wall(const Edge& edge, std::vector<ConstraintId> constraints);
+  PlaneWall(const Edge& edge, std::vector<ConstraintId> constraints);
   /// No memory is needed.
-  Wall(const Edge& edge, ConstraintId constraint) : edge_(edge), lowest_(constraint) {}
+  PlaneWall(const Edge& edge, ConstraintId constraint) : edge_(edge), lowest_(constraint) {}
 
   [[nodiscard]] const Edge& edge() const { return edge_; }
   [[nodiscard]] std::size_t count() const { return 1 + others_.size(); }
@@ -51,16 +51,16 @@ class Walls {
  public:
   /// The halves of a wall that a vertex is about to divide; none where there is no such wall.
   struct Division {
-    Wall::Edge whole;
-    std::vector<Wall> halves;
+    PlaneWall::Edge whole;
+    std::vector<PlaneWall> halves;
   };
 
   [[nodiscard]] bool empty() const { return walls_.empty(); }
   /// Each once.
-  [[nodiscard]] std::span<const Wall> all() const { return walls_; }
+  [[nodiscard]] std::span<const PlaneWall> all() const { return walls_; }
   /// Null where a b is no wall.
-  [[nodiscard]] const Wall* find(VertexId a, VertexId b) const {
-    return walls_.empty() ? nullptr : found(slot_of(Wall::edge_of(a, b)));
+  [[nodiscard]] const PlaneWall* find(VertexId a, VertexId b) const {
+    return walls_.empty() ? nullptr : found(slot_of(PlaneWall::edge_of(a, b)));
   }
 
   /// If memory ends, nothing has happened.
@@ -79,17 +79,17 @@ class Walls {
 
  private:
   static constexpr std::uint32_t kFree = 0xFFFFFFFFU;
-  [[nodiscard]] std::size_t home_of(const Wall::Edge& edge) const;
+  [[nodiscard]] std::size_t home_of(const PlaneWall::Edge& edge) const;
   /// The slot that has the wall, or the free one where it would be.
-  [[nodiscard]] std::size_t slot_of(const Wall::Edge& edge) const;
-  [[nodiscard]] const Wall* found(std::size_t slot) const {
+  [[nodiscard]] std::size_t slot_of(const PlaneWall::Edge& edge) const;
+  [[nodiscard]] const PlaneWall* found(std::size_t slot) const {
     return table_[slot] == kFree ? nullptr : &walls_[table_[slot]];
   }
   void provide_room_for_one();
-  void append(Wall wall) noexcept;
+  void append(PlaneWall wall) noexcept;
   void free_slot(std::size_t slot) noexcept;
 
-  std::vector<Wall> walls_;
+  std::vector<PlaneWall> walls_;
   std::vector<std::uint32_t> table_;  // places in walls_, or kFree; of 2^k at most half are taken
 };
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include <tetloft/predicates.hpp>
@@ -11,7 +13,9 @@
 
 #include "core/enums.hpp"
 #include "core/guard.hpp"
+#include "core/parallel.hpp"
 #include "core/vector.hpp"
+#include "core/watched_work.hpp"
 #include "voronoi/cut_polyhedron.hpp"
 #include "voronoi/moderate.hpp"
 
@@ -143,7 +147,7 @@ std::vector<double> natural_weights(const CutPolyhedron& cell, const Surrounding
   return weights;
 }
 
-Error outside_of_hull(const char* why, const Point3& p) {
+Error refused_at(const char* why, const Point3& p) {
   Error error{ErrorCode::invalid_input, why, {}};
   error.where.point = p;
   return error;
@@ -155,7 +159,7 @@ Result<NaturalNeighbours> weighted_neighbours(const DelaunayTriangulation3& tria
   const Surroundings around = surroundings_of(triangulation, zone, p);
   for (const DelaunayVertex v : around.vertices) {
     if (!voronoi::is_moderate(triangulation.point(v))) {
-      return outside_of_hull("a neighbour's coordinate is beyond 2^300", triangulation.point(v));
+      return refused_at("a neighbour's coordinate is beyond 2^300", triangulation.point(v));
     }
   }
   NaturalNeighbours result;
@@ -180,6 +184,85 @@ Result<NaturalNeighbours> weighted_neighbours(const DelaunayTriangulation3& tria
   return result;
 }
 
+Result<void> check_natural(NaturalWeights weights, std::span<const Point3> points) {
+  if (!is_enumerator(weights, NaturalWeights::laplace)) {
+    return Error{ErrorCode::usage, "there are no such weights of natural neighbours", {}};
+  }
+  for (const Point3& p : points) {
+    if (!voronoi::is_moderate(p)) {
+      return refused_at("a coordinate is not finite, or beyond 2^300", p);
+    }
+  }
+  return {};
+}
+
+// Of a point that is not outside.
+Result<NaturalNeighbours> neighbours_at(const DelaunayTriangulation3& triangulation,
+                                        const Location3& at, const Point3& point,
+                                        NaturalWeights weights) {
+  if (at.kind == LocationKind::vertex) return NaturalNeighbours{{at.vertices[0]}, {1}};
+  const Result<ConflictZone3> zone = triangulation.conflict_zone(point, at.vertices[0]);
+  if (!zone) return zone.error();
+  return weighted_neighbours(triangulation, *zone, point, weights);
+}
+
+// Of the points first to last, what NaturalNeighboursOfMany has of all; begin without its 0.
+NaturalNeighboursOfMany neighbours_of_stretch(const DelaunayTriangulation3& triangulation,
+                                              const std::vector<Location3>& locations,
+                                              std::span<const Point3> points, std::size_t first,
+                                              std::size_t last, NaturalWeights weights) {
+  NaturalNeighboursOfMany found;
+  for (std::size_t i = first; i < last; ++i) {
+    if (locations[i].kind != LocationKind::outside) {
+      const Result<NaturalNeighbours> of =
+          neighbours_at(triangulation, locations[i], points[i], weights);
+      if (!of) throw Failed(of.error());
+      found.vertices.insert(found.vertices.end(), of->vertices.begin(), of->vertices.end());
+      found.weights.insert(found.weights.end(), of->weights.begin(), of->weights.end());
+    }
+    found.begin.push_back(found.vertices.size());
+  }
+  return found;
+}
+
+NaturalNeighboursOfMany joined_neighbours(std::vector<NaturalNeighboursOfMany> parts) {
+  NaturalNeighboursOfMany all;
+  all.begin.push_back(0);
+  for (NaturalNeighboursOfMany& part : parts) {
+    const std::size_t before = all.vertices.size();
+    for (const std::size_t end : part.begin) all.begin.push_back(before + end);
+    all.vertices.insert(all.vertices.end(), part.vertices.begin(), part.vertices.end());
+    all.weights.insert(all.weights.end(), part.weights.begin(), part.weights.end());
+    part = {};
+  }
+  return all;
+}
+
+// Locations are found along a curve, each from the one before; from there on each point is by
+// itself.
+Result<NaturalNeighboursOfMany> neighbours_of_many(const DelaunayTriangulation3& triangulation,
+                                                   std::span<const Point3> points,
+                                                   NaturalWeights weights,
+                                                   const Execution& execution) {
+  constexpr std::size_t kStretch = 256;
+  NaturalNeighboursOfMany none;
+  none.begin.assign(points.size() + 1, 0);
+  if (triangulation.dimension() < 3) return none;
+  const std::size_t stretches = (points.size() + kStretch - 1) / kStretch;
+  WatchedWork work(execution, stretches + 1);
+  work.go_on();
+  const Result<std::vector<Location3>> locations = triangulation.locate(points, untold(execution));
+  if (!locations) return locations.error();
+  work.step_done_go_on();
+  std::vector<NaturalNeighboursOfMany> parts(stretches);
+  parallel_for(stretches, execution.threads, [&](std::size_t k) {
+    parts[k] = neighbours_of_stretch(triangulation, *locations, points, k * kStretch,
+                                     std::min(points.size(), (k + 1) * kStretch), weights);
+    work.step_done_go_on();
+  });
+  return joined_neighbours(std::move(parts));
+}
+
 }  // namespace
 
 const char* name_of(NaturalWeights weights) {
@@ -194,24 +277,23 @@ Result<NaturalNeighbours> natural_neighbours(const DelaunayTriangulation3& trian
                                              const Point3& point, NaturalWeights weights,
                                              DelaunayVertex near) {
   return guard_internal([&]() -> Result<NaturalNeighbours> {
-    if (!is_enumerator(weights, NaturalWeights::laplace)) {
-      return Error{ErrorCode::usage, "there are no such weights of natural neighbours", {}};
-    }
-    if (!voronoi::is_moderate(point)) {
-      return outside_of_hull("a coordinate is not finite, or beyond 2^300", point);
-    }
-    if (triangulation.dimension() < 3) {
-      return outside_of_hull("the vertices span no space", point);
-    }
+    if (Result<void> fine = check_natural(weights, {&point, 1}); !fine) return fine.error();
+    if (triangulation.dimension() < 3) return refused_at("the vertices span no space", point);
     const Result<Location3> at = triangulation.locate(point, near);
     if (!at) return at.error();
     if (at->kind == LocationKind::outside) {
-      return outside_of_hull("the point is outside of the hull", point);
+      return refused_at("the point is outside of the hull", point);
     }
-    if (at->kind == LocationKind::vertex) return NaturalNeighbours{{at->vertices[0]}, {1}};
-    const Result<ConflictZone3> zone = triangulation.conflict_zone(point, at->vertices[0]);
-    if (!zone) return zone.error();
-    return weighted_neighbours(triangulation, *zone, point, weights);
+    return neighbours_at(triangulation, *at, point, weights);
+  });
+}
+
+Result<NaturalNeighboursOfMany> natural_neighbours_of_many(
+    const DelaunayTriangulation3& triangulation, std::span<const Point3> points,
+    NaturalWeights weights, const Execution& execution) {
+  return guard_threads(execution, [&](const Execution& own) -> Result<NaturalNeighboursOfMany> {
+    if (Result<void> fine = check_natural(weights, points); !fine) return fine.error();
+    return neighbours_of_many(triangulation, points, weights, own);
   });
 }
 

@@ -21,6 +21,7 @@
 #include "core/watched_work.hpp"
 #include "voronoi/circumcentre3.hpp"
 #include "voronoi/moderate.hpp"
+#include "voronoi/near_one.hpp"
 #include "voronoi/sites.hpp"
 
 namespace tetloft {

@@ -22,6 +22,7 @@ class Owned {
   Owned(const Owned&) = delete;
   Owned& operator=(const Owned&) = delete;
   operator Handle*() const { return handle_; }
+  [[nodiscard]] const Handle* handle() const { return handle_; }
   /// For a call that makes one.
   Handle** out() {
     free_handle(KindOf<Handle>::value, handle_);

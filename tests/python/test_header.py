@@ -113,6 +113,8 @@ class TheHeader(unittest.TestCase):
         self.assertEqual(_structs.COLOUR, values("COLOUR_", body("tetloft_colour")))
         self.assertEqual(_structs.LINK, values("LINK_", body("tetloft_link_kind")))
         self.assertEqual(_structs.LOCATION, values("LOCATION_", body("tetloft_location")))
+        self.assertEqual(_structs.SIDE, values("SIDE_", body("tetloft_side")))
+        self.assertEqual(_structs.WEIGHTS, values("", body("tetloft_natural_weights")))
         self.assertEqual(_structs.CONTENTS, values("CONTENTS_", HEADER))
         self.assertIn("TETLOFT_NO_ID UINT32_C(0xFFFFFFFF)", HEADER)
         self.assertEqual(_structs.NO_ID, 0xFFFFFFFF)

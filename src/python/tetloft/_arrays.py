@@ -20,7 +20,7 @@ except ImportError:
     pass
 
 if TYPE_CHECKING:
-    from numpy import float64, int64, uint8, uint32, uint64
+    from numpy import float64, int32, int64, uint8, uint32, uint64
     from numpy.typing import ArrayLike as ArrayLike
     from numpy.typing import NDArray
 
@@ -30,8 +30,9 @@ if TYPE_CHECKING:
     Codes = NDArray[uint8]
     Integers = NDArray[int64]
     Vertices = NDArray[uint64]
+    Shifts = NDArray[int32]
 else:
-    ArrayLike = Doubles = Ids = Codes = Integers = Vertices = Any
+    ArrayLike = Doubles = Ids = Codes = Integers = Vertices = Shifts = Any
 
 
 def view(pointer: Any, rows: int, columns: int, owner: Any) -> Any:

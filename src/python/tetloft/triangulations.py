@@ -10,10 +10,11 @@ from . import _structs as structs
 from ._arrays import ArrayLike, Doubles, Integers, Vertices, doubles, filled, numpy
 from ._handles import Handle, Owner
 from ._library import lib
-from ._options import whole
+from ._options import choice, whole
 from ._running import Progress, Run, Stop
 from .errors import TooSmall
 from .formats import Data, as_bytes, bytes_of
+from .voronoi import NaturalNeighbours, VoronoiCell, VoronoiCells, check_values, clipping_box
 
 LOCATIONS = tuple(structs.LOCATION)
 """The kinds of places, by the number that :meth:`DelaunayTriangulation3.locate` gives."""
@@ -30,7 +31,7 @@ def _vertex(given: int) -> int:
 
 class DelaunayTriangulation3(Owner):
     """The Delaunay triangulation of the points that are there, whatever was done before: insert,
-    remove, move; nearest, locate, neighbours.
+    remove, move; nearest, locate, neighbours; Voronoi cells, natural neighbours.
 
     ``points``: (n, 3); vertex i is that of point i, of equal ones the first has it. A vertex is an
     integer, index + 2^32 · generation: the index is taken again when it is gone, the generation
@@ -183,6 +184,69 @@ class DelaunayTriangulation3(Owner):
     def within(self, point: Sequence[float], radius: float) -> Vertices:
         """All vertices at most so far from a point, by distance, then by index."""
         return self._found(lib.tetloft_delaunay_within, c_uint64, 1, *_point(point), float(radius))
+
+    def cells(self, box: Optional[ArrayLike] = None, *, threads: int = 0,
+              progress: Optional[Progress] = None, stop: Optional[Stop] = None) -> VoronoiCells:
+        """The Voronoi cells of all vertices, by index: whole, or what of them is in a box, given as
+        its low and its high corner. Those in a box are bounded, and their volumes sum to its."""
+        clip, made, run = clipping_box(box), Handle("cells"), Run(threads, progress, stop)
+        run.call(lib.tetloft_delaunay_cells, self._open(), clip and clip.pointer, run.pointer,
+                 made.out)
+        return VoronoiCells._of(made)
+
+    def cell(self, vertex: int, box: Optional[ArrayLike] = None) -> VoronoiCell:
+        """That of one vertex."""
+        clip, made = clipping_box(box), Handle("cells")
+        lib.tetloft_delaunay_cell(self._open(), _vertex(vertex), clip and clip.pointer, made.out)
+        return VoronoiCells._of(made)[0]
+
+    def volumes(self, *, threads: int = 0, progress: Optional[Progress] = None,
+                stop: Optional[Stop] = None) -> Doubles:
+        """(``slots``,): of all whole cells, by index of vertex, infinite where unbounded, 0 where
+        there is no vertex. Several times as fast as making the cells."""
+        run = Run(threads, progress, stop)
+
+        def ask(handle: Handle, *arguments: Any) -> None:
+            run.call(lib.tetloft_delaunay_volumes, handle, run.pointer, *arguments)
+
+        return self._found(ask, c_double, 1)
+
+    @property
+    def circumspheres(self) -> Doubles:
+        """(m, 4): centre and radius of the spheres through the vertices of ``tets``."""
+        return self._found(lib.tetloft_delaunay_circumspheres, c_double, 4)
+
+    def natural_neighbours(self, points: ArrayLike, weights: str = "sibson", *, threads: int = 0,
+                           progress: Optional[Progress] = None,
+                           stop: Optional[Stop] = None) -> NaturalNeighbours:
+        """The vertices that would be neighbours of each point of (n, 3), were it one, and their
+        weights: "sibson", by what its cell would take of theirs, or "laplace", by area over
+        distance of its faces, in less time. A vertex has itself alone, a point outside of the hull
+        none. The point is the weighted mean of its neighbours."""
+        given, made = doubles(points, 3, "points"), Handle("natural_neighbours")
+        run = Run(threads, progress, stop)
+        run.call(lib.tetloft_delaunay_natural_neighbours_all, self._open(), given.pointer,
+                 given.rows, choice(structs.WEIGHTS, weights, "weights"), run.pointer, made.out)
+        return NaturalNeighbours._of(made)
+
+    def interpolate(self, values: ArrayLike, points: ArrayLike, weights: str = "sibson", *,
+                    threads: int = 0, progress: Optional[Progress] = None,
+                    stop: Optional[Stop] = None) -> Doubles:
+        """Values between vertices: at each point of (n, 3) the weighted mean of those of its
+        natural neighbours, so that linear functions are reproduced. NaN outside of the hull.
+        ``values``: (``slots``,) or (``slots``, k), by index of vertex; where none was removed they
+        are those of the points that it was made of.
+
+        >>> t = DelaunayTriangulation3([(0, 0, 0), (2, 0, 0), (0, 2, 0), (0, 0, 2)])
+        >>> found = t.interpolate([7, 8, 9, 10], [(0.5, 0.5, 0.5), (2, 2, 2)])
+        >>> [round(float(value), 9) for value in found]
+        [8.5, nan]
+        """
+        given: Any = values if hasattr(values, "__len__") else list(values)  # type: ignore
+        check_values(given, self.slots)
+        found = self.natural_neighbours(points, weights, threads=threads, progress=progress,
+                                        stop=stop)
+        return found.mean(given)
 
     def to_bytes(self) -> bytes:
         """The same on every machine; what is made of them has the same vertices."""

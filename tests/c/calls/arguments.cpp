@@ -56,6 +56,15 @@ void* new_warnings() {
   return warnings;
 }
 
+void* new_natural_neighbours() {
+  auto* const delaunay = static_cast<tetloft_delaunay*>(new_handle(Kind::delaunay));
+  tetloft_natural_neighbours* made = nullptr;
+  const tetloft_status status = tetloft_delaunay_natural_neighbours_all(
+      delaunay, kInnerPoint.data(), 1, TETLOFT_SIBSON, nullptr, &made);
+  free_handle(Kind::delaunay, delaunay);
+  return handle_or_null(status, made);
+}
+
 }  // namespace
 
 tetloft_status free_handle(Kind kind, void* handle) {
@@ -74,6 +83,11 @@ tetloft_status free_handle(Kind kind, void* handle) {
       return tetloft_triangulation_free(static_cast<tetloft_triangulation*>(handle));
     case Kind::points: return tetloft_points_free(static_cast<tetloft_points*>(handle));
     case Kind::delaunay: return tetloft_delaunay_free(static_cast<tetloft_delaunay*>(handle));
+    case Kind::cells: return tetloft_cells_free(static_cast<tetloft_cells*>(handle));
+    case Kind::natural_neighbours:
+      return tetloft_natural_neighbours_free(static_cast<tetloft_natural_neighbours*>(handle));
+    case Kind::periodic_tets:
+      return tetloft_periodic_tets_free(static_cast<tetloft_periodic_tets*>(handle));
   }
   return TETLOFT_USAGE;
 }
@@ -133,6 +147,18 @@ void* new_handle(Kind kind) {
       tetloft_delaunay* made = nullptr;
       return handle_or_null(
           tetloft_delaunay_create(kTetPoints.data(), kTetPoints.size() / 3, nullptr, &made), made);
+    }
+    case Kind::cells: {
+      tetloft_cells* made = nullptr;
+      return handle_or_null(
+          tetloft_periodic_voronoi(kTetPoints.data(), 2, kBoxVectors.data(), nullptr, &made), made);
+    }
+    case Kind::natural_neighbours: return new_natural_neighbours();
+    case Kind::periodic_tets: {
+      tetloft_periodic_tets* made = nullptr;
+      return handle_or_null(
+          tetloft_periodic_delaunay(kTetPoints.data(), 2, kBoxVectors.data(), nullptr, &made),
+          made);
     }
   }
   return nullptr;
@@ -229,6 +255,13 @@ Arguments::Array<const void> Arguments::choose_array(const void* usual, std::siz
   // The last one times the size of an element is a small number, if nobody looks at overflow.
   const std::size_t counts[] = {count, 0, kMost, kMost / tuple + 2};
   return {copy.data(), counts[variant]};
+}
+
+const double* Arguments::numbers(const std::vector<double>& usual, Expected null) {
+  if (choose({Expected::ok, null}) != 0) return nullptr;
+  std::vector<double> given = reals(usual);
+  given.resize(usual.size());
+  return numbers_.emplace_back(std::move(given)).data();
 }
 
 Arguments::Array<void> Arguments::choose_output_array(std::size_t tuple, Expected null) {

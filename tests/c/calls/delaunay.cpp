@@ -19,8 +19,6 @@ std::uint64_t vertex(A& a, std::int64_t usual) {
 // Arrays for as many points as there are at most: 40 coordinates.
 constexpr std::size_t kMostPoints = 40;
 
-const std::vector<double> kQueries{0.1, 0.1, 0.1, 0.5, 0.5, 0, 9, 9, 9};
-
 // What is asked of all of it, and of one of its vertices.
 template <class Number, class Query>
 tetloft_status of_all(A& a, Query query, std::size_t tuple) {

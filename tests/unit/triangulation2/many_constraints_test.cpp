@@ -95,18 +95,18 @@ TEST(ManyConstraints, KeepTheIdsOfTheirPlaces) {
   EXPECT_EQ(t.constraint_count(), segments.size());
 }
 
-using internal::triangulation2::Wall;
+using internal::triangulation2::PlaneWall;
 using internal::triangulation2::Walls;
-using WallsInOrder = std::map<Wall::Edge, std::vector<ConstraintId>>;
+using WallsInOrder = std::map<PlaneWall::Edge, std::vector<ConstraintId>>;
 
 testing::AssertionResult are_same_walls(const Walls& walls, const WallsInOrder& expected) {
   WallsInOrder found;
-  for (const Wall& wall : walls.all()) found[wall.edge()] = wall.constraints();
+  for (const PlaneWall& wall : walls.all()) found[wall.edge()] = wall.constraints();
   if (found != expected || walls.all().size() != expected.size()) {
     return testing::AssertionFailure() << "walls";
   }
   for (const auto& [edge, over] : expected) {
-    const Wall* wall = walls.find(edge[1], edge[0]);
+    const PlaneWall* wall = walls.find(edge[1], edge[0]);
     if (wall == nullptr || wall->constraints() != over || wall->lowest() != over.front() ||
         wall->count() != over.size()) {
       return testing::AssertionFailure() << "a wall";
@@ -121,12 +121,12 @@ TEST(Walls, AreAMapOfEdges) {
   WallsInOrder expected;
   const auto draw_edge = [&] {
     const VertexId a(prng.below(30));
-    return Wall::edge_of(a, VertexId(a.value() + 1 + prng.below(20)));
+    return PlaneWall::edge_of(a, VertexId(a.value() + 1 + prng.below(20)));
   };
   for (int step = 0; step < 6000; ++step) {
     // Mostly growing, then mostly shrinking.
     const bool grows = prng.chance(step % 2000 < 1000 ? 0.7 : 0.3);
-    const Wall::Edge edge = draw_edge();
+    const PlaneWall::Edge edge = draw_edge();
     const auto there = expected.find(edge);
     const ConstraintId c(prng.below(5));
     if (grows) {
@@ -142,11 +142,11 @@ TEST(Walls, AreAMapOfEdges) {
       const VertexId middle(60 + step);
       Walls::Division division = walls.prepare(edge[0], edge[1], middle);
       walls.divide(division);
-      for (const VertexId end : edge) expected[Wall::edge_of(end, middle)] = there->second;
+      for (const VertexId end : edge) expected[PlaneWall::edge_of(end, middle)] = there->second;
       expected.erase(there);
     } else if (prng.chance(0.2)) {
       walls.rename(edge[0], VertexId(7000 + step), edge[1]);
-      expected[Wall::edge_of(VertexId(7000 + step), edge[1])] = there->second;
+      expected[PlaneWall::edge_of(VertexId(7000 + step), edge[1])] = there->second;
       expected.erase(there);
     } else if (prng.chance(0.3)) {
       walls.remove(edge[0], edge[1]);
