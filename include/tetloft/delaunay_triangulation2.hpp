@@ -189,10 +189,16 @@ class TETLOFT_API DelaunayTriangulation2 {
   // Questions.
 
   [[nodiscard]] Result<Location2> locate(const Point2& point, DelaunayVertex near = {}) const;
+  /// Of many points, on several threads and in an order that is fast: result[i] is of points[i].
+  [[nodiscard]] Result<std::vector<Location2>> locate(std::span<const Point2> points,
+                                                      const Execution& execution = {}) const;
   /// The nearest vertex, by exact comparison, of equally near ones that of lowest index; none of no
   /// points.
   [[nodiscard]] Result<DelaunayVertex> nearest_vertex(const Point2& point,
                                                       DelaunayVertex near = {}) const;
+  /// Of many points, as locate() is.
+  [[nodiscard]] Result<std::vector<DelaunayVertex>> nearest_vertex(
+      std::span<const Point2> points, const Execution& execution = {}) const;
   /// The k nearest, or all there are, by distance, then by index.
   [[nodiscard]] Result<std::vector<DelaunayVertex>> nearest_vertices(
       const Point2& point, std::size_t k, DelaunayVertex near = {}) const;

@@ -1,4 +1,4 @@
-// Voronoi cells of a DelaunayTriangulation2, whole or clipped to a rectangle.
+// Voronoi cells of a DelaunayTriangulation2, whole or clipped to a rectangle; natural neighbours.
 //
 // As in voronoi.hpp the neighbours of a cell are the triangulation's, exact, and measures are
 // doubles, computed relative to the site.
@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <tetloft/delaunay_triangulation2.hpp>
@@ -57,6 +58,11 @@ struct VoronoiCell2 {
 [[nodiscard]] TETLOFT_API Result<VoronoiCell2> voronoi_cell(
     const DelaunayTriangulation2& triangulation, DelaunayVertex site);
 
+/// The areas of all whole cells, by index of vertex: infinite where unbounded, 0 in places without
+/// a vertex. Refused as above.
+[[nodiscard]] TETLOFT_API Result<std::vector<double>> voronoi_areas(
+    const DelaunayTriangulation2& triangulation, const Execution& execution = {});
+
 /// What of a vertex's cell is in a rectangle, which the site need not be in; perhaps nothing. The
 /// areas of all sum to the rectangle's. Refused also where a corner of the rectangle is not finite
 /// or beyond 2^300, and where its low corner is not low.
@@ -69,5 +75,21 @@ struct VoronoiCell2 {
 [[nodiscard]] TETLOFT_API Result<std::vector<VoronoiCell2>> voronoi_cells(
     const DelaunayTriangulation2& triangulation, const ClippingRectangle& rectangle,
     const Execution& execution = {});
+
+/// The vertices that would be neighbours of a new one at the point, weighted as in space, with
+/// areas for volumes and lengths for areas; at a vertex it alone, on an edge of the hull its ends.
+/// `near` is a vertex to start the search at. Refused (invalid_input) where there are constraints,
+/// where the point is outside of the hull, not finite or, as its neighbours, beyond 2^300, and
+/// where the vertices span no plane; (usage) for weights that there are none of.
+[[nodiscard]] TETLOFT_API Result<NaturalNeighbours> natural_neighbours(
+    const DelaunayTriangulation2& triangulation, const Point2& point,
+    NaturalWeights weights = NaturalWeights::sibson, DelaunayVertex near = {});
+
+/// Of each point what natural_neighbours() of it gives, to the bit; nothing where that refuses it
+/// as outside of the hull, or as the vertices span no plane. Refused are all where one is not
+/// finite or, as its neighbours, beyond 2^300, and where there are constraints.
+[[nodiscard]] TETLOFT_API Result<NaturalNeighboursOfMany> natural_neighbours_of_many(
+    const DelaunayTriangulation2& triangulation, std::span<const Point2> points,
+    NaturalWeights weights = NaturalWeights::sibson, const Execution& execution = {});
 
 }  // namespace tetloft

@@ -9,9 +9,9 @@
 #include <tetloft/periodic.hpp>
 
 #include "c/arrays.hpp"
+#include "c/changing.hpp"
 #include "c/handles.hpp"
 #include "c/options.hpp"
-#include "c/vertex_numbers.hpp"
 
 namespace tetloft::internal::c {
 
@@ -234,28 +234,29 @@ tetloft_status tetloft_delaunay_volumes(const tetloft_delaunay* delaunay,
   return answer([&] {
     const auto value = value_of_handle(delaunay, "delaunay");
     const tetloft::Execution how = execution_of(execution);
-    fill_array(value_of(value->ask([&](const DelaunayTriangulation3& t) {
-                 return tetloft::voronoi_volumes(t, how);
-               })),
-               volumes, capacity, count, "volumes");
+    const CallerArray<double> array{volumes, capacity, count, "volumes"};
+    value->ask([&](const DelaunayTriangulation3& t) {
+      fill_by(t.vertex_slots(), array, [&](double* to) {
+        const std::vector<double> found = value_of(tetloft::voronoi_volumes(t, how));
+        std::copy(found.begin(), found.end(), to);
+      });
+    });
   });
 }
 
 tetloft_status tetloft_delaunay_circumspheres(const tetloft_delaunay* delaunay, double* spheres,
                                               size_t capacity, size_t* count) {
-  clear(count);
-  return answer([&] {
-    const auto value = value_of_handle(delaunay, "delaunay");
-    const std::vector<SphereNumbers> found = value->ask([](const DelaunayTriangulation3& t) {
-      std::vector<SphereNumbers> all;
-      for (const tetloft::TetId tet : t.tets()) {
-        const auto v = t.vertices(tet);
-        all.push_back(sphere_through({t.point(v[0]), t.point(v[1]), t.point(v[2]), t.point(v[3])}));
-      }
-      return all;
-    });
-    fill_array(found, spheres, capacity, count, "spheres");
-  });
+  return Changing<tetloft_delaunay>::counted(
+      delaunay, spheres, capacity, count, "spheres",
+      [](const DelaunayTriangulation3& t) { return t.tet_count(); },
+      [](const DelaunayTriangulation3& t, double* to) {
+        for (const tetloft::TetId tet : t.tets()) {
+          const auto v = t.vertices(tet);
+          const SphereNumbers sphere =
+              sphere_through({t.point(v[0]), t.point(v[1]), t.point(v[2]), t.point(v[3])});
+          to = std::copy(sphere.begin(), sphere.end(), to);
+        }
+      });
 }
 
 tetloft_status tetloft_circumsphere(const double* xyz, double* sphere) {

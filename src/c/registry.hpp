@@ -23,7 +23,9 @@ enum class HandleType : std::uint8_t {
   triangulation,
   points,
   delaunay,
+  delaunay_plane,
   cells,
+  plane_cells,
   natural_neighbours,
   periodic_tets,
 };

@@ -25,6 +25,21 @@ namespace tetloft::internal::triangulation2 {
   return error;
 }
 
+/// Of many at once, 2^29 at most; the error names the first one that is not finite.
+[[nodiscard]] inline Result<void> check_points(std::span<const Point2> points) {
+  if (points.size() >= Incremental2::kMostVertices) {
+    return Error{ErrorCode::invalid_input, "2^29 points or more", {}};
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (Result<void> fine = check_point(points[i]); !fine) {
+      Error error = fine.error();
+      error.where.vertex = i;
+      return error;
+    }
+  }
+  return {};
+}
+
 }  // namespace tetloft::internal::triangulation2
 
 class tetloft::DelaunayTriangulation2::Impl {

@@ -268,6 +268,16 @@ std::vector<CutFace> CutPolyhedron::faces() const {
   return result;
 }
 
+bool CutPolyhedron::reaches_box() const {
+  for (std::size_t i = 0; i < corners_.size(); ++i) {
+    if (part_[i] == Part::gone) continue;
+    for (const std::uint32_t face : corners_[i].face) {
+      if (face < kBoxFaces) return true;
+    }
+  }
+  return false;
+}
+
 // Pyramids over the faces from one of the corners: the divergence theorem for any closed surface.
 double CutPolyhedron::volume() const {
   if (empty()) return 0;

@@ -44,6 +44,9 @@ class CutPolyhedron {
   static constexpr std::uint32_t kBoxFaces = 6;
 
   CutPolyhedron(const Point3& low, const Point3& high) { start_again(low, high); }
+  [[nodiscard]] static CutPolyhedron around_origin(double half) {
+    return {{-half, -half, -half}, {half, half, half}};
+  }
   /// Is the whole box again, and keeps the memory.
   void start_again(const Point3& low, const Point3& high);
 
@@ -57,6 +60,8 @@ class CutPolyhedron {
   /// By number; without corners where nothing of it is left.
   [[nodiscard]] std::vector<CutFace> faces() const;
   [[nodiscard]] double volume() const;
+  /// Is anything left of the box's sides?
+  [[nodiscard]] bool reaches_box() const;
 
  private:
   struct Corner {

@@ -150,6 +150,24 @@ Result<VoronoiCell2> voronoi_cell(const DelaunayTriangulation2& triangulation, D
   });
 }
 
+Result<std::vector<double>> voronoi_areas(const DelaunayTriangulation2& triangulation,
+                                          const Execution& execution) {
+  return guard_threads(execution, [&](const Execution& own) -> Result<std::vector<double>> {
+    if (Result<void> fine = check_cells(triangulation); !fine) return fine.error();
+    const auto area_of = [&](DelaunayVertex site) -> Result<double> {
+      const Result<VoronoiCell2> cell = whole_cell_of_plane(triangulation, site);
+      if (!cell) return cell.error();
+      return cell->area;
+    };
+    const std::vector<double> of_live =
+        voronoi::all_cells(triangulation, kPlaneCellsAtOnce, own, area_of);
+    std::vector<double> areas(triangulation.vertex_slots());
+    std::size_t at = 0;
+    for (const DelaunayVertex v : triangulation.vertices()) areas[v.index] = of_live[at++];
+    return areas;
+  });
+}
+
 Result<std::vector<VoronoiCell2>> voronoi_cells(const DelaunayTriangulation2& triangulation,
                                                 const ClippingRectangle& rectangle,
                                                 const Execution& execution) {

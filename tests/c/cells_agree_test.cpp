@@ -7,34 +7,12 @@
 #include <tetloft/periodic.hpp>
 #include <tetloft/voronoi.hpp>
 
+#include "c/changing_numbers.hpp"
 #include "c/owned.hpp"
 #include "core/prng.hpp"
 
 namespace tetloft::c_test {
 namespace {
-
-using Number = std::uint64_t;
-
-Number number(DelaunayVertex v) { return (Number{v.generation} << 32) + v.index; }
-
-const double* coordinates(const std::vector<Point3>& points) {
-  return reinterpret_cast<const double*>(points.data());
-}
-
-// An array of C, which lives as long as its handle.
-template <class T>
-struct Array {
-  const T* data = nullptr;
-  std::size_t size = 0;
-  const T& operator[](std::size_t i) const { return data[i]; }
-};
-template <class T, class Handle>
-Array<T> array_of(tetloft_status (*get)(const Handle*, const T**, std::size_t*),
-                  const Handle* handle) {
-  Array<T> array;
-  EXPECT_OK(get(handle, &array.data, &array.size));
-  return array;
-}
 
 // All arrays of cells.
 struct CellArrays {

@@ -42,3 +42,8 @@ def area_vector(points):
 def large(cell, least=1e-9):
     """The faces that have an area."""
     return [face for face in cell.faces if face.area > least]
+
+
+def large_edges(cell, least=1e-9):
+    """The edges, of a cell in the plane, that have a length."""
+    return [edge for edge in cell.edges if edge.length > least]

@@ -112,6 +112,7 @@ class TheHeader(unittest.TestCase):
         self.assertEqual(_structs.ENGINE, values("ENGINE_", body("tetloft_engine")))
         self.assertEqual(_structs.COLOUR, values("COLOUR_", body("tetloft_colour")))
         self.assertEqual(_structs.LINK, values("LINK_", body("tetloft_link_kind")))
+        self.assertEqual(_structs.CROSSING, values("CROSSING_", body("tetloft_crossing")))
         self.assertEqual(_structs.LOCATION, values("LOCATION_", body("tetloft_location")))
         self.assertEqual(_structs.SIDE, values("SIDE_", body("tetloft_side")))
         self.assertEqual(_structs.WEIGHTS, values("", body("tetloft_natural_weights")))

@@ -210,8 +210,72 @@ FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
     "tetloft_delaunay_within": (STATUS, [
         HANDLE, DOUBLE, DOUBLE, DOUBLE, DOUBLE, to(UINT64), SIZE, to(SIZE),
     ]),
+    "tetloft_delaunay_conflict_zone": (STATUS, [
+        HANDLE, DOUBLE, DOUBLE, DOUBLE, UINT64, to(UINT64), SIZE, to(SIZE), to(UINT64), SIZE,
+        to(SIZE), to(UINT64), SIZE, to(SIZE),
+    ]),
     "tetloft_delaunay_serialise": (STATUS, [HANDLE, to(HANDLE)]),
     "tetloft_delaunay_deserialise": (STATUS, [ADDRESS, SIZE, to(HANDLE)]),
+    "tetloft_delaunay_plane_create": (STATUS, [
+        to(DOUBLE), SIZE, to(structs.Execution), to(HANDLE),
+    ]),
+    "tetloft_delaunay_plane_copy": (STATUS, [HANDLE, to(HANDLE)]),
+    "tetloft_delaunay_plane_free": (STATUS, [HANDLE]),
+    "tetloft_delaunay_plane_insert": (STATUS, [
+        HANDLE, DOUBLE, DOUBLE, UINT64, to(UINT64), to(INT),
+    ]),
+    "tetloft_delaunay_plane_insert_all": (STATUS, [
+        HANDLE, to(DOUBLE), SIZE, to(structs.Execution), to(UINT64),
+    ]),
+    "tetloft_delaunay_plane_remove": (STATUS, [HANDLE, UINT64]),
+    "tetloft_delaunay_plane_move": (STATUS, [HANDLE, UINT64, DOUBLE, DOUBLE]),
+    "tetloft_delaunay_plane_clear": (STATUS, [HANDLE]),
+    "tetloft_delaunay_plane_insert_constraint": (STATUS, [
+        HANDLE, UINT64, UINT64, INT32, to(UINT32),
+    ]),
+    "tetloft_delaunay_plane_insert_constraints": (STATUS, [
+        HANDLE, to(UINT64), SIZE, INT32, to(UINT32),
+    ]),
+    "tetloft_delaunay_plane_remove_constraint": (STATUS, [HANDLE, UINT32]),
+    "tetloft_delaunay_plane_has_constraint": (STATUS, [HANDLE, UINT32, to(INT)]),
+    "tetloft_delaunay_plane_constraints": (STATUS, [HANDLE, to(UINT32), SIZE, to(SIZE)]),
+    "tetloft_delaunay_plane_constraint_ends": (STATUS, [HANDLE, UINT32, to(UINT64)]),
+    "tetloft_delaunay_plane_constraint_edges": (STATUS, [
+        HANDLE, UINT32, to(UINT64), SIZE, to(SIZE),
+    ]),
+    "tetloft_delaunay_plane_edge_constraints": (STATUS, [
+        HANDLE, UINT64, UINT64, to(UINT32), SIZE, to(SIZE),
+    ]),
+    "tetloft_delaunay_plane_inside": (STATUS, [HANDLE, to(UINT64), SIZE, to(SIZE)]),
+    "tetloft_delaunay_plane_counts": (STATUS, [
+        HANDLE, to(SIZE), to(SIZE), to(SIZE), to(SIZE), to(INT),
+    ]),
+    "tetloft_delaunay_plane_is_live": (STATUS, [HANDLE, UINT64, to(INT)]),
+    "tetloft_delaunay_plane_vertices": (STATUS, [HANDLE, to(UINT64), SIZE, to(SIZE)]),
+    "tetloft_delaunay_plane_points": (STATUS, [HANDLE, to(DOUBLE), SIZE, to(SIZE)]),
+    "tetloft_delaunay_plane_point": (STATUS, [HANDLE, UINT64, to(DOUBLE)]),
+    "tetloft_delaunay_plane_triangles": (STATUS, [HANDLE, to(UINT64), SIZE, to(SIZE)]),
+    "tetloft_delaunay_plane_star": (STATUS, [HANDLE, UINT64, to(UINT64), SIZE, to(SIZE)]),
+    "tetloft_delaunay_plane_neighbours": (STATUS, [HANDLE, UINT64, to(UINT64), SIZE, to(SIZE)]),
+    "tetloft_delaunay_plane_hull": (STATUS, [HANDLE, to(UINT64), SIZE, to(SIZE)]),
+    "tetloft_delaunay_plane_locate": (STATUS, [
+        HANDLE, to(DOUBLE), SIZE, to(structs.Execution), to(INT32), to(UINT64),
+    ]),
+    "tetloft_delaunay_plane_nearest": (STATUS, [
+        HANDLE, to(DOUBLE), SIZE, to(structs.Execution), to(UINT64),
+    ]),
+    "tetloft_delaunay_plane_nearest_few": (STATUS, [
+        HANDLE, DOUBLE, DOUBLE, SIZE, to(UINT64), SIZE, to(SIZE),
+    ]),
+    "tetloft_delaunay_plane_within": (STATUS, [
+        HANDLE, DOUBLE, DOUBLE, DOUBLE, to(UINT64), SIZE, to(SIZE),
+    ]),
+    "tetloft_delaunay_plane_conflict_zone": (STATUS, [
+        HANDLE, DOUBLE, DOUBLE, UINT64, to(UINT64), SIZE, to(SIZE), to(UINT64), SIZE, to(SIZE),
+        to(UINT64), SIZE, to(SIZE),
+    ]),
+    "tetloft_delaunay_plane_serialise": (STATUS, [HANDLE, to(HANDLE)]),
+    "tetloft_delaunay_plane_deserialise": (STATUS, [ADDRESS, SIZE, to(HANDLE)]),
     "tetloft_delaunay_cells": (STATUS, [HANDLE, to(DOUBLE), to(structs.Execution), to(HANDLE)]),
     "tetloft_delaunay_cell": (STATUS, [HANDLE, UINT64, to(DOUBLE), to(HANDLE)]),
     "tetloft_periodic_voronoi": (STATUS, [
@@ -247,6 +311,31 @@ FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
     "tetloft_natural_neighbours_vertices": (STATUS, [HANDLE, to(to(UINT64)), to(SIZE)]),
     "tetloft_natural_neighbours_weights": (STATUS, [HANDLE, to(to(DOUBLE)), to(SIZE)]),
     "tetloft_natural_neighbours_free": (STATUS, [HANDLE]),
+    "tetloft_delaunay_plane_cells": (STATUS, [
+        HANDLE, to(DOUBLE), to(structs.Execution), to(HANDLE),
+    ]),
+    "tetloft_delaunay_plane_cell": (STATUS, [HANDLE, UINT64, to(DOUBLE), to(HANDLE)]),
+    "tetloft_plane_cells_sites": (STATUS, [HANDLE, to(to(UINT64)), to(SIZE)]),
+    "tetloft_plane_cells_bounded": (STATUS, [HANDLE, to(to(UINT8)), to(SIZE)]),
+    "tetloft_plane_cells_areas": (STATUS, [HANDLE, to(to(DOUBLE)), to(SIZE)]),
+    "tetloft_plane_cells_corner_begin": (STATUS, [HANDLE, to(to(SIZE)), to(SIZE)]),
+    "tetloft_plane_cells_corners": (STATUS, [HANDLE, to(to(DOUBLE)), to(SIZE)]),
+    "tetloft_plane_cells_edge_begin": (STATUS, [HANDLE, to(to(SIZE)), to(SIZE)]),
+    "tetloft_plane_cells_neighbours": (STATUS, [HANDLE, to(to(UINT64)), to(SIZE)]),
+    "tetloft_plane_cells_sides": (STATUS, [HANDLE, to(to(UINT8)), to(SIZE)]),
+    "tetloft_plane_cells_inside": (STATUS, [HANDLE, to(to(UINT8)), to(SIZE)]),
+    "tetloft_plane_cells_ends": (STATUS, [HANDLE, to(to(UINT32)), to(SIZE)]),
+    "tetloft_plane_cells_lengths": (STATUS, [HANDLE, to(to(DOUBLE)), to(SIZE)]),
+    "tetloft_plane_cells_free": (STATUS, [HANDLE]),
+    "tetloft_delaunay_plane_areas": (STATUS, [
+        HANDLE, to(structs.Execution), to(DOUBLE), SIZE, to(SIZE),
+    ]),
+    "tetloft_delaunay_plane_natural_neighbours": (STATUS, [
+        HANDLE, DOUBLE, DOUBLE, INT32, UINT64, to(UINT64), to(DOUBLE), SIZE, to(SIZE),
+    ]),
+    "tetloft_delaunay_plane_natural_neighbours_all": (STATUS, [
+        HANDLE, to(DOUBLE), SIZE, INT32, to(structs.Execution), to(HANDLE),
+    ]),
     "tetloft_periodic_delaunay": (STATUS, [
         to(DOUBLE), SIZE, to(DOUBLE), to(structs.Execution), to(HANDLE),
     ]),

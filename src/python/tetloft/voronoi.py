@@ -264,13 +264,14 @@ def _mean_of_list(found: NaturalNeighbours, values: Any) -> Any:
     return [tuple(mean(column, *of) for column in range(columns)) for of in found]
 
 
-def clipping_box(box: Optional[ArrayLike]) -> Any:
+def clipping_box(box: Optional[ArrayLike], columns: int = 3, what: str = "box") -> Any:
     """For the library: its low and its high corner, or nothing."""
     if box is None:
         return None
-    given = doubles(box, 3, "box")
+    given = doubles(box, columns, what)
     if given.rows != 2:
-        raise ValueError(f"box: the low and the high corner are expected, not {given.rows} points")
+        raise ValueError(f"{what}: the low and the high corner are expected, "
+                         f"not {given.rows} points")
     return given
 
 

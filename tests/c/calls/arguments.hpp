@@ -39,11 +39,13 @@ enum class Kind {
   triangulation,
   points,
   delaunay,
+  delaunay_plane,
   cells,
+  plane_cells,
   natural_neighbours,
   periodic_tets,
 };
-inline constexpr int kKinds = 16;
+inline constexpr int kKinds = 18;
 
 template <class Handle>
 struct KindOf;
@@ -65,7 +67,9 @@ TETLOFT_KIND(mesh)
 TETLOFT_KIND(triangulation)
 TETLOFT_KIND(points)
 TETLOFT_KIND(delaunay)
+TETLOFT_KIND(delaunay_plane)
 TETLOFT_KIND(cells)
+TETLOFT_KIND(plane_cells)
 TETLOFT_KIND(natural_neighbours)
 TETLOFT_KIND(periodic_tets)
 #undef TETLOFT_KIND

@@ -22,7 +22,9 @@ struct Call {
 [[nodiscard]] std::span<const Call> calls_of_models();    // with reconstruction, surfaces, pictures
 [[nodiscard]] std::span<const Call> calls_of_meshes();    // with verdicts, triangulations, points
 [[nodiscard]] std::span<const Call> calls_of_delaunay();  // triangulations that change
+[[nodiscard]] std::span<const Call> calls_of_planes();    // the same in the plane
 [[nodiscard]] std::span<const Call> calls_of_cells();     // with natural neighbours, periodic sets
+[[nodiscard]] std::span<const Call> calls_of_plane_cells();
 
 /// All of them, by name.
 [[nodiscard]] std::vector<Call> all_calls();

@@ -45,5 +45,7 @@ inline constexpr std::string_view kModelText =
 /// A square with a segment along a diagonal.
 inline const std::vector<double> kPlanePoints{0, 0, 2, 0, 2, 2, 0, 2, 1, 0.5};
 inline const std::vector<std::uint32_t> kSegments{0, 2};
+/// Its sides.
+inline const std::vector<std::uint64_t> kOutline{0, 1, 1, 2, 2, 3, 3, 0};
 
 }  // namespace tetloft::c_test

@@ -161,6 +161,18 @@ TEST(WholePlaneCells, HaveCentresOfFlatTrianglesAsCorners) {
   }
 }
 
+TEST(WholePlaneCells, HaveTheirAreasByIndex) {
+  DelaunayTriangulation2 t = plane_of(without_height(uniform_points(500, 9)));
+  for (std::size_t i = 0; i < 500; i += 7) ASSERT_TRUE(t.remove(t.vertex_at(i)).ok());
+  const std::vector<double> areas = value_of(voronoi_areas(t));
+  ASSERT_EQ(areas.size(), t.vertex_slots());
+  for (std::size_t i = 0; i < areas.size(); ++i) {
+    const DelaunayVertex v = t.vertex_at(i);
+    EXPECT_EQ(areas[i], v.valid() ? value_of(voronoi_cell(t, v)).area : 0);
+  }
+  EXPECT_TRUE(value_of(voronoi_areas(DelaunayTriangulation2())).empty());
+}
+
 TEST(WholePlaneCells, OfARowHaveNoEnd) {
   const DelaunayTriangulation2 t = plane_of({{0, 0}, {1, 1}, {2, 2}});
   for (const VoronoiCell2& cell : value_of(voronoi_cells(t))) {
@@ -198,6 +210,7 @@ TEST(WholePlaneCells, AreRefusedAmongConstraintsAndBeyondRange) {
   ASSERT_TRUE(c.ok());
   EXPECT_EQ(voronoi_cell(t, t.vertex_at(0)).error().code, ErrorCode::invalid_input);
   EXPECT_EQ(voronoi_cells(t).error().code, ErrorCode::invalid_input);
+  EXPECT_EQ(voronoi_areas(t).error().code, ErrorCode::invalid_input);
   const DelaunayTriangulation2 large = plane_of({{0, 0}, {1, 0}, {0, 0x1p301}});
   EXPECT_EQ(voronoi_cells(large).error().where.vertex, 2U);
 }
