@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -257,7 +258,7 @@ class HistoryOfPlane : History<DelaunayTriangulation2, PointsOfPlane> {
     if (inside) oracle.require_inside(*inside);
   }
 
-  // What is done to a copy is not done to the other one.
+  // What is done to a copy is not done to the other one; bytes become the same again.
   void copy() {
     DelaunayTriangulation2 other = made_;
     (void)fine_value(other.insert(points_.next(), any_handle()));
@@ -267,6 +268,9 @@ class HistoryOfPlane : History<DelaunayTriangulation2, PointsOfPlane> {
     other = made_;
     swap(made_, other);
     made_ = std::move(other);
+    const std::vector<std::byte> bytes = fine_value(made_.serialise());
+    made_ = fine_value(DelaunayTriangulation2::deserialise(bytes));
+    require(fine_value(made_.serialise()) == bytes, "bytes change on their way");
     require(fine_value(made_.snapshot()).vertex.size() == live_.size(), "a snapshot");
   }
 

@@ -92,7 +92,10 @@ void GrowingTets::reserve(std::size_t more) {
   std::unique_ptr<TetSlot[], FreeSlots> slots(std::allocator<TetSlot>().allocate(capacity),
                                               FreeSlots{capacity});
   marks_.resize(capacity, Mark::unvisited);
-  std::copy_n(slots_.get(), taken(), slots.get());
+  TetSlot* next = slots.get();
+  core::hand_over(this->slots(), [&](std::span<const TetSlot> some) {
+    next = std::copy(some.begin(), some.end(), next);
+  });
   slots_ = std::move(slots);
 }
 

@@ -10,6 +10,8 @@
 #include <tetloft/predicates.hpp>
 
 #include "core/guard.hpp"
+#include "core/pages.hpp"
+#include "core/provide_room.hpp"
 #include "core/watched_work.hpp"
 #include "delaunay2/start.hpp"
 #include "spatial/sort_by_key.hpp"
@@ -47,19 +49,19 @@ void LivePlane::provide(VertexId place, const Point2& point) {
     points_[place] = point;
     return;
   }
+  provide_room(points_.raw(), 1);
+  provide_room(site_of_.raw(), 1);
   points_.push_back(point);
-  try {
-    site_of_.push_back(SiteId());
-  } catch (...) {
-    points_.resize(points_.size() - 1);
-    throw;
-  }
+  site_of_.push_back(SiteId());
 }
 
 VertexId LivePlane::insert(VertexId v, VertexId near) {
   const Point2 p = point(v);
   if (!plane_) return insert_into_row(v);
-  if (vertex_of_.size() <= plane_->vertex_count()) vertex_of_.push_back({});
+  if (vertex_of_.size() <= plane_->vertex_count()) {
+    provide_room(vertex_of_.raw(), 1);
+    vertex_of_.push_back({});
+  }
   if (plane_->vertex_count() >= Incremental2::kMostVertices) throw std::length_error("2^29 points");
   const SiteId from = start(p, near);
   Walls::Division division;
@@ -284,6 +286,7 @@ void LivePlane::note_start(VertexId v) {
       for (const VertexId u : vertices) live.push_back(point(u));
       StartGrid starts;
       starts.start_again(box_of(live), vertices.size());
+      core::release(live);
       for (const VertexId u : vertices) starts.add(in_space(point(u)), u);
       starts_ = std::move(starts);
     } catch (const std::bad_alloc&) {

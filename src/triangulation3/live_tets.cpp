@@ -17,9 +17,6 @@ namespace tetloft::internal::triangulation3 {
 
 namespace {
 
-// Half-faces are 4 t + i in 32 bits.
-constexpr std::size_t kMostTets = (std::size_t{1} << 30) - 1;
-
 // As many as are affinely independent.
 std::vector<Point3> spanning_points(std::span<const Point3> points) {
   const delaunay3_detail::AffineBasis basis = delaunay3_detail::affine_basis(points);
@@ -102,7 +99,8 @@ VertexId LiveTets::insert(VertexId v, VertexId near) {
     for (const VertexId u : tets_.tet(t)) {
       if (u != kGhost && point(u) == p) return u;
     }
-    if (!inserter_.insert_at(v, t, kMostTets)) throw std::length_error("2^30 tets or more");
+    if (!inserter_.insert_at(v, t, delaunay3_detail::kMostTetSlots))
+      throw std::length_error("2^30 tets or more");
   } catch (...) {
     tets_.unmark_all();
     throw;

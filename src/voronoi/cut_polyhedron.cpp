@@ -40,7 +40,10 @@ HalfSpace nearer_to_first(const Point3& a, const Point3& b, const Point3& differ
   return {normal, 0.5 * (dot(normal, a) + dot(normal, b))};
 }
 
-CutPolyhedron::CutPolyhedron(const Point3& low, const Point3& high) : corner_count_(8) {
+void CutPolyhedron::start_again(const Point3& low, const Point3& high) {
+  corner_count_ = 8;
+  corners_.clear();
+  free_.clear();
   for (std::uint32_t i = 0; i < 8; ++i) {
     Corner corner;
     corner.point = {(i & 1) != 0 ? high.x : low.x, (i & 2) != 0 ? high.y : low.y,
