@@ -11,6 +11,7 @@
 #include <tetloft/point.hpp>
 
 #include "dynamic.hpp"
+#include "periodic.hpp"
 
 namespace tetloft::bench {
 
@@ -45,6 +46,7 @@ struct Peer {
   std::size_t most_points = static_cast<std::size_t>(-1);  // more takes too long to wait for
   std::vector<DynamicEngine> dynamic{};                    // where triangulations change
   std::vector<PlaneEngine> plane{};                        // the same in the plane
+  std::vector<PeriodicEngine> periodic{};                  // cells of periodic sets
 };
 
 Peer cgal();
@@ -52,5 +54,6 @@ Peer tetgen();
 Peer qhull();
 Peer hxt();
 Peer geogram();
+Peer voro();
 
 }  // namespace tetloft::bench

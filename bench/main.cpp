@@ -9,6 +9,7 @@
 #include "cases.hpp"
 #include "distributions.hpp"
 #include "options.hpp"
+#include "periodic_cases.hpp"
 #include "plane_cases.hpp"
 #include "plot.hpp"
 #include "report.hpp"
@@ -111,6 +112,7 @@ int main(int argc, char** argv) {
   for (Case& one : distribution_cases(options.distributions)) cases.push_back(std::move(one));
   for (Case& one : dynamic_cases(options.dynamic)) cases.push_back(std::move(one));
   for (Case& one : plane_cases(options.dynamic)) cases.push_back(std::move(one));
+  for (Case& one : periodic_cases(options.dynamic.sizes)) cases.push_back(std::move(one));
   wrong = unknown_name(options, cases);
   if (!wrong.empty()) return usage_failure(wrong, kBenchUsage);
   try {

@@ -12,14 +12,14 @@ namespace tetloft::bench {
 
 const char* const kBenchUsage =
     "tetloft_bench [--only PART-OF-NAME] [--repeat K] [--peers "
-    "CGAL,TetGen,Qhull,HXT,geogram|none]\n"
+    "CGAL,TetGen,Qhull,HXT,geogram,Voro++|none]\n"
     "              [--sizes 10k,100k,1M] [--threads 1,2,4|all] [--points FILE …] [--stack FILE.cnt "
     "…]\n"
     "              [--queries 200k] [--limit SECONDS] [--json FILE] [--markdown FILE] [--plot "
     "FILE.svg] [--list]\n"
     "Each case runs K times (5), its contestants in turns, each run no longer than the limit "
     "(120);\n"
-    "sizes are those of the cases by distribution and of dynamic ones, threads those of the "
+    "sizes are those of the cases by distribution, dynamic and periodic ones, threads of the "
     "first; see bench/README.md.\n";
 
 namespace {

@@ -13,7 +13,7 @@ struct BenchOptions {
   std::string only;
   int rounds = 5;
   double limit = 120;
-  std::vector<std::string> peers{"CGAL", "TetGen", "Qhull", "HXT", "geogram"};
+  std::vector<std::string> peers{"CGAL", "TetGen", "Qhull", "HXT", "geogram", "Voro++"};
   bool list = false;
   std::vector<std::string> stacks;
   DistributionOptions distributions;

@@ -122,11 +122,15 @@ class FuzzedArguments : public Arguments {
   void* wrong_handle(Kind kind, std::size_t which) override {
     if (which == 0) return pool_.freed(bytes_.byte());
     const std::uint8_t byte = bytes_.byte();
-    if (which == 1) return pool_.good(static_cast<Kind>(byte % c_test::kKinds), byte);
+    if (which == 1) {  // never of its own kind: a call that frees it would succeed unnoticed
+      const int others = 1 + byte % (c_test::kKinds - 1);
+      return pool_.good(static_cast<Kind>((static_cast<int>(kind) + others) % c_test::kKinds),
+                        byte);
+    }
     if (which == 2) return reinterpret_cast<void*>(std::uintptr_t{byte});
     if (which == 3) return &pool_;
     const auto good = reinterpret_cast<std::uintptr_t>(pool_.good(kind, byte));
-    return reinterpret_cast<void*>(which == 4 ? ~good : good + byte);
+    return reinterpret_cast<void*>(which == 4 ? ~good : good + 1 + byte);
   }
 
  private:

@@ -1,9 +1,8 @@
 // Triangulations of space that change: after every operation the tets are those that delaunay3()
 // makes of the live points; old handles are refused; answers are those of testing all points or
-// tets. Distances are compared by the library's predicate, which has tests of its own.
+// tets.
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <set>
 #include <vector>
 
@@ -11,59 +10,39 @@
 #include <tetloft/delaunay_triangulation3.hpp>
 #include <tetloft/predicates.hpp>
 
+#include "fuzz/history.hpp"
 #include "fuzz/target.hpp"
-#include "predicates/distances.hpp"
 
 namespace tetloft::fuzz {
 namespace {
 
-using internal::predicates::compare_distance;
-using internal::predicates::compare_distances;
-
-constexpr std::size_t kMostOperations = 48;
-
-template <class Value>
-Value fine_value(Result<Value> result) {
-  if (!result) {
-    require_clean(result.error());
-    require(false, "finite points are refused: " + to_string(result.error()));
-  }
-  return *std::move(result);
-}
-
-// A lattice or doubles of any size, in space or in a plane, times a power of two.
+// In space or in a plane.
 class PointsOf {
  public:
-  explicit PointsOf(Bytes& bytes)
-      : flat_(bytes.below(4) == 0), exponent_(kExponents[bytes.below(4)]), coordinates_(bytes) {}
+  explicit PointsOf(Bytes& bytes) : flat_(bytes.below(4) == 0), coordinates_(bytes) {}
   Point3 next() {
-    const double x = coordinate();
-    const double y = coordinate();
-    return {x, y, flat_ ? x : coordinate()};
+    const double x = coordinates_.next();
+    const double y = coordinates_.next();
+    return {x, y, flat_ ? x : coordinates_.next()};
   }
 
  private:
-  static constexpr std::array<int, 4> kExponents{0, 0, -400, 300};
-  double coordinate() {
-    const double x = std::ldexp(coordinates_.next(), exponent_);
-    return x - x == 0 ? x : 1;
-  }
   bool flat_;
-  int exponent_;
-  Coordinates coordinates_;
+  ScaledCoordinates coordinates_;
 };
 
-// A triangulation and what is known of it: who lives where, and who is gone.
-class Known {
+class HistoryOfSpace : History<DelaunayTriangulation3, PointsOf> {
  public:
-  struct Vertex {
-    DelaunayVertex handle;
-    Point3 point;
-  };
-
-  explicit Known(Bytes& bytes) : bytes_(bytes), points_(bytes) {}
+  explicit HistoryOfSpace(Bytes& bytes) : History(bytes) {}
 
   void operate() {
+    change_or_ask();
+    compare(made_);
+  }
+
+ private:
+  void change_or_ask() {
+    const auto nothing_is_held = [](DelaunayVertex) { return false; };
     switch (bytes_.below(16)) {
       case 0:
       case 1:
@@ -74,8 +53,8 @@ class Known {
       case 6: return insert_many();
       case 7:
       case 8:
-      case 9: return remove();
-      case 10: return move();
+      case 9: return remove(nothing_is_held);
+      case 10: return move(nothing_is_held);
       case 11: return locate();
       case 12: return ask_nearest();
       case 13: return ask_conflict_zone();
@@ -84,83 +63,11 @@ class Known {
     }
   }
 
- private:
-  const Vertex* at(const Point3& p) const {
-    for (const Vertex& v : live_) {
-      if (v.point == p) return &v;
-    }
-    return nullptr;
-  }
-  /// Of a live vertex, of one that is gone, or of none.
-  DelaunayVertex any_handle() {
-    const std::size_t k = bytes_.byte();
-    if (k < 32 || (live_.empty() && gone_.empty())) return {};
-    if (!gone_.empty() && (k < 64 || live_.empty())) return gone_[k % gone_.size()];
-    return live_[k % live_.size()].handle;
-  }
-  std::vector<Vertex>::iterator find(DelaunayVertex v) {
-    return std::find_if(live_.begin(), live_.end(),
-                        [&](const Vertex& known) { return known.handle == v; });
-  }
-
-  void insert() {
-    const Point3 p = points_.next();
-    const bool is_new = at(p) == nullptr;
-    const auto made = fine_value(made_.insert(p, any_handle()));
-    require(made.is_new == is_new, "a point is new, or is not");
-    learn(made.vertex, p);
-    compare(made_);
-  }
-  void insert_many() {
-    std::vector<Point3> points(bytes_.below(8));
-    for (Point3& p : points) p = points_.next();
-    const auto made = fine_value(made_.insert(points, {.threads = 1}));
-    for (std::size_t i = 0; i < points.size(); ++i) learn(made[i], points[i]);
-    compare(made_);
-  }
-  void learn(DelaunayVertex v, const Point3& p) {
-    if (const Vertex* known = at(p)) {
-      require(v == known->handle, "a point has another vertex");
-    } else {
-      require(find(v) == live_.end(), "a handle twice");
-      live_.push_back({v, p});
-    }
-  }
-  void remove() {
-    const DelaunayVertex v = any_handle();
-    const auto known = find(v);
-    const Result<void> removed = made_.remove(v);
-    require(removed.ok() == (known != live_.end()), "a vertex is removed, or is not");
-    if (!removed) {
-      require_clean(removed.error());
-    } else {
-      gone_.push_back(v);
-      live_.erase(known);
-    }
-    compare(made_);
-  }
-  void move() {
-    const DelaunayVertex v = any_handle();
-    const Point3 to = points_.next();
-    const auto known = find(v);
-    const Vertex* there = at(to);
-    const bool can = known != live_.end() && (there == nullptr || there->handle == v);
-    const Result<void> moved = made_.move(v, to);
-    require(moved.ok() == can, "a vertex moves, or does not");
-    if (can) known->point = to;
-    if (!moved) require_clean(moved.error());
-    compare(made_);
-  }
-
   // The tets are those of the batch, and they know their neighbours.
   void compare(const DelaunayTriangulation3& t) const {
-    require(t.vertex_count() == live_.size(), "count of vertices");
+    compare_vertices(t);
     std::vector<Point3> points;
-    for (const Vertex& v : live_) {
-      require(t.is_live(v.handle) && t.point(v.handle) == v.point, "a vertex is elsewhere");
-      points.push_back(v.point);
-    }
-    for (const DelaunayVertex v : gone_) require(!t.is_live(v), "a vertex that is gone lives");
+    for (const Vertex& v : live_) points.push_back(v.point);
     const Delaunay3 batch = fine_value(delaunay3(points));
     require(batch.dimension == t.dimension(), "another dimension");
     using Quad = std::array<DelaunayVertex, 4>;
@@ -222,38 +129,6 @@ class Known {
     require(std::equal(simplex.begin(), simplex.end(), found.vertices.begin()), "another simplex");
   }
 
-  std::vector<DelaunayVertex> by_distance(const Point3& p) const {
-    std::vector<Vertex> all = live_;
-    std::sort(all.begin(), all.end(), [&](const Vertex& a, const Vertex& b) {
-      const Sign s = compare_distances(p, a.point, b.point);
-      return s == Sign::negative || (s == Sign::zero && a.handle.index < b.handle.index);
-    });
-    std::vector<DelaunayVertex> result;
-    for (const Vertex& v : all) result.push_back(v.handle);
-    return result;
-  }
-  void ask_nearest() {
-    const Point3 p = points_.next();
-    std::vector<DelaunayVertex> expected = by_distance(p);
-    const DelaunayVertex nearest = fine_value(made_.nearest_vertex(p, any_handle()));
-    require(nearest == (expected.empty() ? DelaunayVertex() : expected.front()),
-            "another vertex is nearest");
-    const std::size_t k = bytes_.below(8);
-    expected.resize(std::min(k, expected.size()));
-    require(fine_value(made_.nearest_vertices(p, k, any_handle())) == expected,
-            "other vertices are nearest");
-  }
-  void ask_within() {
-    const Point3 p = points_.next();
-    const double radius = std::abs(points_.next().x);
-    std::vector<DelaunayVertex> expected = by_distance(p);
-    std::erase_if(expected, [&](DelaunayVertex v) {
-      return compare_distance(p, made_.point(v), radius) == Sign::positive;
-    });
-    require(fine_value(made_.vertices_within(p, radius, any_handle())) == expected,
-            "other vertices are within");
-  }
-
   // Its tets by their spheres, the rest by an insertion into a copy.
   void ask_conflict_zone() {
     const Point3 p = points_.next();
@@ -274,22 +149,14 @@ class Known {
     require(changed.neighbours(v) == zone.neighbours, "other neighbours");
     // Where p sees a facet of the hull, it becomes a tet's.
     require(changed.star(v).size() == zone.horizon.size(), "another horizon");
-    compare(made_);
   }
 
   void pass_through_bytes() {
     const std::vector<std::byte> bytes = fine_value(made_.serialise());
     DelaunayTriangulation3 read = fine_value(DelaunayTriangulation3::deserialise(bytes));
     require(fine_value(read.serialise()) == bytes, "bytes change on their way");
-    compare(read);
     swap(made_, read);
   }
-
-  Bytes& bytes_;
-  PointsOf points_;
-  DelaunayTriangulation3 made_;
-  std::vector<Vertex> live_;
-  std::vector<DelaunayVertex> gone_;
 };
 
 }  // namespace
@@ -298,7 +165,7 @@ class Known {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace tetloft::fuzz;
   Bytes bytes(data, size);
-  Known known(bytes);
-  for (std::size_t k = 0; k < kMostOperations && !bytes.empty(); ++k) known.operate();
+  HistoryOfSpace history(bytes);
+  for (std::size_t k = 0; k < kMostOperations && !bytes.empty(); ++k) history.operate();
   return 0;
 }

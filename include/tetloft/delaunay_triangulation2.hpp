@@ -48,6 +48,20 @@ struct Location2 {
   TriangleId triangle{};
 };
 
+/// What the insertion of a point would change; empty where it is a vertex already, or there are no
+/// triangles.
+struct ConflictZone2 {
+  /// The triangles that would go, by id: those whose perturbed circles hold the point, as far as it
+  /// can be seen from them, past no constraint but one that it lies on.
+  std::vector<TriangleId> triangles;
+  /// The edges that the point would be joined to, each to become a triangle with it: one behind the
+  /// other, counter-clockwise around the point, from the vertex of lowest index; where the point
+  /// lies outside or on the hull, from one end to the other.
+  std::vector<std::array<DelaunayVertex, 2>> horizon;
+  /// The vertices that would be its neighbours, by index.
+  std::vector<DelaunayVertex> neighbours;
+};
+
 /// A constraint; not given again when it is removed.
 using ConstraintId = Id<struct ConstraintTag>;
 
@@ -166,16 +180,25 @@ class TETLOFT_API DelaunayTriangulation2 {
 
   [[nodiscard]] std::vector<TriangleId> star(DelaunayVertex v) const;            ///< by id
   [[nodiscard]] std::vector<DelaunayVertex> neighbours(DelaunayVertex v) const;  ///< by index
+  /// The triangles on the left and on the right of the edge from u to v: invalid on the hull, and
+  /// both of them where u and v are not joined.
+  [[nodiscard]] std::array<TriangleId, 2> triangles(DelaunayVertex u, DelaunayVertex v) const;
   /// Always where there are no triangles.
   [[nodiscard]] bool is_on_hull(DelaunayVertex v) const;
 
   // Questions.
 
   [[nodiscard]] Result<Location2> locate(const Point2& point, DelaunayVertex near = {}) const;
+  /// Of many points, on several threads and in an order that is fast: result[i] is of points[i].
+  [[nodiscard]] Result<std::vector<Location2>> locate(std::span<const Point2> points,
+                                                      const Execution& execution = {}) const;
   /// The nearest vertex, by exact comparison, of equally near ones that of lowest index; none of no
   /// points.
   [[nodiscard]] Result<DelaunayVertex> nearest_vertex(const Point2& point,
                                                       DelaunayVertex near = {}) const;
+  /// Of many points, as locate() is.
+  [[nodiscard]] Result<std::vector<DelaunayVertex>> nearest_vertex(
+      std::span<const Point2> points, const Execution& execution = {}) const;
   /// The k nearest, or all there are, by distance, then by index.
   [[nodiscard]] Result<std::vector<DelaunayVertex>> nearest_vertices(
       const Point2& point, std::size_t k, DelaunayVertex near = {}) const;
@@ -184,8 +207,18 @@ class TETLOFT_API DelaunayTriangulation2 {
   [[nodiscard]] Result<std::vector<DelaunayVertex>> vertices_within(const Point2& centre,
                                                                     double radius,
                                                                     DelaunayVertex near = {}) const;
+  [[nodiscard]] Result<ConflictZone2> conflict_zone(const Point2& point,
+                                                    DelaunayVertex near = {}) const;
 
+  // As values.
+
+  /// Without constraints.
   [[nodiscard]] Result<DelaunaySnapshot2> snapshot(const Execution& execution = {}) const;
+  /// As bytes, the same on every machine. What is made of them has the same handles and the same
+  /// constraints, over the same edges.
+  [[nodiscard]] Result<std::vector<std::byte>> serialise() const;
+  /// Refused (invalid_input) where the bytes are none of serialise(), or damaged.
+  [[nodiscard]] static Result<DelaunayTriangulation2> deserialise(std::span<const std::byte> bytes);
 
  private:
   class Impl;

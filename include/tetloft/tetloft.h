@@ -26,10 +26,10 @@
  * as long as the handle that they come from. Ids are zero-based; TETLOFT_NO_ID means none.
  *
  * Threads. Every function may be called from any thread at any time: what a handle names never
- * changes once it is made (but for tetloft_stop, which is made to be shared, and tetloft_delaunay,
- * whose changes wait for the calls that use it, and these for them), and a handle may be
- * freed while other calls still work with it: they end as if it were there. Arrays and texts of a
- * freed handle are gone. Results do not depend on threads.
+ * changes once it is made (but for tetloft_stop, which is made to be shared, and tetloft_delaunay
+ * and tetloft_delaunay_plane, whose changes wait for the calls that use them, and these for those),
+ * and a handle may be freed while other calls still work with it: they end as if it were there.
+ * Arrays and texts of a freed handle are gone. Results do not depend on threads.
  *
  * Lengths are in the units of the input. The contracts of the functions are those of the C++
  * headers named beside them. */
@@ -870,12 +870,363 @@ TETLOFT_C_API tetloft_status tetloft_delaunay_within(const tetloft_delaunay* del
                                                      uint64_t* vertices, size_t capacity,
                                                      size_t* count);
 
+/* What the insertion of a point would change; empty where it is a vertex, or there are no tets. The
+ * tets that would go, four vertices each; the faces that the point would be joined to, three
+ * vertices each, counter-clockwise as seen from outside their tet: of one that goes, or, where the
+ * point is outside, of one of the hull; the vertices that would be its neighbours. Each array with
+ * its capacity and count; where one does not fit, none is written. */
+TETLOFT_C_API tetloft_status tetloft_delaunay_conflict_zone(
+    const tetloft_delaunay* delaunay, double x, double y, double z, uint64_t near, uint64_t* tets,
+    size_t tet_capacity, size_t* tet_count, uint64_t* horizon, size_t horizon_capacity,
+    size_t* horizon_count, uint64_t* neighbours, size_t neighbour_capacity,
+    size_t* neighbour_count);
+
 /* The same bytes on every machine; what is made of them has the same vertices.
  * TETLOFT_INVALID_INPUT for bytes that are damaged, or none of these. */
 TETLOFT_C_API tetloft_status tetloft_delaunay_serialise(const tetloft_delaunay* delaunay,
                                                         tetloft_bytes** bytes);
 TETLOFT_C_API tetloft_status tetloft_delaunay_deserialise(const void* data, size_t size,
                                                           tetloft_delaunay** delaunay);
+
+/* --- the same in the plane (tetloft/delaunay_triangulation2.hpp) ------------------------------ */
+
+/* Of points in the plane, with constraints: segments between vertices that are unions of edges.
+ * With them it is the constrained Delaunay triangulation; no vertex is put on a constraint but
+ * where two cross, and where that is asked for. What is not said here is as in space. */
+typedef struct tetloft_delaunay_plane tetloft_delaunay_plane;
+
+/* Of 2 · point_count coordinates, as all arrays xy below. */
+TETLOFT_C_API tetloft_status tetloft_delaunay_plane_create(const double* xy, size_t point_count,
+                                                           const tetloft_execution* execution,
+                                                           tetloft_delaunay_plane** delaunay);
+TETLOFT_C_API tetloft_status tetloft_delaunay_plane_copy(const tetloft_delaunay_plane* delaunay,
+                                                         tetloft_delaunay_plane** copy);
+TETLOFT_C_API tetloft_status tetloft_delaunay_plane_free(tetloft_delaunay_plane* delaunay);
+
+TETLOFT_C_API tetloft_status tetloft_delaunay_plane_insert(tetloft_delaunay_plane* delaunay,
+                                                           double x, double y, uint64_t near,
+                                                           uint64_t* vertex, int* is_new);
+TETLOFT_C_API tetloft_status tetloft_delaunay_plane_insert_all(tetloft_delaunay_plane* delaunay,
+                                                               const double* xy, size_t point_count,
+                                                               const tetloft_execution* execution,
+                                                               uint64_t* vertices);
+/* TETLOFT_INVALID_INPUT, with the constraint's number in the text, for a vertex that one goes over;
+ * so is moving it. */
+TETLOFT_C_API tetloft_status tetloft_delaunay_plane_remove(tetloft_delaunay_plane* delaunay,
+                                                           uint64_t vertex);
+TETLOFT_C_API tetloft_status tetloft_delaunay_plane_move(tetloft_delaunay_plane* delaunay,
+                                                         uint64_t vertex, double x, double y);
+TETLOFT_C_API tetloft_status tetloft_delaunay_plane_clear(tetloft_delaunay_plane* delaunay);
+
+/* Constraints. They go over all vertices on them, those that come later too; where they overlap
+ * they share edges. A constraint is a number that is not given again; of one that is gone, as of a
+ * vertex, TETLOFT_INVALID_INPUT is the answer. */
+
+/* What becomes of a constraint that crosses others. */
+typedef enum tetloft_crossing {
+  TETLOFT_CROSSING_REFUSE = 0, /* TETLOFT_INVALID_INPUT, with the other one's number in the text */
+  TETLOFT_CROSSING_SPLIT = 1   /* a vertex is put where they cross, and all go over it */
+} tetloft_crossing;
+/* The segment from u to v. `crossing`: tetloft_crossing. The point of a crossing is rounded, which
+ * bends what goes over it by ulps; where pieces cross on and on, TETLOFT_WORK_LIMIT. */
+TETLOFT_C_API tetloft_status
+tetloft_delaunay_plane_insert_constraint(tetloft_delaunay_plane* delaunay, uint64_t u, uint64_t v,
+                                         int32_t crossing, uint32_t* constraint);
+/* Many, one after the other, two vertices each: all or none; a text of what is refused begins with
+ * its index. `constraints` has room for segment_count, or is NULL. */
+TETLOFT_C_API tetloft_status tetloft_delaunay_plane_insert_constraints(
+    tetloft_delaunay_plane* delaunay, const uint64_t* segments, size_t segment_count,
+    int32_t crossing, uint32_t* constraints);
+/* Its vertices stay. */
+TETLOFT_C_API tetloft_status
+tetloft_delaunay_plane_remove_constraint(tetloft_delaunay_plane* delaunay, uint32_t constraint);
+TETLOFT_C_API tetloft_status tetloft_delaunay_plane_has_constraint(
+    const tetloft_delaunay_plane* delaunay, uint32_t constraint, int* has);
+/* By number. */
+TETLOFT_C_API tetloft_status tetloft_delaunay_plane_constraints(
+    const tetloft_delaunay_plane* delaunay, uint32_t* constraints, size_t capacity, size_t* count);
+/* The two vertices that it was given. */
+TETLOFT_C_API tetloft_status tetloft_delaunay_plane_constraint_ends(
+    const tetloft_delaunay_plane* delaunay, uint32_t constraint, uint64_t* ends);
+/* The edges that it goes over, two vertices each, by index; capacity and count in edges. */
+TETLOFT_C_API tetloft_status
+tetloft_delaunay_plane_constraint_edges(const tetloft_delaunay_plane* delaunay, uint32_t constraint,
+                                        uint64_t* edges, size_t capacity, size_t* count);
+/* The constraints over the edge u v, by number; none where there is no such edge. */
+TETLOFT_C_API tetloft_status tetloft_delaunay_plane_edge_constraints(
+    const tetloft_delaunay_plane* delaunay, uint64_t u, uint64_t v, uint32_t* constraints,
+    size_t capacity, size_t* count);
+/* The triangles that one comes to from outside across an odd number of constraints, as
+ * tetloft_delaunay_plane_triangles has them: of an outline and its holes what is between.
+ * TETLOFT_INVALID_INPUT, naming a vertex, where constraints end. */
+TETLOFT_C_API tetloft_status tetloft_delaunay_plane_inside(const tetloft_delaunay_plane* delaunay,
+                                                           uint64_t* triangles, size_t capacity,
+                                                           size_t* count);
+
+/* What is there. */
+
+TETLOFT_C_API tetloft_status tetloft_delaunay_plane_counts(const tetloft_delaunay_plane* delaunay,
+                                                           size_t* vertices, size_t* slots,
+                                                           size_t* triangles, size_t* constraints,
+                                                           int* dimension);
+TETLOFT_C_API tetloft_status tetloft_delaunay_plane_is_live(const tetloft_delaunay_plane* delaunay,
+                                                            uint64_t vertex, int* is_live);
+TETLOFT_C_API tetloft_status tetloft_delaunay_plane_vertices(const tetloft_delaunay_plane* delaunay,
+                                                             uint64_t* vertices, size_t capacity,
+                                                             size_t* count);
+TETLOFT_C_API tetloft_status tetloft_delaunay_plane_points(const tetloft_delaunay_plane* delaunay,
+                                                           double* xy, size_t capacity,
+                                                           size_t* count);
+TETLOFT_C_API tetloft_status tetloft_delaunay_plane_point(const tetloft_delaunay_plane* delaunay,
+                                                          uint64_t vertex, double* xy);
+/* Three vertices each, counter-clockwise; capacity and count in triangles. */
+TETLOFT_C_API tetloft_status tetloft_delaunay_plane_triangles(
+    const tetloft_delaunay_plane* delaunay, uint64_t* triangles, size_t capacity, size_t* count);
+TETLOFT_C_API tetloft_status tetloft_delaunay_plane_star(const tetloft_delaunay_plane* delaunay,
+                                                         uint64_t vertex, uint64_t* triangles,
+                                                         size_t capacity, size_t* count);
+TETLOFT_C_API tetloft_status
+tetloft_delaunay_plane_neighbours(const tetloft_delaunay_plane* delaunay, uint64_t vertex,
+                                  uint64_t* neighbours, size_t capacity, size_t* count);
+/* The vertices on the hull, counter-clockwise from that of lowest index; of points in a row all of
+ * them, from one end to the other. */
+TETLOFT_C_API tetloft_status tetloft_delaunay_plane_hull(const tetloft_delaunay_plane* delaunay,
+                                                         uint64_t* vertices, size_t capacity,
+                                                         size_t* count);
+
+/* Questions. A triangle is a facet; `vertices` of locate has room for 3 · point_count. */
+
+TETLOFT_C_API tetloft_status tetloft_delaunay_plane_locate(const tetloft_delaunay_plane* delaunay,
+                                                           const double* xy, size_t point_count,
+                                                           const tetloft_execution* execution,
+                                                           int32_t* kinds, uint64_t* vertices);
+TETLOFT_C_API tetloft_status tetloft_delaunay_plane_nearest(const tetloft_delaunay_plane* delaunay,
+                                                            const double* xy, size_t point_count,
+                                                            const tetloft_execution* execution,
+                                                            uint64_t* vertices);
+TETLOFT_C_API tetloft_status
+tetloft_delaunay_plane_nearest_few(const tetloft_delaunay_plane* delaunay, double x, double y,
+                                   size_t most, uint64_t* vertices, size_t capacity, size_t* count);
+TETLOFT_C_API tetloft_status tetloft_delaunay_plane_within(const tetloft_delaunay_plane* delaunay,
+                                                           double x, double y, double radius,
+                                                           uint64_t* vertices, size_t capacity,
+                                                           size_t* count);
+
+/* Of the triangles whose circles hold the point those from which it is seen, past no constraint but
+ * one that it lies on. The horizon's edges, two vertices each, one behind the other,
+ * counter-clockwise around the point, from the vertex of lowest index, or where the point lies
+ * outside or on the hull from one end to the other. */
+TETLOFT_C_API tetloft_status tetloft_delaunay_plane_conflict_zone(
+    const tetloft_delaunay_plane* delaunay, double x, double y, uint64_t near, uint64_t* triangles,
+    size_t triangle_capacity, size_t* triangle_count, uint64_t* horizon, size_t horizon_capacity,
+    size_t* horizon_count, uint64_t* neighbours, size_t neighbour_capacity,
+    size_t* neighbour_count);
+
+/* With the constraints. */
+TETLOFT_C_API tetloft_status
+tetloft_delaunay_plane_serialise(const tetloft_delaunay_plane* delaunay, tetloft_bytes** bytes);
+TETLOFT_C_API tetloft_status tetloft_delaunay_plane_deserialise(const void* data, size_t size,
+                                                                tetloft_delaunay_plane** delaunay);
+
+/* --- Voronoi cells (tetloft/voronoi.hpp, tetloft/periodic.hpp) -------------------------------- */
+
+/* One cell after the other, and so their corners and faces. An array …_begin tells where those of
+ * each begin: it has one element more than what it divides, and what begins at begin[i] ends before
+ * begin[i + 1]. */
+typedef struct tetloft_cells tetloft_cells;
+
+/* Of all vertices, by index. `box`: six coordinates, low x y z and high x y z, of what the cells
+ * are clipped to; NULL: they are whole, and may be unbounded. */
+TETLOFT_C_API tetloft_status tetloft_delaunay_cells(const tetloft_delaunay* delaunay,
+                                                    const double* box,
+                                                    const tetloft_execution* execution,
+                                                    tetloft_cells** cells);
+/* Of one vertex. */
+TETLOFT_C_API tetloft_status tetloft_delaunay_cell(const tetloft_delaunay* delaunay,
+                                                   uint64_t vertex, const double* box,
+                                                   tetloft_cells** cells);
+/* Of the points[i] + s0 a + s1 b + s2 c for all integers s: of 3 · point_count coordinates, and
+ * nine, the vectors a, b and c. Corners are relative to the point; points may lie anywhere. */
+TETLOFT_C_API tetloft_status tetloft_periodic_voronoi(const double* xyz, size_t point_count,
+                                                      const double* box,
+                                                      const tetloft_execution* execution,
+                                                      tetloft_cells** cells);
+
+/* Of cells. */
+
+/* Whose they are: vertices; of periodic sets indices of points. */
+TETLOFT_C_API tetloft_status tetloft_cells_sites(const tetloft_cells* cells, const uint64_t** sites,
+                                                 size_t* count);
+/* 0: it goes on without end, and its volume is infinite. */
+TETLOFT_C_API tetloft_status tetloft_cells_bounded(const tetloft_cells* cells,
+                                                   const uint8_t** bounded, size_t* count);
+TETLOFT_C_API tetloft_status tetloft_cells_volumes(const tetloft_cells* cells,
+                                                   const double** volumes, size_t* count);
+TETLOFT_C_API tetloft_status tetloft_cells_corner_begin(const tetloft_cells* cells,
+                                                        const size_t** begin, size_t* count);
+/* Three coordinates each. */
+TETLOFT_C_API tetloft_status tetloft_cells_corners(const tetloft_cells* cells, const double** xyz,
+                                                   size_t* count);
+TETLOFT_C_API tetloft_status tetloft_cells_face_begin(const tetloft_cells* cells,
+                                                      const size_t** begin, size_t* count);
+
+/* Of faces: of each cell one for each of its neighbours, by index, then those on the box. */
+
+/* The sides of a box. */
+typedef enum tetloft_side {
+  TETLOFT_SIDE_NONE = 0,
+  TETLOFT_SIDE_LOW_X = 1,
+  TETLOFT_SIDE_HIGH_X = 2,
+  TETLOFT_SIDE_LOW_Y = 3,
+  TETLOFT_SIDE_HIGH_Y = 4,
+  TETLOFT_SIDE_LOW_Z = 5,
+  TETLOFT_SIDE_HIGH_Z = 6
+} tetloft_side;
+/* Whose cell is across, as sites are; TETLOFT_NO_VERTEX on the box. */
+TETLOFT_C_API tetloft_status tetloft_cells_neighbours(const tetloft_cells* cells,
+                                                      const uint64_t** neighbours, size_t* count);
+/* Where it lies on the box (tetloft_side). */
+TETLOFT_C_API tetloft_status tetloft_cells_sides(const tetloft_cells* cells, const uint8_t** sides,
+                                                 size_t* count);
+/* 0: it goes on without end, and its area is infinite. */
+TETLOFT_C_API tetloft_status tetloft_cells_faces_bounded(const tetloft_cells* cells,
+                                                         const uint8_t** bounded, size_t* count);
+TETLOFT_C_API tetloft_status tetloft_cells_areas(const tetloft_cells* cells, const double** areas,
+                                                 size_t* count);
+TETLOFT_C_API tetloft_status tetloft_cells_face_corner_begin(const tetloft_cells* cells,
+                                                             const size_t** begin, size_t* count);
+/* Places in all corners, of each face counter-clockwise as seen from outside its cell; perhaps none
+ * of a face without area. */
+TETLOFT_C_API tetloft_status tetloft_cells_face_corners(const tetloft_cells* cells,
+                                                        const uint32_t** corners, size_t* count);
+/* Of periodic sets, else empty: three integers of each face, how many times a, b and c the
+ * neighbour is away from where it was given; and three coordinates of its normal, of length 1,
+ * towards the neighbour. */
+TETLOFT_C_API tetloft_status tetloft_cells_shifts(const tetloft_cells* cells,
+                                                  const int32_t** shifts, size_t* count);
+TETLOFT_C_API tetloft_status tetloft_cells_normals(const tetloft_cells* cells,
+                                                   const double** normals, size_t* count);
+TETLOFT_C_API tetloft_status tetloft_cells_free(tetloft_cells* cells);
+
+/* The volumes of all whole cells, by index of vertex: infinite where unbounded, 0 in places without
+ * a vertex; so many as there are slots. Several times as fast as the cells. */
+TETLOFT_C_API tetloft_status tetloft_delaunay_volumes(const tetloft_delaunay* delaunay,
+                                                      const tetloft_execution* execution,
+                                                      double* volumes, size_t capacity,
+                                                      size_t* count);
+/* The spheres through the vertices of the tets, as tetloft_delaunay_tets() has them, four numbers
+ * each: centre and radius. */
+TETLOFT_C_API tetloft_status tetloft_delaunay_circumspheres(const tetloft_delaunay* delaunay,
+                                                            double* spheres, size_t capacity,
+                                                            size_t* count);
+/* That through four points, of twelve coordinates; in a plane they have none: the radius is
+ * infinite. */
+TETLOFT_C_API tetloft_status tetloft_circumsphere(const double* xyz, double* sphere);
+
+/* --- natural neighbours (tetloft/voronoi.hpp) ------------------------------------------------- */
+
+typedef enum tetloft_natural_weights {
+  TETLOFT_SIBSON = 0, /* by what a new vertex's cell would take of theirs */
+  TETLOFT_LAPLACE = 1 /* by area over distance of its faces, which takes less time */
+} tetloft_natural_weights;
+
+/* The vertices that would be neighbours of a new one at a point, by index, and their weights, of
+ * sum 1: capacity and count are of both arrays. TETLOFT_INVALID_INPUT outside of the hull. `kind`:
+ * tetloft_natural_weights; `near`: a vertex where the search starts, or TETLOFT_NO_VERTEX. */
+TETLOFT_C_API tetloft_status tetloft_delaunay_natural_neighbours(
+    const tetloft_delaunay* delaunay, double x, double y, double z, int32_t kind, uint64_t near,
+    uint64_t* vertices, double* weights, size_t capacity, size_t* count);
+
+/* Of many points, one after the other: none of those outside of the hull. */
+typedef struct tetloft_natural_neighbours tetloft_natural_neighbours;
+TETLOFT_C_API tetloft_status tetloft_delaunay_natural_neighbours_all(
+    const tetloft_delaunay* delaunay, const double* xyz, size_t point_count, int32_t kind,
+    const tetloft_execution* execution, tetloft_natural_neighbours** neighbours);
+/* One more than points: those of point i are begin[i] to before begin[i + 1]. */
+TETLOFT_C_API tetloft_status tetloft_natural_neighbours_begin(
+    const tetloft_natural_neighbours* neighbours, const size_t** begin, size_t* count);
+TETLOFT_C_API tetloft_status tetloft_natural_neighbours_vertices(
+    const tetloft_natural_neighbours* neighbours, const uint64_t** vertices, size_t* count);
+TETLOFT_C_API tetloft_status tetloft_natural_neighbours_weights(
+    const tetloft_natural_neighbours* neighbours, const double** weights, size_t* count);
+TETLOFT_C_API tetloft_status
+tetloft_natural_neighbours_free(tetloft_natural_neighbours* neighbours);
+
+/* --- Voronoi cells and natural neighbours in the plane (tetloft/voronoi2.hpp) ------------------
+ */
+
+/* As in space; TETLOFT_INVALID_INPUT where there are constraints, whose triangulation is another
+ * one than that of the cells. */
+typedef struct tetloft_plane_cells tetloft_plane_cells;
+/* `rectangle`: four coordinates, low x y and high x y, or NULL. */
+TETLOFT_C_API tetloft_status tetloft_delaunay_plane_cells(const tetloft_delaunay_plane* delaunay,
+                                                          const double* rectangle,
+                                                          const tetloft_execution* execution,
+                                                          tetloft_plane_cells** cells);
+TETLOFT_C_API tetloft_status tetloft_delaunay_plane_cell(const tetloft_delaunay_plane* delaunay,
+                                                         uint64_t vertex, const double* rectangle,
+                                                         tetloft_plane_cells** cells);
+TETLOFT_C_API tetloft_status tetloft_plane_cells_sites(const tetloft_plane_cells* cells,
+                                                       const uint64_t** sites, size_t* count);
+/* Of the whole cell: 0 where it goes on without end, if only beyond the rectangle. */
+TETLOFT_C_API tetloft_status tetloft_plane_cells_bounded(const tetloft_plane_cells* cells,
+                                                         const uint8_t** bounded, size_t* count);
+TETLOFT_C_API tetloft_status tetloft_plane_cells_areas(const tetloft_plane_cells* cells,
+                                                       const double** areas, size_t* count);
+TETLOFT_C_API tetloft_status tetloft_plane_cells_corner_begin(const tetloft_plane_cells* cells,
+                                                              const size_t** begin, size_t* count);
+/* Two coordinates each, of each cell counter-clockwise. */
+TETLOFT_C_API tetloft_status tetloft_plane_cells_corners(const tetloft_plane_cells* cells,
+                                                         const double** xy, size_t* count);
+TETLOFT_C_API tetloft_status tetloft_plane_cells_edge_begin(const tetloft_plane_cells* cells,
+                                                            const size_t** begin, size_t* count);
+/* Of edges, as of faces. */
+TETLOFT_C_API tetloft_status tetloft_plane_cells_neighbours(const tetloft_plane_cells* cells,
+                                                            const uint64_t** neighbours,
+                                                            size_t* count);
+TETLOFT_C_API tetloft_status tetloft_plane_cells_sides(const tetloft_plane_cells* cells,
+                                                       const uint8_t** sides, size_t* count);
+/* Whether anything of it is in the rectangle. */
+TETLOFT_C_API tetloft_status tetloft_plane_cells_inside(const tetloft_plane_cells* cells,
+                                                        const uint8_t** inside, size_t* count);
+/* Two places in all corners each, counter-clockwise around the cell; TETLOFT_NO_ID for an end that
+ * is none, where the edge goes on without it, and of edges of which nothing is inside. */
+TETLOFT_C_API tetloft_status tetloft_plane_cells_ends(const tetloft_plane_cells* cells,
+                                                      const uint32_t** ends, size_t* count);
+/* Infinite without end. */
+TETLOFT_C_API tetloft_status tetloft_plane_cells_lengths(const tetloft_plane_cells* cells,
+                                                         const double** lengths, size_t* count);
+TETLOFT_C_API tetloft_status tetloft_plane_cells_free(tetloft_plane_cells* cells);
+
+/* Of all whole cells, by index of vertex. */
+TETLOFT_C_API tetloft_status tetloft_delaunay_plane_areas(const tetloft_delaunay_plane* delaunay,
+                                                          const tetloft_execution* execution,
+                                                          double* areas, size_t capacity,
+                                                          size_t* count);
+TETLOFT_C_API tetloft_status tetloft_delaunay_plane_natural_neighbours(
+    const tetloft_delaunay_plane* delaunay, double x, double y, int32_t kind, uint64_t near,
+    uint64_t* vertices, double* weights, size_t capacity, size_t* count);
+TETLOFT_C_API tetloft_status tetloft_delaunay_plane_natural_neighbours_all(
+    const tetloft_delaunay_plane* delaunay, const double* xy, size_t point_count, int32_t kind,
+    const tetloft_execution* execution, tetloft_natural_neighbours** neighbours);
+
+/* --- Delaunay tets of periodic sets (tetloft/periodic.hpp) ------------------------------------ */
+
+/* Each once of all its images, sorted. */
+typedef struct tetloft_periodic_tets tetloft_periodic_tets;
+/* Of a set as that of tetloft_periodic_voronoi(). */
+TETLOFT_C_API tetloft_status tetloft_periodic_delaunay(const double* xyz, size_t point_count,
+                                                       const double* box,
+                                                       const tetloft_execution* execution,
+                                                       tetloft_periodic_tets** tets);
+/* Four indices of points each. */
+TETLOFT_C_API tetloft_status tetloft_periodic_tets_points(const tetloft_periodic_tets* tets,
+                                                          const uint32_t** points, size_t* count);
+/* Four times three integers each: how many times a, b and c each of the points is away from where
+ * it was given; 0 of the first. */
+TETLOFT_C_API tetloft_status tetloft_periodic_tets_shifts(const tetloft_periodic_tets* tets,
+                                                          const int32_t** shifts, size_t* count);
+TETLOFT_C_API tetloft_status tetloft_periodic_tets_free(tetloft_periodic_tets* tets);
 
 /* --- points from files (tetloft/formats.hpp) ------------------------------------------------- */
 

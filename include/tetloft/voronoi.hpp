@@ -10,7 +10,9 @@
 // Coordinates of sites and boxes must be at most 2^300 in magnitude; volumes below 2^-1022 vanish.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <tetloft/delaunay_triangulation3.hpp>
@@ -112,5 +114,19 @@ struct NaturalNeighbours {
 [[nodiscard]] TETLOFT_API Result<NaturalNeighbours> natural_neighbours(
     const DelaunayTriangulation3& triangulation, const Point3& point,
     NaturalWeights weights = NaturalWeights::sibson, DelaunayVertex near = {});
+
+/// Of points in their order, one after the other: those of point i are vertices[begin[i]] to
+/// before vertices[begin[i + 1]], and their weights.
+struct NaturalNeighboursOfMany {
+  std::vector<std::size_t> begin;  ///< one more than points
+  std::vector<DelaunayVertex> vertices;
+  std::vector<double> weights;
+};
+/// Of each point what natural_neighbours() of it gives, to the bit; nothing where that refuses it
+/// as outside of the hull, or as the vertices span no space. Refused are all where one is not
+/// finite or, as its neighbours, beyond 2^300.
+[[nodiscard]] TETLOFT_API Result<NaturalNeighboursOfMany> natural_neighbours_of_many(
+    const DelaunayTriangulation3& triangulation, std::span<const Point3> points,
+    NaturalWeights weights = NaturalWeights::sibson, const Execution& execution = {});
 
 }  // namespace tetloft

@@ -26,6 +26,12 @@ std::vector<Point3> space_points(const double* xyz, std::size_t count) {
   return points;
 }
 
+PeriodicBox periodic_box(const double* vectors) {
+  require_array(vectors, 3, sizeof(Point3), "box");
+  const double* const v = vectors;
+  return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7], v[8]}};
+}
+
 std::vector<TetVertices> tets_of(const std::uint32_t* tets, std::size_t count) {
   if (count >= std::size_t{1} << 30) {
     throw Failed(Error{ErrorCode::invalid_input, "2^30 tets or more", {}});

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -14,6 +13,7 @@
 #include <vector>
 
 #include <tetloft/ids.hpp>
+#include <tetloft/periodic.hpp>
 #include <tetloft/point.hpp>
 
 #include "c/call.hpp"
@@ -39,9 +39,10 @@ template <>
 struct Flat<Point3> {
   using Number = double;
 };
-template <std::integral I>
-struct Flat<I> {
-  using Number = I;
+template <class N>
+requires std::is_arithmetic_v<N>
+struct Flat<N> {
+  using Number = N;
 };
 template <class Enum>
 requires std::is_enum_v<Enum>
@@ -86,19 +87,53 @@ inline void require_room(std::size_t capacity, std::size_t needed, const char* n
                                        std::to_string(needed)};
 }
 
-/// Copies values to a caller's array of `capacity` elements, and tells how many there are.
+/// An array of the caller's, of `capacity` elements, and where to tell how many there are.
+template <class Number>
+struct CallerArray {
+  Number* numbers;
+  std::size_t capacity;
+  std::size_t* count;
+  const char* name;
+
+  /// Ends a body with TETLOFT_USAGE where it cannot be written.
+  void require_output() const {
+    c::require_output(count, "count");
+    if (numbers == nullptr && capacity != 0) {
+      fail_usage(std::string("the array ") + name + " is NULL");
+    }
+  }
+  /// Ends a body with TETLOFT_TOO_SMALL where it does not take `*count` elements, unless their
+  /// number alone is asked for.
+  void require_room() const {
+    if (numbers != nullptr) c::require_room(capacity, *count, name);
+  }
+};
+
+/// Lets `write` put `needed` elements there, unless their number alone is asked for.
+template <class Number, class Write>
+void fill_by(std::size_t needed, const CallerArray<Number>& array, Write&& write) {
+  array.require_output();
+  if (array.numbers == nullptr || array.capacity < needed) {
+    *array.count = needed;
+    array.require_room();
+    return;
+  }
+  write(array.numbers);
+  *array.count = needed;
+}
+
+/// Copies values there.
+template <class T>
+void fill_array(const std::vector<T>& values, const CallerArray<typename Flat<T>::Number>& array) {
+  using Number = typename Flat<T>::Number;
+  fill_by(values.size(), array, [&](Number* to) {
+    std::copy_n(numbers_of(values), values.size() * (sizeof(T) / sizeof(Number)), to);
+  });
+}
 template <class T>
 void fill_array(const std::vector<T>& values, typename Flat<T>::Number* array, std::size_t capacity,
                 std::size_t* count, const char* name) {
-  using Number = typename Flat<T>::Number;
-  require_output(count, "count");
-  if (array == nullptr && capacity != 0) {
-    fail_usage(std::string("the array ") + name + " is NULL");
-  }
-  *count = values.size();
-  if (array == nullptr) return;  // the number alone is asked for
-  require_room(capacity, values.size(), name);
-  std::copy_n(numbers_of(values), values.size() * (sizeof(T) / sizeof(Number)), array);
+  fill_array(values, {array, capacity, count, name});
 }
 
 /// Ends a body with TETLOFT_USAGE unless an array of `count` elements, of `size` bytes each, can be
@@ -117,6 +152,9 @@ void require_countable(std::size_t count);
 /// The points of `count` pairs, or triples, of coordinates.
 [[nodiscard]] std::vector<Point2> plane_points(const double* xy, std::size_t count);
 [[nodiscard]] std::vector<Point3> space_points(const double* xyz, std::size_t count);
+
+/// Of nine coordinates, which must be there.
+[[nodiscard]] PeriodicBox periodic_box(const double* vectors);
 
 /// The tuples of ids, `n` in each.
 template <class IdType, std::size_t n>

@@ -31,6 +31,11 @@ const char* name_of(HandleType type) {
     case HandleType::triangulation: return "a triangulation";
     case HandleType::points: return "points";
     case HandleType::delaunay: return "a Delaunay triangulation";
+    case HandleType::delaunay_plane: return "a Delaunay triangulation of the plane";
+    case HandleType::cells: return "Voronoi cells";
+    case HandleType::plane_cells: return "Voronoi cells in the plane";
+    case HandleType::natural_neighbours: return "natural neighbours";
+    case HandleType::periodic_tets: return "tets of a periodic set";
   }
   return "nothing";
 }

@@ -23,6 +23,11 @@ enum class HandleType : std::uint8_t {
   triangulation,
   points,
   delaunay,
+  delaunay_plane,
+  cells,
+  plane_cells,
+  natural_neighbours,
+  periodic_tets,
 };
 /// "stack", with its article: "a stack".
 [[nodiscard]] const char* name_of(HandleType type);

@@ -1,7 +1,9 @@
 // What each type of handle stands for. Values never change once they are made, but for
-// DelaunayValue.
+// ChangingValue.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <mutex>
@@ -16,9 +18,11 @@
 #include <tetloft/check.hpp>
 #include <tetloft/correspondence.hpp>
 #include <tetloft/delaunay.hpp>
+#include <tetloft/delaunay_triangulation2.hpp>
 #include <tetloft/delaunay_triangulation3.hpp>
 #include <tetloft/links.hpp>
 #include <tetloft/model.hpp>
+#include <tetloft/periodic.hpp>
 #include <tetloft/point.hpp>
 #include <tetloft/report.hpp>
 #include <tetloft/section_stack.hpp>
@@ -62,11 +66,14 @@ struct TriangulationValue {
   std::vector<std::vector<PlaneVertexId>> chains;  ///< of segments
 };
 
-/// The one that changes, for several threads: those who ask share it, those who change it are
-/// alone.
-class DelaunayValue {
+/// A triangulation that changes, for several threads: those who ask share it, those who change it
+/// are alone.
+template <class Of>
+class ChangingValue {
  public:
-  explicit DelaunayValue(DelaunayTriangulation3 triangulation)
+  using Triangulation = Of;
+
+  explicit ChangingValue(Triangulation triangulation)
       : shared_(std::make_unique<Shared>(std::move(triangulation))) {}
 
   template <class Ask>
@@ -86,12 +93,58 @@ class DelaunayValue {
 
  private:
   struct Shared {
-    explicit Shared(DelaunayTriangulation3 of) : triangulation(std::move(of)) {}
+    explicit Shared(Triangulation of) : triangulation(std::move(of)) {}
     std::mutex door;
     std::shared_mutex mutex;
-    DelaunayTriangulation3 triangulation;
+    Triangulation triangulation;
   };
   std::unique_ptr<Shared> shared_;
+};
+
+/// Cells one after the other. What begins at begin[i] ends at begin[i + 1]: these arrays have one
+/// element more than what they divide.
+struct CellsValue {
+  std::vector<std::uint64_t> sites;
+  std::vector<std::uint8_t> bounded;
+  std::vector<double> volumes;
+  std::vector<std::size_t> corner_begin{0};  ///< of cells, in corners
+  std::vector<Point3> corners;
+  std::vector<std::size_t> face_begin{0};  ///< of cells, in the arrays of faces:
+  std::vector<std::uint64_t> neighbours;
+  std::vector<std::uint8_t> sides;
+  std::vector<std::uint8_t> faces_bounded;
+  std::vector<double> areas;
+  std::vector<std::size_t> face_corner_begin{0};  ///< of faces, in face_corners
+  std::vector<std::uint32_t> face_corners;        ///< places in corners
+  std::vector<LatticeShift> shifts;               ///< of faces of periodic sets
+  std::vector<Point3> normals;                    ///< likewise
+};
+
+/// The same in the plane.
+struct PlaneCellsValue {
+  std::vector<std::uint64_t> sites;
+  std::vector<std::uint8_t> bounded;
+  std::vector<double> areas;
+  std::vector<std::size_t> corner_begin{0};
+  std::vector<Point2> corners;
+  std::vector<std::size_t> edge_begin{0};
+  std::vector<std::uint64_t> neighbours;
+  std::vector<std::uint8_t> sides;
+  std::vector<std::uint8_t> inside;
+  std::vector<std::array<std::uint32_t, 2>> ends;  ///< places in corners, or TETLOFT_NO_ID
+  std::vector<double> lengths;
+};
+
+/// Of points one after the other.
+struct NaturalNeighboursValue {
+  std::vector<std::size_t> begin;
+  std::vector<std::uint64_t> vertices;
+  std::vector<double> weights;
+};
+
+struct PeriodicTetsValue {
+  std::vector<std::array<std::uint32_t, 4>> points;
+  std::vector<std::array<LatticeShift, 4>> shifts;
 };
 
 /// The value and the type behind a handle of C.
@@ -130,6 +183,21 @@ struct HandleTraits<tetloft_triangulation>
 template <>
 struct HandleTraits<tetloft_points> : HandleTraitsOf<std::vector<Point3>, HandleType::points> {};
 template <>
-struct HandleTraits<tetloft_delaunay> : HandleTraitsOf<DelaunayValue, HandleType::delaunay> {};
+struct HandleTraits<tetloft_delaunay>
+    : HandleTraitsOf<ChangingValue<DelaunayTriangulation3>, HandleType::delaunay> {};
+template <>
+struct HandleTraits<tetloft_delaunay_plane>
+    : HandleTraitsOf<ChangingValue<DelaunayTriangulation2>, HandleType::delaunay_plane> {};
+template <>
+struct HandleTraits<tetloft_cells> : HandleTraitsOf<CellsValue, HandleType::cells> {};
+template <>
+struct HandleTraits<tetloft_plane_cells>
+    : HandleTraitsOf<PlaneCellsValue, HandleType::plane_cells> {};
+template <>
+struct HandleTraits<tetloft_natural_neighbours>
+    : HandleTraitsOf<NaturalNeighboursValue, HandleType::natural_neighbours> {};
+template <>
+struct HandleTraits<tetloft_periodic_tets>
+    : HandleTraitsOf<PeriodicTetsValue, HandleType::periodic_tets> {};
 
 }  // namespace tetloft::internal::c

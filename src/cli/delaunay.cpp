@@ -14,6 +14,7 @@
 #include "cli/point_questions.hpp"
 #include "cli/read_options.hpp"
 #include "cli/signals.hpp"
+#include "cli/triangulated_once.hpp"
 #include "cli/voronoi_output.hpp"
 #include "core/text.hpp"
 #include "io/stage.hpp"
@@ -211,20 +212,23 @@ Result<int> run_delaunay(const Arguments& arguments, Console& console) {
   for (const Warning& warning : read->warnings) console.warn(warning);
   const std::size_t points = read->points.size();
   std::optional<PointAnswers> answers;
-  if (request->question) {
-    Result<PointAnswers> found =
-        answer(*request->question, read->points, request->threads, console);
-    if (!found) return in_file(found.error(), request->input);
-    answers = *std::move(found);
-  }
   StagedFiles files;
-  if (request->voronoi) {
-    const auto cells = voronoi_polyhedra(read->points, request->threads);
-    if (!cells) return in_file(cells.error(), request->input);
-    Result<void> staged = take_staged(
-        io::stage_polyhedra(*request->voronoi, *cells, request->encoding, temporary_watcher()),
-        files, console);
-    if (!staged) return staged.error();
+  {
+    // Gone, with its memory, before the output is triangulated.
+    TriangulatedOnce triangulated(read->points, request->threads);
+    if (request->question) {
+      Result<PointAnswers> found = answer(*request->question, triangulated, console);
+      if (!found) return in_file(found.error(), request->input);
+      answers = *std::move(found);
+    }
+    if (request->voronoi) {
+      const auto cells = voronoi_polyhedra(triangulated);
+      if (!cells) return in_file(cells.error(), request->input);
+      Result<void> staged = take_staged(
+          io::stage_polyhedra(*request->voronoi, *cells, request->encoding, temporary_watcher()),
+          files, console);
+      if (!staged) return staged.error();
+    }
   }
   std::string told;
   if (!answers || request->output) {

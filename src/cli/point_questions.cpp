@@ -52,17 +52,17 @@ Result<std::optional<PointQuestion>> point_question(const Arguments& arguments) 
   return std::optional(question);
 }
 
-Result<PointAnswers> answer(const PointQuestion& question, const std::vector<Point3>& points,
-                            unsigned threads, Console& console) {
+Result<PointAnswers> answer(const PointQuestion& question, TriangulatedOnce& points,
+                            Console& console) {
   const auto queries = read_points(input_path(question.queries));
   if (!queries) return queries.error();
   console.warn_of(question.queries, queries->warnings);
-  const Execution execution{.threads = threads};
-  const Stopwatch triangulating;
-  const auto triangulation = DelaunayTriangulation3::of(points, execution);
-  if (!triangulation) return triangulation.error();
+  const Execution& execution = points.execution();
+  const auto made = points.get();
+  if (!made) return made.error();
+  const DelaunayTriangulation3* const triangulation = *made;
   PointAnswers answers;
-  answers.seconds = triangulating.seconds();
+  answers.seconds = points.seconds();
   answers.kind = question.kind;
   answers.vertices = triangulation->vertex_count();
   answers.tets = triangulation->tet_count();

@@ -14,6 +14,7 @@
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
 #include "cli/json.hpp"
+#include "cli/triangulated_once.hpp"
 
 namespace tetloft::cli {
 
@@ -39,8 +40,7 @@ struct PointAnswers {
 [[nodiscard]] Result<std::optional<PointQuestion>> point_question(const Arguments& arguments);
 
 /// Reads the queries and answers them.
-[[nodiscard]] Result<PointAnswers> answer(const PointQuestion& question,
-                                          const std::vector<Point3>& points, unsigned threads,
+[[nodiscard]] Result<PointAnswers> answer(const PointQuestion& question, TriangulatedOnce& points,
                                           Console& console);
 
 /// A line for each query.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -57,11 +58,10 @@ Option voronoi_option() {
       "number of neighbours, clipped to the points' box and a tenth of its longest side about it"};
 }
 
-Result<PolyhedronSet> voronoi_polyhedra(std::span<const Point3> points, unsigned threads) {
-  const Execution execution{.threads = threads};
-  const auto triangulation = DelaunayTriangulation3::of(points, execution);
+Result<PolyhedronSet> voronoi_polyhedra(TriangulatedOnce& points) {
+  const auto triangulation = points.get();
   if (!triangulation) return triangulation.error();
-  const auto cells = voronoi_cells(*triangulation, box_about(points), execution);
+  const auto cells = voronoi_cells(**triangulation, box_about(points.points()), points.execution());
   if (!cells) return cells.error();
   PolyhedronSet set{{}, {}, {{"point", {}}, {"volume", {}}, {"neighbours", {}}, {"clipped", {}}}};
   for (const VoronoiCell3& cell : *cells) add_cell(cell, set);

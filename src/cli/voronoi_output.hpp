@@ -1,14 +1,11 @@
 // The Voronoi cells of the points of `delaunay`, as polyhedra in a file.
 #pragma once
 
-#include <span>
-#include <string>
-
 #include <tetloft/io.hpp>
-#include <tetloft/point.hpp>
 #include <tetloft/result.hpp>
 
 #include "cli/arguments.hpp"
+#include "cli/triangulated_once.hpp"
 
 namespace tetloft::cli {
 
@@ -20,7 +17,6 @@ inline constexpr const char* kVoronoiExtension = ".vtu";
 /// The cells, clipped to a box about the points; data "point" (input index), "volume" and
 /// "neighbours" (cells across faces that have corners), "clipped" (1 where it has a face on the
 /// box). Refused (invalid_input) where coordinates are too large for cells.
-[[nodiscard]] Result<PolyhedronSet> voronoi_polyhedra(std::span<const Point3> points,
-                                                      unsigned threads);
+[[nodiscard]] Result<PolyhedronSet> voronoi_polyhedra(TriangulatedOnce& points);
 
 }  // namespace tetloft::cli

@@ -1,6 +1,7 @@
 // Large pieces of memory, page by page.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <type_traits>
@@ -31,6 +32,19 @@ void give_back_pages(std::span<T> items) {
 /// Gives memory back that was freed, where the allocator keeps it in many small pieces. Takes some
 /// milliseconds: for once, before much is asked for.
 void give_back_freed();
+
+/// Has `take` copy items that are needed elsewhere, some at a time, and gives their memory back as
+/// it goes on: items and copies are hardly ever both there.
+template <class T, class Take>
+void hand_over(std::span<T> items, const Take& take) {
+  constexpr std::size_t kAtATime = (std::size_t{1} << 20) / sizeof(T) + 1;
+  while (!items.empty()) {
+    const std::span<T> first = items.first(std::min(kAtATime, items.size()));
+    take(first);
+    give_back_pages(first);
+    items = items.subspan(first.size());
+  }
+}
 
 /// Frees a large vector at once, where an allocator would keep its memory for later.
 template <class T>

@@ -1,5 +1,6 @@
 #include "core/record.hpp"
 
+#include <cstring>
 #include <utility>
 
 namespace tetloft::internal {
@@ -32,6 +33,16 @@ std::string RecordWriter::take() {
   put(fnv1a(bytes_));
   return std::move(bytes_);
 }
+
+std::vector<std::byte> RecordWriter::take_bytes() {
+  const std::string bytes = take();
+  std::vector<std::byte> result(bytes.size());
+  std::memcpy(result.data(), bytes.data(), bytes.size());
+  return result;
+}
+
+RecordReader::RecordReader(std::span<const std::byte> bytes, const RecordKind& kind)
+    : RecordReader({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, kind, {}) {}
 
 RecordReader::RecordReader(std::string_view bytes, const RecordKind& kind, std::string name)
     : kind_(kind), name_(std::move(name)) {

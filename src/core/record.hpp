@@ -10,6 +10,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -56,6 +57,7 @@ class RecordWriter {
   }
 
   [[nodiscard]] std::string take();
+  [[nodiscard]] std::vector<std::byte> take_bytes();
 
  private:
   std::string bytes_;
@@ -65,6 +67,8 @@ class RecordReader {
  public:
   /// `name` stands for the file in messages.
   RecordReader(std::string_view bytes, const RecordKind& kind, std::string name);
+  /// Of no file.
+  RecordReader(std::span<const std::byte> bytes, const RecordKind& kind);
 
   /// The next value; 0 once the contents are at their end or were refused.
   template <class T>

@@ -9,6 +9,8 @@
 #include <tetloft/delaunay_vertex.hpp>
 #include <tetloft/result.hpp>
 
+#include "core/provide_room.hpp"
+
 namespace tetloft::internal {
 
 struct VertexPlaces {
@@ -28,6 +30,7 @@ struct VertexPlaces {
     if (free.empty()) {
       if (size() >= most) throw std::length_error("too many vertices");
       free.reserve(1);
+      provide_room(generation, 1);
       generation.push_back(0);
       give_back(size() - 1);
     }

@@ -5,23 +5,11 @@
 
 #include <tetloft/delaunay2.hpp>
 
-#include "arithmetic/expansion.hpp"
+#include "delaunay2/circle_minors.hpp"
 
 namespace tetloft {
 
 using namespace internal;
-
-namespace {
-
-/// Components summed from the smallest: within two ulps of the exact value.
-template <int Capacity>
-double estimate(const Expansion<Capacity>& e) {
-  double sum = 0;
-  for (int i = 0; i < e.size(); ++i) sum += e[i];
-  return sum;
-}
-
-}  // namespace
 
 // Relative to the lowest vertex, so that the order of arguments does not matter, and with
 // exact determinants, so that slivers lose no more than three roundings. A power of two
@@ -37,15 +25,9 @@ Point2 circumcentre(const Point2& a, const Point2& b, const Point2& c) {
   for (Point2& q : p) q = {std::ldexp(q.x, -exponent), std::ldexp(q.y, -exponent)};
 
   const auto difference = [](double u, double v) { return to_expansion(two_difference(u, v)); };
-  const auto bx = difference(p[1].x, p[0].x);
-  const auto by = difference(p[1].y, p[0].y);
-  const auto cx = difference(p[2].x, p[0].x);
-  const auto cy = difference(p[2].y, p[0].y);
-  const auto b_squared = bx * bx + by * by;
-  const auto c_squared = cx * cx + cy * cy;
-  const double twice_determinant = 2 * estimate(bx * cy - by * cx);
-  const double x = estimate(b_squared * cy - c_squared * by) / twice_determinant;
-  const double y = estimate(c_squared * bx - b_squared * cx) / twice_determinant;
+  const delaunay2_detail::CircleMinors minors = delaunay2_detail::circle_minors(p, difference);
+  const double x = minors.x / (2 * minors.determinant);
+  const double y = minors.y / (2 * minors.determinant);
   return {std::ldexp(p[0].x + x, exponent), std::ldexp(p[0].y + y, exponent)};
 }
 

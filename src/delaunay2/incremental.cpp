@@ -40,29 +40,20 @@ SiteId Incremental2::insert(const Point2& p, TriangleId hint) {
   const TriangleId at = locate(filter_, p, hint);
   if (const SiteId same = vertex_at(p, at); same.valid()) return same;
   const HalfEdgeId wall = wall_at(p, at);
-  if (wall.valid()) return divide(wall, p, at);
-  collect_conflict_zone(p, at);
+  LabelId divided;
+  std::array<SiteId, 2> ends;
+  if (wall.valid()) {
+    divided = label(wall);
+    ends = {origin(wall), destination(wall)};
+  }
+  collect_conflict(filter_, p, at, wall, conflict_, stack_);
+  if (!label_.empty() && !walls_) note_touched();
   provide_memory();
   const SiteId v = take_site(p);
   star_cavity(v);
-  return v;
-}
-
-/// A wall with p inside is open while p comes: p sees both its sides.
-SiteId Incremental2::divide(HalfEdgeId wall, const Point2& p, TriangleId at) {
-  const LabelId closed = label(wall);
-  const std::array<SiteId, 2> ends{origin(wall), destination(wall)};
-  set_label(wall, LabelId());
-  try {
-    collect_conflict_zone(p, at);
-    provide_memory();
-  } catch (...) {
-    set_label(wall, closed);
-    throw;
+  if (divided.valid()) {
+    for (const SiteId end : ends) set_label(find_edge(v, end), divided);
   }
-  const SiteId v = take_site(p);
-  star_cavity(v);
-  for (const SiteId end : ends) set_label(find_edge(v, end), closed);
   return v;
 }
 
@@ -72,7 +63,7 @@ void Incremental2::provide_memory() {
   provide_room(point_, 1);
   provide_room(out_, 1);
   provide_room(triangles_, 2);
-  provide_room(zone_, 2);
+  provide_room(conflict_.zone, 2);
   if (!label_.empty()) provide_room(label_, 8);
 }
 
@@ -157,16 +148,16 @@ SiteId Incremental2::vertex_at(const Point2& p, TriangleId t) const {
   return {};
 }
 
-inline bool Incremental2::in_conflict(TriangleId t, const Point2& p) const {
+inline bool Incremental2::in_conflict(const Filter& filter, TriangleId t, const Point2& p) const {
   const std::array<SiteId, 3>& v = vertices(t);
-  const int s = filter_.incircle(point(v[0]), point(v[1]), point(v[2]), p);
+  const int s = filter.incircle(point(v[0]), point(v[1]), point(v[2]), p);
   if (s != 0) [[likely]]
     return s > 0;
-  return decide_conflict(t, p);
+  return decide_conflict(filter, t, p);
 }
 
 /// Where the filter does not answer.
-bool Incremental2::decide_conflict(TriangleId t, const Point2& p) const {
+bool Incremental2::decide_conflict(const Filter& filter, TriangleId t, const Point2& p) const {
   const std::array<SiteId, 3>& v = vertices(t);
   for (std::uint32_t i = 0; i < 3; ++i) {
     if (v[i] != kGhost) continue;
@@ -174,53 +165,75 @@ bool Incremental2::decide_conflict(TriangleId t, const Point2& p) const {
     // edge without its ends: there it agrees with the circle of the triangle inside.
     const Point2& a = point(v[(i + 1) % 3]);
     const Point2& b = point(v[(i + 2) % 3]);
-    const int certain = filter_.orient2d(a, b, p);
+    const int certain = filter.orient2d(a, b, p);
     const Sign side =
-        certain != 0 || filter_.is_exact() ? static_cast<Sign>(certain) : orient2d(a, b, p);
+        certain != 0 || filter.is_exact() ? static_cast<Sign>(certain) : orient2d(a, b, p);
     if (side != Sign::zero) return side == Sign::positive;
     return canonical_less(a, b) ? canonical_less(a, p) && canonical_less(p, b)
                                 : canonical_less(b, p) && canonical_less(p, a);
   }
   const Point2 &a = point(v[0]), &b = point(v[1]), &c = point(v[2]);
-  return (filter_.is_exact() ? predicates::perturbed_incircle_of_cocircular(a, b, c, p)
-                             : incircle_perturbed(a, b, c, p)) == Sign::positive;
+  return (filter.is_exact() ? predicates::perturbed_incircle_of_cocircular(a, b, c, p)
+                            : incircle_perturbed(a, b, c, p)) == Sign::positive;
 }
 
 /// Depth first from `first`, counter-clockwise: replacing an edge by the other two of the
-/// triangle behind it keeps the boundary in order.
-void Incremental2::collect_conflict_zone(const Point2& p, TriangleId first) {
-  zone_.assign(1, first);
-  horizon_.clear();
-  stack_ = {half_edge(first, 2), half_edge(first, 1), half_edge(first, 0)};
-  while (!stack_.empty()) {
-    const HalfEdgeId h = stack_.back();
-    stack_.pop_back();
+/// triangle behind it keeps the boundary in order. Walls end the zone, but for `open`, which has p
+/// inside: p sees both its sides.
+void Incremental2::collect_conflict(const Filter& filter, const Point2& p, TriangleId first,
+                                    HalfEdgeId open, Conflict& conflict,
+                                    std::vector<HalfEdgeId>& stack) const {
+  const HalfEdgeId open_behind = open.valid() ? opposite(open) : open;
+  conflict.zone.assign(1, first);
+  conflict.horizon.clear();
+  stack.assign({half_edge(first, 2), half_edge(first, 1), half_edge(first, 0)});
+  while (!stack.empty()) {
+    const HalfEdgeId h = stack.back();
+    stack.pop_back();
     const HalfEdgeId outer = opposite(h);
     const LabelId met = label(h);
-    if (met.valid() && !walls_) touched_.push_back(met);
-    if (!(met.valid() && walls_) && in_conflict(triangle(outer), p)) {
-      zone_.push_back(triangle(outer));
-      TETLOFT_CHECK(zone_.size() < triangle_count());
-      stack_.push_back(previous(outer));
-      stack_.push_back(next(outer));
+    const bool closed = walls_ && met.valid() && h != open && h != open_behind;
+    if (!closed && in_conflict(filter, triangle(outer), p)) {
+      conflict.zone.push_back(triangle(outer));
+      TETLOFT_CHECK(conflict.zone.size() < triangle_count());
+      stack.push_back(previous(outer));
+      stack.push_back(next(outer));
     } else {
-      horizon_.push_back({origin(h), destination(h), outer, met});
+      conflict.horizon.push_back({origin(h), destination(h), outer, met});
     }
   }
-  TETLOFT_CHECK(horizon_.size() == zone_.size() + 2);
+  TETLOFT_CHECK(conflict.horizon.size() == conflict.zone.size() + 2);
+}
+
+Incremental2::Conflict Incremental2::conflict(const Point2& p, TriangleId t) const {
+  Filter filter = filter_;
+  filter.admit(p);
+  Conflict result;
+  std::vector<HalfEdgeId> stack;
+  collect_conflict(filter, p, t, wall_at(p, t), result, stack);
+  return result;
+}
+
+void Incremental2::note_touched() {
+  for (const TriangleId t : conflict_.zone) {
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      if (const LabelId met = label(half_edge(t, i)); met.valid()) touched_.push_back(met);
+    }
+  }
 }
 
 void Incremental2::star_cavity(SiteId v) {
+  std::vector<TriangleId>& zone = conflict_.zone;
   const std::size_t first = triangles_.size();
-  zone_.emplace_back(first);
-  zone_.emplace_back(first + 1);
+  zone.emplace_back(first);
+  zone.emplace_back(first + 1);
   triangles_.resize(first + 2);
   if (!label_.empty()) label_.resize(4 * triangles_.size());
-  TriangleId preceding = zone_.back();
-  for (std::size_t i = 0; i < zone_.size(); ++i) {
-    const HorizonEdge& edge = horizon_[i];
-    const TriangleId t = zone_[i];
-    const TriangleId following = zone_[i + 1 < zone_.size() ? i + 1 : 0];
+  TriangleId preceding = zone.back();
+  for (std::size_t i = 0; i < zone.size(); ++i) {
+    const HorizonEdge& edge = conflict_.horizon[i];
+    const TriangleId t = zone[i];
+    const TriangleId following = zone[i + 1 < zone.size() ? i + 1 : 0];
     triangles_[t.index()] = {{v, edge.from, edge.to},
                              {edge.outer, half_edge(following, 2), half_edge(preceding, 1)}};
     set_opposite(edge.outer, half_edge(t, 0));

@@ -65,6 +65,19 @@ class Incremental2 {
   }
   /// The vertex of t at p, or invalid.
   [[nodiscard]] SiteId vertex_at(const Point2& p, TriangleId t) const;
+  /// What an insertion removes, and the edges that it joins to the new vertex.
+  struct HorizonEdge {
+    SiteId from;  ///< directed counter-clockwise around the cavity
+    SiteId to;
+    HalfEdgeId outer;  ///< the edge's side that stays
+    LabelId label;
+  };
+  struct Conflict {
+    std::vector<TriangleId> zone;
+    std::vector<HorizonEdge> horizon;  ///< in order, counter-clockwise
+  };
+  /// That of p, for t as locate() finds it. Requires that p is no vertex of t. Changes nothing.
+  [[nodiscard]] Conflict conflict(const Point2& p, TriangleId t) const;
 
   // Labelled edges as walls: what is behind one is not seen, and counts for nothing in circles. The
   // triangulation is the constrained one then, unique like the other. See walls.cpp.
@@ -127,6 +140,26 @@ class Incremental2 {
   /// The half-edge from a to b, or invalid. O(smaller degree).
   [[nodiscard]] HalfEdgeId find_edge(SiteId a, SiteId b) const;
 
+  /// The edge that the segment from a to b leaves the star of a by, its origin to the right; or
+  /// invalid, and `along` is the neighbour of a on the segment.
+  [[nodiscard]] HalfEdgeId first_crossed(SiteId a, SiteId b, SiteId& along) const;
+  /// The first vertex that the segment from a to b meets. `cross(h)` is told of all edges that it
+  /// crosses before, in order, h from the right of the segment to its left.
+  template <class Cross>
+  SiteId follow(SiteId a, SiteId b, const Cross& cross) const {
+    SiteId met;
+    HalfEdgeId h = first_crossed(a, b, met);
+    while (!met.valid()) {
+      cross(h);
+      const HalfEdgeId across = opposite(h);
+      const SiteId v = apex(across);
+      const Sign side = side_of_segment(a, b, v);
+      if (side == Sign::zero) met = v;
+      h = side == Sign::positive ? next(across) : previous(across);
+    }
+    return met;
+  }
+
   /// Labels the edge, on both sides. A label stays while its edge does.
   void set_label(HalfEdgeId h, LabelId label);
   /// The labels of edges of which an insertion removed a triangle, since the last call;
@@ -138,13 +171,6 @@ class Incremental2 {
     std::array<SiteId, 3> apex;          // the vertex that half-edge i is opposite to
     std::array<HalfEdgeId, 3> opposite;  // the other side of half-edge i
   };
-  struct HorizonEdge {
-    SiteId from;  // directed counter-clockwise around the cavity
-    SiteId to;
-    HalfEdgeId outer;  // the edge's side that stays
-    LabelId label;
-  };
-
   [[nodiscard]] const Triangle& at(HalfEdgeId h) const { return triangles_[triangle(h).index()]; }
   void set_opposite(HalfEdgeId h, HalfEdgeId other) {
     triangles_[triangle(h).index()].opposite[h.value() & 3U] = other;
@@ -159,10 +185,11 @@ class Incremental2 {
   [[nodiscard]] TriangleId locate(const Filter& filter, const Point2& p, TriangleId hint) const;
   [[nodiscard]] TriangleId walk_among_walls(const Filter& filter, const Point2& p,
                                             HalfEdgeId entry) const;
-  [[nodiscard]] bool in_conflict(TriangleId t, const Point2& p) const;
-  [[nodiscard]] bool decide_conflict(TriangleId t, const Point2& p) const;
-  void collect_conflict_zone(const Point2& p, TriangleId first);
-  SiteId divide(HalfEdgeId wall, const Point2& p, TriangleId at);
+  [[nodiscard]] bool in_conflict(const Filter& filter, TriangleId t, const Point2& p) const;
+  [[nodiscard]] bool decide_conflict(const Filter& filter, TriangleId t, const Point2& p) const;
+  void collect_conflict(const Filter& filter, const Point2& p, TriangleId first, HalfEdgeId open,
+                        Conflict& conflict, std::vector<HalfEdgeId>& stack) const;
+  void note_touched();
   void provide_memory();
   [[nodiscard]] SiteId take_site(const Point2& p);
   void star_cavity(SiteId v);
@@ -186,7 +213,7 @@ class Incremental2 {
     SiteId from;  // clockwise from what is to become the new edge beside the vertex
     SiteId to;
   };
-  [[nodiscard]] HalfEdgeId first_crossed(SiteId a, SiteId b, SiteId& along) const;
+  [[nodiscard]] Sign side_of_segment(SiteId a, SiteId b, SiteId v) const;
   [[nodiscard]] Corner corner_between(SiteId a, SiteId b) const;
   void cut_off(const Corner& corner);
   [[nodiscard]] LabelId label(HalfEdgeId h) const {
@@ -205,9 +232,8 @@ class Incremental2 {
   bool walls_ = false;
   bool stack_is_short_ = false;  // memory ended when an edge was to be pushed
 
-  std::vector<TriangleId> zone_;      // scratch of insert()
-  std::vector<HorizonEdge> horizon_;  // scratch of insert()
-  std::vector<HalfEdgeId> stack_;     // scratch of collect_conflict_zone() and remove()
+  Conflict conflict_;              // scratch of insert()
+  std::vector<HalfEdgeId> stack_;  // scratch of insert() and remove()
   std::vector<LabelId> touched_;
 };
 

@@ -205,7 +205,7 @@ bool Incremental2::is_illegal(HalfEdgeId h) const {
   if (other == kGhost || is_ghost(t) || is_wall(h)) return false;
   const std::array<SiteId, 3>& v = vertices(t);
   const int s = filter_.incircle(point(v[0]), point(v[1]), point(v[2]), point(other));
-  return s != 0 ? s > 0 : decide_conflict(t, point(other));
+  return s != 0 ? s > 0 : decide_conflict(filter_, t, point(other));
 }
 
 void Incremental2::flip_illegal_edges() {

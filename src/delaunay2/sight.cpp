@@ -5,7 +5,6 @@
 
 #include <tetloft/predicates.hpp>
 
-#include "core/guard.hpp"
 #include "core/sort_distinct.hpp"
 
 namespace tetloft::internal::delaunay2_detail {
@@ -14,62 +13,15 @@ namespace {
 
 using Ends = std::array<SiteId, 2>;
 
-/// Does a b pass through u?
-bool passes_through(const Point2& a, const Point2& u, const Point2& b) {
-  const bool up = canonical_less(a, b);
-  return orient2d(a, u, b) == Sign::zero && canonical_less(up ? a : b, u) &&
-         canonical_less(u, up ? b : a);
-}
-
-/// The half-edge opposite a in the triangle that a b enters at a, or that begins at the vertex
-/// it passes through along the first edge.
-HalfEdgeId first_crossed(const Incremental2& plane, SiteId a, SiteId b) {
-  const Point2& from = plane.point(a);
-  const Point2& to = plane.point(b);
-  const HalfEdgeId first = plane.out(a);
-  HalfEdgeId h = first;
-  do {
-    const SiteId u = plane.destination(h);
-    const SiteId w = plane.apex(h);
-    // On the convex hull there may be no triangle to the left of it.
-    if (u != Incremental2::kGhost && passes_through(from, plane.point(u), to)) {
-      return Incremental2::next(h);
-    }
-    if (u != Incremental2::kGhost && w != Incremental2::kGhost &&
-        orient2d(from, plane.point(u), to) != Sign::negative &&
-        orient2d(from, plane.point(w), to) == Sign::negative) {
-      return Incremental2::next(h);
-    }
-    h = plane.rotate(h);
-  } while (h != first);
-  TETLOFT_CHECK(false);
-  return {};
-}
-
 /// The edges that a b crosses, from the right of it to its left; a vertex on it comes as an
 /// edge of equal ends, the last.
 std::vector<Ends> crossed_edges(const Incremental2& plane, SiteId a, SiteId b) {
-  const Point2& from = plane.point(a);
-  const Point2& to = plane.point(b);
   std::vector<Ends> crossed;
-  HalfEdgeId h = first_crossed(plane, a, b);
-  if (orient2d(from, to, plane.point(plane.origin(h))) == Sign::zero) {
-    return {{plane.origin(h), plane.origin(h)}};
-  }
-  for (;;) {
+  const SiteId met = plane.follow(a, b, [&](HalfEdgeId h) {
     crossed.push_back({plane.origin(h), plane.destination(h)});
-    const HalfEdgeId other = plane.opposite(h);
-    const SiteId v = plane.apex(other);
-    if (v == b) return crossed;
-    TETLOFT_CHECK(v != Incremental2::kGhost);
-    const Sign side = orient2d(from, to, plane.point(v));
-    if (side == Sign::zero) {
-      crossed.push_back({v, v});
-      return crossed;
-    }
-    // `other` runs from left to right of a b.
-    h = side == Sign::positive ? Incremental2::next(other) : Incremental2::previous(other);
-  }
+  });
+  if (met != b) crossed.push_back({met, met});
+  return crossed;
 }
 
 struct Crossing {

@@ -19,22 +19,31 @@
 
 namespace tetloft::internal::delaunay2_detail {
 
-/// The edge that the segment from a to b leaves the star of a by, its origin to the right; or
-/// invalid, and `along` is the neighbour of a on the segment.
+/// Which side of the segment from a to b another vertex is on. That b is on it needs no exact
+/// arithmetic.
+Sign Incremental2::side_of_segment(SiteId a, SiteId b, SiteId v) const {
+  return v == b ? Sign::zero : turn(a, b, v);
+}
+
 HalfEdgeId Incremental2::first_crossed(SiteId a, SiteId b, SiteId& along) const {
+  const bool ahead = canonical_less(point(a), point(b));
+  const auto side_of = [&](SiteId v) {
+    return v == kGhost ? Sign::zero : side_of_segment(a, b, v);
+  };
   const HalfEdgeId first = out(a);
   HalfEdgeId h = first;
-  const bool ahead = canonical_less(point(a), point(b));
+  Sign side = side_of(destination(h));
   do {
     const SiteId p = destination(h);
-    const SiteId q = apex(h);
-    const Sign side_p = p == kGhost ? Sign::zero : turn(a, b, p);
-    if (p != kGhost && side_p == Sign::zero && canonical_less(point(a), point(p)) == ahead) {
+    if (side == Sign::zero && p != kGhost && canonical_less(point(a), point(p)) == ahead) {
       along = p;
       return {};
     }
-    if (side_p == Sign::negative && q != kGhost && turn(a, b, q) == Sign::positive) return next(h);
+    const HalfEdgeId leaves = next(h);
     h = rotate(h);
+    const bool was_right = side == Sign::negative;
+    side = side_of(destination(h));
+    if (was_right && side == Sign::positive) return leaves;
   } while (h != first);
   TETLOFT_CHECK(false);
   return {};
@@ -42,15 +51,9 @@ HalfEdgeId Incremental2::first_crossed(SiteId a, SiteId b, SiteId& along) const 
 
 Incremental2::Passage Incremental2::passage(SiteId a, SiteId b) const {
   Passage result;
-  HalfEdgeId h = first_crossed(a, b, result.reached);
-  while (!result.reached.valid()) {
+  result.reached = follow(a, b, [&](HalfEdgeId h) {
     if (!result.wall.valid() && is_wall(h)) result.wall = h;
-    const HalfEdgeId across = opposite(h);
-    const SiteId w = apex(across);
-    const Sign side = turn(a, b, w);
-    if (side == Sign::zero) result.reached = w;
-    h = side == Sign::positive ? next(across) : previous(across);
-  }
+  });
   return result;
 }
 
@@ -64,7 +67,7 @@ Incremental2::Corner Incremental2::corner_between(SiteId a, SiteId b) const {
   for (;;) {
     const HalfEdgeId across = opposite(h);
     const SiteId w = apex(across);
-    const Sign side = turn(a, b, w);
+    const Sign side = side_of_segment(a, b, w);
     if (side != Sign::negative) {
       if (turn(before_left, left, w) == Sign::negative) return {left, before_left, w};
       before_left = left;

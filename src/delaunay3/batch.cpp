@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "core/guard.hpp"
+#include "core/pages.hpp"
 #include "core/watched_work.hpp"
 #include "delaunay3/affine_basis.hpp"
 #include "delaunay3/canonical_order.hpp"
@@ -50,18 +51,20 @@ BatchOrder batch_order(std::span<const Point3> points, unsigned threads) {
   return order;
 }
 
-std::vector<TetSlot> batch_tets(std::span<const Point3> points, const Execution& execution) {
+// Points are given back as soon as they have been copied on.
+OwnedSlots batch_tets(std::vector<Point3> points, const Execution& execution) {
   const std::vector<std::uint32_t> canonical = canonical_order(points, execution.threads);
-  const std::vector<Point3> ranked = picked<Point3>(points, canonical, execution.threads);
+  std::vector<Point3> ranked = picked<Point3>(points, canonical, execution.threads);
+  core::release(points);
   const BatchOrder order = batch_order(ranked, execution.threads);
   TETLOFT_CHECK(order.dimension == 3);
-  WatchedWork work(execution, points.size() / Delaunay3Builder::kPointsOfStep + 1);
+  WatchedWork work(execution, ranked.size() / Delaunay3Builder::kPointsOfStep + 1);
   work.go_on();
   Delaunay3Builder builder(ranked, order.places, {.threads = execution.threads});
+  core::release(ranked);
   if (!builder.insert_all(work)) throw std::length_error("2^30 tets or more");
-  const std::span<const TetSlot> built = builder.slots();
-  std::vector<TetSlot> slots(built.begin(), built.end());
-  for (TetSlot& slot : slots) {
+  OwnedSlots slots = builder.release_slots();
+  for (TetSlot& slot : slots.all()) {
     if (!slot.vertices[0].valid()) continue;
     for (VertexId& v : slot.vertices) {
       if (v != kGhost) v = VertexId(canonical[order.places[v.index()]]);

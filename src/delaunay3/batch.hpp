@@ -11,8 +11,8 @@
 #include <tetloft/point.hpp>
 
 #include "core/parallel.hpp"
+#include "delaunay3/growing_tets.hpp"
 #include "delaunay3/stretches.hpp"
-#include "delaunay3/tet_slot.hpp"
 
 namespace tetloft::internal::delaunay3_detail {
 
@@ -43,7 +43,6 @@ struct BatchOrder {
 /// The tets of distinct finite points that span space, by the incremental engine: vertices are the
 /// places of points, vertex 0 of ghost tets is kGhost, and invalid in slots without a tet. Throws
 /// std::length_error where they would be 2^30 or more.
-[[nodiscard]] std::vector<TetSlot> batch_tets(std::span<const Point3> points,
-                                              const Execution& execution);
+[[nodiscard]] OwnedSlots batch_tets(std::vector<Point3> points, const Execution& execution);
 
 }  // namespace tetloft::internal::delaunay3_detail

@@ -39,16 +39,16 @@ GrowingTets::GrowingTets(const GrowingTets& other)
   taken_.store(other.taken(), std::memory_order_relaxed);
 }
 
-void GrowingTets::take_over(std::span<const Point3> points, std::span<const TetSlot> slots) {
-  std::vector<Vertex> vertices(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) vertices[i].point = points[i];
-  predicates::SetFilter filter(points);
-  reserve(slots.size() - std::min(slots.size(), taken()));
-  vertices_ = std::move(vertices);
+OwnedSlots GrowingTets::release_slots() {
+  core::release(marks_);
+  return {std::move(slots_), taken_.exchange(0, std::memory_order_relaxed)};
+}
+
+void GrowingTets::take_over(OwnedSlots slots, const predicates::SetFilter& filter) {
+  marks_ = std::vector<Mark>(slots.slots.get_deleter().capacity, Mark::unvisited);
+  slots_ = std::move(slots.slots);
+  taken_.store(slots.taken, std::memory_order_relaxed);
   filter_ = filter;
-  is_ranked_ = false;
-  std::copy(slots.begin(), slots.end(), slots_.get());
-  taken_.store(slots.size(), std::memory_order_relaxed);
 }
 
 VertexId GrowingTets::add_vertex(const Point3& point) {
@@ -92,7 +92,10 @@ void GrowingTets::reserve(std::size_t more) {
   std::unique_ptr<TetSlot[], FreeSlots> slots(std::allocator<TetSlot>().allocate(capacity),
                                               FreeSlots{capacity});
   marks_.resize(capacity, Mark::unvisited);
-  std::copy_n(slots_.get(), taken(), slots.get());
+  TetSlot* next = slots.get();
+  core::hand_over(this->slots(), [&](std::span<const TetSlot> some) {
+    next = std::copy(some.begin(), some.end(), next);
+  });
   slots_ = std::move(slots);
 }
 

@@ -36,6 +36,13 @@ struct FreeSlots {
   void operator()(TetSlot* slots) const { std::allocator<TetSlot>().deallocate(slots, capacity); }
 };
 
+/// Slots that go from one owner to another.
+struct OwnedSlots {
+  std::unique_ptr<TetSlot[], FreeSlots> slots;
+  std::size_t taken = 0;
+  [[nodiscard]] std::span<TetSlot> all() { return {slots.get(), taken}; }
+};
+
 class GrowingTets {
  public:
   /// What an insertion knows of a tet. Between insertions all are unvisited. A visited one has
@@ -65,8 +72,11 @@ class GrowingTets {
   GrowingTets(const GrowingTets& other);
   GrowingTets& operator=(const GrowingTets&) = delete;
 
-  /// Takes vertices without ranks, and slots as another one has filled them.
-  void take_over(std::span<const Point3> points, std::span<const TetSlot> slots);
+  /// Lets go of the slots: there are no tets then.
+  [[nodiscard]] OwnedSlots release_slots();
+  /// Takes slots as another one has filled them, in place of its own. `filter` is that of a set
+  /// that has all vertices. Where it throws everything is as it was.
+  void take_over(OwnedSlots slots, const predicates::SetFilter& filter);
   /// Takes a vertex without a rank. It is in no tet.
   VertexId add_vertex(const Point3& point);
   /// Gives the place of a vertex that is in no tet to another one.
@@ -79,6 +89,7 @@ class GrowingTets {
   /// Whether vertices have ranks.
   [[nodiscard]] bool is_ranked() const { return is_ranked_; }
 
+  void reserve_vertices(std::size_t count) { vertices_.reserve(count); }
   [[nodiscard]] std::size_t vertex_count() const { return vertices_.size(); }
   [[nodiscard]] Vertex& vertex(VertexId v) { return vertices_[v.index()]; }
   [[nodiscard]] const Vertex& vertex(VertexId v) const { return vertices_[v.index()]; }

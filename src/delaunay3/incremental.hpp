@@ -58,6 +58,7 @@ class Delaunay3Builder {
   /// All slots: of ghost tets vertex 0 is kGhost, of dead ones it is invalid. Valid after
   /// insert_all().
   [[nodiscard]] std::span<TetSlot> slots() { return tets_.slots(); }
+  [[nodiscard]] OwnedSlots release_slots() { return tets_.release_slots(); }
 
  private:
   // Inserts vertices one by one. False where out of slots.

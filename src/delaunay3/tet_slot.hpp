@@ -8,10 +8,12 @@
 #include <tetloft/ids.hpp>
 #include <tetloft/tet_mesh.hpp>
 
+#include "mesh/tet_soup.hpp"
+
 namespace tetloft::internal::delaunay3_detail {
 
-/// There are no more: half-faces are 4 t + i in 32 bits, the largest number none.
-inline constexpr std::size_t kMostTetSlots = (std::size_t{1} << 30) - 1;
+/// There are no more.
+using mesh_detail::kMostTetSlots;
 
 /// A tet as an engine holds it: its vertices, and across the face opposite to each the
 /// half-face of the neighbour, perhaps a ghost, or invalid on the hull.

@@ -82,7 +82,7 @@ Result<HalfFaceId> TetMesh::find_partner(const TetVertices& tet, std::size_t i) 
 Result<TetId> TetMesh::add_tet(const TetVertices& tet) {
   return guard_internal([&]() -> Result<TetId> {
     const TetId t = free_.empty() ? TetId(tets_.size()) : free_.back();
-    if (t.index() >= kMaxTetSlots) return refusal("a mesh holds fewer than 2^30 tets");
+    if (t.index() >= kMostTetSlots) return refusal("a mesh holds fewer than 2^30 tets");
     if (auto error = refuse_tet(tet, vertex_count(), t)) return *std::move(error);
     CornerLists& lists = editable_corner_lists();
     // Nothing changes before all four faces are accepted.

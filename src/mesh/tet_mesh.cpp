@@ -41,7 +41,7 @@ std::optional<Error> refuse_face(std::size_t lowest, std::span<const FaceMember>
 
 Result<TetMesh> TetMesh::from_tets(std::size_t vertex_count, std::span<const TetVertices> tets) {
   return guard_internal([&]() -> Result<TetMesh> {
-    if (tets.size() > kMaxTetSlots) return refusal("a mesh holds fewer than 2^30 tets");
+    if (tets.size() > kMostTetSlots) return refusal("a mesh holds fewer than 2^30 tets");
     if (vertex_count > kMostVertices) return refusal("a mesh holds fewer than 2^32 - 1 vertices");
     for (std::size_t t = 0; t < tets.size(); ++t) {
       if (auto error = refuse_tet(tets[t], vertex_count, TetId(t))) return *std::move(error);
@@ -66,7 +66,7 @@ Result<TetMesh> TetMesh::from_tets(std::size_t vertex_count, std::span<const Tet
 
 TetMesh TetMesh::from_adjacency(std::size_t vertex_count, std::vector<TetVertices> tets,
                                 std::vector<HalfFaceId> opposite) {
-  require_fit(tets.size() <= kMaxTetSlots, "a mesh holds fewer than 2^30 tets");
+  require_fit(tets.size() <= kMostTetSlots, "a mesh holds fewer than 2^30 tets");
   require_fit(vertex_count <= kMostVertices, "a mesh holds fewer than 2^32 - 1 vertices");
   require_fit(opposite.size() == 4 * tets.size(), "four half-faces for each tet");
   TetMesh mesh;

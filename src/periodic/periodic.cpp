@@ -97,33 +97,36 @@ bool face_before(const PeriodicFace& f, const PeriodicFace& g) {
 }
 
 // The cell is in the ball of the covering radius, so that no side of the first cube is left.
-PeriodicCell cell_of(const PeriodicSet& set, VertexId v) {
+PeriodicCell cell_of(const PeriodicSet& set, VertexId v, CutPolyhedron& polyhedron) {
   using namespace vectors;
   struct Neighbour {
     Point3 offset;  // exact: both are on the grid
-    PeriodicFace face;
+    double squared = 0;
+    std::size_t point = 0;
+    LatticeShift shift{};
   };
   std::vector<Neighbour> neighbours;
   const Integers own = shift_of(set, v);
-  for (const VertexId u : images_around(set.cover.mesh, v)) {
-    PeriodicFace face;
-    face.neighbour = set.cover.point_of[u.index()];
-    face.shift = difference_of(shift_of(set, u), own);
-    neighbours.push_back(
-        {set.cover.points[u.index()] - set.cover.points[v.index()], std::move(face)});
+  const std::vector<VertexId> around = images_around(set.cover.mesh, v);
+  neighbours.reserve(around.size());
+  for (const VertexId u : around) {
+    const Point3 offset = set.cover.points[u.index()] - set.cover.points[v.index()];
+    neighbours.push_back({offset, dot(offset, offset), set.cover.point_of[u.index()],
+                          difference_of(shift_of(set, u), own)});
   }
   std::sort(neighbours.begin(), neighbours.end(), [](const Neighbour& a, const Neighbour& b) {
-    const double to_a = dot(a.offset, a.offset), to_b = dot(b.offset, b.offset);
-    return to_a != to_b ? to_a < to_b : face_before(a.face, b.face);
+    return std::tie(a.squared, a.point, a.shift) < std::tie(b.squared, b.point, b.shift);
   });
   const double half = 1.25 * set.lattice.covering_radius;
-  CutPolyhedron polyhedron({-half, -half, -half}, {half, half, half});
+  polyhedron.start_again({-half, -half, -half}, {half, half, half});
   PeriodicCell cell;
-  for (Neighbour& neighbour : neighbours) {
-    const voronoi::HalfSpace half_space = voronoi::nearer_to_origin(neighbour.offset);
+  cell.faces.resize(neighbours.size());
+  for (std::size_t i = 0; i < neighbours.size(); ++i) {
+    const voronoi::HalfSpace half_space = voronoi::nearer_to_origin(neighbours[i].offset);
     polyhedron.cut(half_space);
-    neighbour.face.normal = half_space.normal;
-    cell.faces.push_back(std::move(neighbour.face));
+    cell.faces[i].neighbour = neighbours[i].point;
+    cell.faces[i].shift = neighbours[i].shift;
+    cell.faces[i].normal = half_space.normal;
   }
   std::vector<voronoi::CutFace> cut_faces = polyhedron.faces();
   for (std::size_t i = 0; i < cell.faces.size(); ++i) {
@@ -169,8 +172,9 @@ Result<PeriodicVoronoi3> voronoi_of(std::span<const Point3> points, const Period
   result.cells.resize(points.size());
   parallel_for(stretches, execution.threads, [&](std::size_t stretch) {
     const std::size_t end = std::min(points.size(), (stretch + 1) * kStretch);
+    CutPolyhedron polyhedron({}, {});
     for (std::size_t i = stretch * kStretch; i < end; ++i) {
-      result.cells[i] = cell_of(*set, VertexId(i));
+      result.cells[i] = cell_of(*set, VertexId(i), polyhedron);
     }
     work.step_done_go_on();
   });

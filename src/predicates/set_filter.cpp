@@ -23,11 +23,8 @@ int exponent_of_unit(double v) {
 
 }  // namespace
 
-SetFilter::SetFilter(std::span<const Point3> points) {
-  if (points.empty()) return;
-  for (const Point3& p : points) take(p);
-  set_bounds();
-}
+SetFilter::SetFilter(std::span<const Point3> points)
+    : SetFilter(points.size(), [&](std::size_t i) -> const Point3& { return points[i]; }) {}
 
 void SetFilter::extend(const Point3& p) {
   take(p);

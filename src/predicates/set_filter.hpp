@@ -27,6 +27,12 @@ class SetFilter {
   SetFilter() = default;
   /// Requires finite coordinates; answers for points of the set only.
   explicit SetFilter(std::span<const Point3> points);
+  /// Of point_at(0), point_at(1) …, so many.
+  template <class PointAt>
+  SetFilter(std::size_t count, const PointAt& point_at) {
+    for (std::size_t i = 0; i < count; ++i) take(point_at(i));
+    if (count != 0) set_bounds();
+  }
 
   /// Takes a point into the set. Requires finite coordinates.
   void add(const Point3& p) {

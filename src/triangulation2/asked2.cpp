@@ -146,6 +146,39 @@ Result<std::vector<DelaunayVertex>> DelaunayTriangulation2::vertices_within(
   });
 }
 
+Result<ConflictZone2> DelaunayTriangulation2::conflict_zone(const Point2& point,
+                                                            DelaunayVertex near) const {
+  const Impl& impl = get();
+  return asked_of_plane<ConflictZone2>(point, vertex_count(), {}, [&] {
+    ConflictZone2 result;
+    if (dimension() < 2) return result;
+    const Incremental2& plane = impl.plane.triangles();
+    const TriangleId at = plane.locate(point, impl.plane.start(point, impl.hint(near)));
+    if (plane.vertex_at(point, at).valid()) return result;
+    const Incremental2::Conflict conflict = plane.conflict(point, at);
+    for (const TriangleId t : conflict.zone) {
+      if (!plane.is_ghost(t)) result.triangles.push_back(t);
+    }
+    std::sort(result.triangles.begin(), result.triangles.end());
+    // A turn that begins behind the ghost, if it is among them.
+    std::vector<SiteId> turn;
+    for (const Incremental2::HorizonEdge& edge : conflict.horizon) turn.push_back(edge.from);
+    const auto lowest = [&](SiteId a, SiteId b) {
+      return b != Incremental2::kGhost &&
+             (a == Incremental2::kGhost || impl.plane.vertex(a) < impl.plane.vertex(b));
+    };
+    std::rotate(turn.begin(), std::min_element(turn.begin(), turn.end(), lowest), turn.end());
+    const bool is_open = turn.front() == Incremental2::kGhost;
+    if (is_open) turn.erase(turn.begin());
+    for (const SiteId s : turn) result.neighbours.push_back(impl.handle(s));
+    for (std::size_t i = 0; i + (is_open ? 1 : 0) < turn.size(); ++i) {
+      result.horizon.push_back({result.neighbours[i], result.neighbours[(i + 1) % turn.size()]});
+    }
+    std::sort(result.neighbours.begin(), result.neighbours.end());
+    return result;
+  });
+}
+
 Result<DelaunaySnapshot2> DelaunayTriangulation2::snapshot(const Execution& execution) const {
   return guard_internal([&]() -> Result<DelaunaySnapshot2> {
     DelaunaySnapshot2 result;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/guard.hpp"
+#include "delaunay2/spatial_order.hpp"
 #include "triangulation2/crossing_of.hpp"
 #include "triangulation2/edges_of_plane.hpp"
 #include "triangulation2/handles2.hpp"
@@ -23,6 +24,7 @@ using triangulation2::EdgesOfPlane;
 using triangulation2::HalfEdgeId;
 using triangulation2::Incremental2;
 using triangulation2::LivePlane;
+using triangulation2::PlaneWall;
 
 namespace {
 
@@ -40,7 +42,7 @@ Error crossed_by(const LivePlane& plane, const std::array<VertexId, 2>& wall, Ve
   Error error{ErrorCode::invalid_input,
               "a constraint of vertices " + std::to_string(u.value()) + " and " +
                   std::to_string(v.value()) + " crosses constraint " +
-                  std::to_string(plane.walls().over(wall[0], wall[1])->front().value()),
+                  std::to_string(plane.walls().find(wall[0], wall[1])->lowest().value()),
               {}};
   const std::optional<Point2> at = triangulation2::crossing_of(
       plane.point(u), plane.point(v), plane.point(wall[0]), plane.point(wall[1]));
@@ -61,25 +63,66 @@ Result<void> DelaunayTriangulation2::Impl::check_ends(
   return error;
 }
 
-// All is looked at before anything changes.
-Result<ConstraintId> DelaunayTriangulation2::Impl::constrain(VertexId u, VertexId v) {
+Result<std::vector<VertexId>> DelaunayTriangulation2::Impl::path_between(VertexId u,
+                                                                         VertexId v) const {
   std::vector<VertexId> path{u};
   while (path.back() != v) {
     const LivePlane::Step step = plane.step(path.back(), v);
     if (step.crossed[0].valid()) return crossed_by(plane, step.crossed, u, v);
     path.push_back(step.reached);
   }
-  const ConstraintId c = ends.push_back({u, v});
+  return path;
+}
+
+void DelaunayTriangulation2::Impl::lay(ConstraintId c, std::span<const VertexId> path) {
   std::size_t made = 0;
   try {
-    for (; made + 1 < path.size(); ++made) plane.add_to_edge(path[made], path[made + 1], {c});
+    for (; made + 1 < path.size(); ++made) plane.add_to_edge(path[made], path[made + 1], {&c, 1});
   } catch (...) {
     while (made-- > 0) plane.take_from_edge(path[made], path[made + 1], c);
+    throw;
+  }
+}
+
+// All is looked at before anything changes.
+Result<ConstraintId> DelaunayTriangulation2::Impl::constrain(VertexId u, VertexId v) {
+  const Result<std::vector<VertexId>> path = path_between(u, v);
+  if (!path) return path.error();
+  const ConstraintId c = ends.push_back({u, v});
+  try {
+    lay(c, *path);
+  } catch (...) {
     ends.resize(ends.size() - 1);
     throw;
   }
   ++constraint_count;
   return c;
+}
+
+// Along a curve, so that one finds in the cache what the last one left there. If none is refused
+// that is the same as one after the other. No vertex comes, so where two segments cross away from
+// vertices each crosses an edge that the other goes over, and the later one is refused in any
+// order; if none is, each goes over the edges between the vertices on it, as it would in any order,
+// and the triangulation with these walls is unique.
+bool DelaunayTriangulation2::Impl::constrain_in_any_order(
+    std::span<const std::array<DelaunayVertex, 2>> segments) {
+  std::vector<Point2> starts;
+  starts.reserve(segments.size());
+  const std::size_t before = ends.size();
+  ends.reserve(before + segments.size());
+  for (const std::array<DelaunayVertex, 2>& segment : segments) {
+    if (!check_ends(segment)) return false;
+    starts.push_back(plane.point(id(segment[0])));
+    ends.push_back({id(segment[0]), id(segment[1])});
+  }
+  for (const std::uint32_t i : delaunay2_detail::insertion_order(starts)) {
+    const ConstraintId c(before + i);
+    const Result<std::vector<VertexId>> path = path_between(ends[c][0], ends[c][1]);
+    if (!path) return false;
+    lay(c, *path);
+  }
+  constraint_count += segments.size();
+  return true;
 }
 
 // Piece by piece: what crosses a wall is divided where it does, and the wall with it.
@@ -118,7 +161,7 @@ Result<ConstraintId> DelaunayTriangulation2::Impl::constrain_dividing(VertexId u
     pieces.push_back({piece.of, x, piece.to});
     pieces.push_back({piece.of, piece.from, x});
     // Gone where x lies on it and has divided it.
-    if (x == p || x == q || plane.walls().over(p, q) == nullptr) continue;
+    if (x == p || x == q || plane.walls().find(p, q) == nullptr) continue;
     const std::vector<ConstraintId> over = plane.open_edge(p, q);
     pieces.push_back({over, p, x});
     pieces.push_back({over, x, q});
@@ -134,18 +177,26 @@ std::vector<std::array<VertexId, 2>> DelaunayTriangulation2::Impl::edges_of(Cons
     const VertexId v = open.back();
     open.pop_back();
     EdgesOfPlane(plane).for_each_neighbour(v, [&](VertexId u) {
-      const std::vector<ConstraintId>* over = plane.walls().over(v, u);
-      if (over != nullptr && std::binary_search(over->begin(), over->end(), c) &&
-          edges.insert(triangulation2::Walls::edge(v, u)).second) {
-        open.push_back(u);
-      }
+      const PlaneWall* wall = plane.walls().find(v, u);
+      if (wall != nullptr && wall->has(c) && edges.insert(wall->edge()).second) open.push_back(u);
       return true;
     });
   }
   return {edges.begin(), edges.end()};
 }
 
-// On a copy: what was done when one is refused stays.
+Result<void> DelaunayTriangulation2::Impl::constrain_in_order(
+    std::span<const std::array<DelaunayVertex, 2>> segments, Crossing crossing) {
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    Result<ConstraintId> made = constrain_one(segments[i], crossing);
+    if (made) continue;
+    Error error = made.error();
+    error.message = "segment " + std::to_string(i) + ": " + error.message;
+    return error;
+  }
+  return {};
+}
+
 Result<ConstraintId> DelaunayTriangulation2::Impl::constrain_one(
     const std::array<DelaunayVertex, 2>& segment, Crossing crossing) {
   if (Result<void> fine = check_ends(segment); !fine) return fine.error();
@@ -173,15 +224,13 @@ Result<std::vector<ConstraintId>> DelaunayTriangulation2::insert_constraints(
     std::vector<ConstraintId> result;
     if (segments.empty()) return result;
     auto copy = std::make_unique<Impl>(get());
-    for (std::size_t i = 0; i < segments.size(); ++i) {
-      Result<ConstraintId> made = copy->constrain_one(segments[i], crossing);
-      if (!made) {
-        Error error = made.error();
-        error.message = "segment " + std::to_string(i) + ": " + error.message;
-        return error;
+    if (!copy->constrain_in_any_order(segments)) {
+      copy = std::make_unique<Impl>(get());
+      if (Result<void> made = copy->constrain_in_order(segments, crossing); !made) {
+        return made.error();
       }
-      result.push_back(*made);
     }
+    for (std::size_t i = 0; i < segments.size(); ++i) result.emplace_back(get().ends.size() + i);
     impl_ = std::move(copy);
     return result;
   });
@@ -214,9 +263,9 @@ std::vector<ConstraintId> DelaunayTriangulation2::constraints() const {
 std::vector<ConstraintId> DelaunayTriangulation2::constraints(DelaunayVertex u,
                                                               DelaunayVertex v) const {
   const Impl& impl = get();
-  const std::vector<ConstraintId>* over = impl.plane.walls().over(impl.id(u), impl.id(v));
-  if (over == nullptr) return {};
-  std::vector<ConstraintId> result = *over;
+  const PlaneWall* wall = impl.plane.walls().find(impl.id(u), impl.id(v));
+  if (wall == nullptr) return {};
+  std::vector<ConstraintId> result = wall->constraints();
   result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;
 }
@@ -242,9 +291,9 @@ Result<std::vector<TriangleId>> DelaunayTriangulation2::inside() const {
   return guard_internal([&]() -> Result<std::vector<TriangleId>> {
     const Impl& impl = get();
     std::vector<bool> is_odd(impl.places.size());
-    for (const auto& [edge, over] : impl.plane.walls().edges()) {
-      if (over.size() % 2 == 0) continue;
-      for (const VertexId v : edge) is_odd[v.index()] = !is_odd[v.index()];
+    for (const PlaneWall& wall : impl.plane.walls().all()) {
+      if (wall.count() % 2 == 0) continue;
+      for (const VertexId v : wall.edge()) is_odd[v.index()] = !is_odd[v.index()];
     }
     if (const auto end = std::find(is_odd.begin(), is_odd.end(), true); end != is_odd.end()) {
       Error error{ErrorCode::invalid_input, "a constraint ends where no other goes on", {}};
@@ -258,7 +307,7 @@ Result<std::vector<TriangleId>> DelaunayTriangulation2::inside() const {
       if (!plane.is_wall(h)) return false;
       const VertexId from = impl.plane.vertex(plane.origin(h));
       const VertexId to = impl.plane.vertex(plane.destination(h));
-      return impl.plane.walls().over(from, to)->size() % 2 != 0;
+      return impl.plane.walls().find(from, to)->count() % 2 != 0;
     };
     enum class Side : std::uint8_t { unknown, outside, inside };
     std::vector<Side> side(plane.triangle_count(), Side::unknown);

@@ -27,18 +27,15 @@ namespace {
 // So many points between two looks at the stop token.
 constexpr std::size_t kPointsOfLook2 = 4096;
 
-Result<void> check_points2(std::span<const Point2> points) {
-  if (points.size() >= Incremental2::kMostVertices) {
-    return Error{ErrorCode::invalid_input, "2^29 points or more", {}};
-  }
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (Result<void> fine = triangulation2::check_point(points[i]); !fine) {
-      Error error = fine.error();
-      error.where.vertex = i;
-      return error;
-    }
-  }
-  return {};
+// Around the ghost the hull is met clockwise, as the plane is seen from outside.
+template <class Use>
+void for_each_on_hull(const Incremental2& plane, Use&& use) {
+  const HalfEdgeId first = plane.out(Incremental2::kGhost);
+  HalfEdgeId h = first;
+  do {
+    use(plane.destination(h));
+    h = plane.rotate_back(h);
+  } while (h != first);
 }
 
 }  // namespace
@@ -72,7 +69,7 @@ Result<DelaunayTriangulation2> DelaunayTriangulation2::of(std::span<const Point2
                                                           const Execution& execution) {
   return guard_threads(execution, [&](const Execution& own) -> Result<DelaunayTriangulation2> {
     if (Result<void> fit = fp_self_check(); !fit) return fit.error();
-    if (Result<void> fine = check_points2(points); !fine) return fine.error();
+    if (Result<void> fine = triangulation2::check_points(points); !fine) return fine.error();
     DelaunayTriangulation2 result;
     if (!points.empty()) (void)result.own().take_all(points, own);
     return result;
@@ -91,7 +88,7 @@ Result<DelaunayTriangulation2::Insertion> DelaunayTriangulation2::insert(const P
 Result<std::vector<DelaunayVertex>> DelaunayTriangulation2::insert(std::span<const Point2> points,
                                                                    const Execution& execution) {
   return guard_internal([&]() -> Result<std::vector<DelaunayVertex>> {
-    if (Result<void> fine = check_points2(points); !fine) return fine.error();
+    if (Result<void> fine = triangulation2::check_points(points); !fine) return fine.error();
     if (constraint_count() != 0) {
       // What was divided is not joined again: a copy can be let go.
       auto copy = std::make_unique<Impl>(*impl_);
@@ -193,7 +190,9 @@ bool DelaunayTriangulation2::is_live(TriangleId t) const { return get().is_live(
 
 // The other ones are one ghost for each edge of the hull.
 std::size_t DelaunayTriangulation2::triangle_count() const {
-  return dimension() < 2 ? 0 : triangle_slots() - hull().size();
+  std::size_t count = triangle_slots();
+  if (count != 0) for_each_on_hull(get().plane.triangles(), [&](SiteId) { --count; });
+  return count;
 }
 
 DelaunayVertex DelaunayTriangulation2::vertex_at(std::size_t index) const {
@@ -237,7 +236,6 @@ LiveRange<DelaunayTriangulation2, TriangleId> DelaunayTriangulation2::triangles(
   return LiveRange<DelaunayTriangulation2, TriangleId>(*this);
 }
 
-// Around the ghost the hull is met clockwise, as the plane is seen from outside.
 std::vector<DelaunayVertex> DelaunayTriangulation2::hull() const {
   const Impl& impl = get();
   std::vector<DelaunayVertex> result;
@@ -245,13 +243,7 @@ std::vector<DelaunayVertex> DelaunayTriangulation2::hull() const {
     for (const VertexId v : impl.plane.row()) result.push_back(impl.handle(v));
     return result;
   }
-  const Incremental2& plane = impl.plane.triangles();
-  const HalfEdgeId first = plane.out(Incremental2::kGhost);
-  HalfEdgeId h = first;
-  do {
-    result.push_back(impl.handle(plane.destination(h)));
-    h = plane.rotate_back(h);
-  } while (h != first);
+  for_each_on_hull(impl.plane.triangles(), [&](SiteId s) { result.push_back(impl.handle(s)); });
   std::rotate(result.begin(), std::min_element(result.begin(), result.end()), result.end());
   return result;
 }
@@ -282,6 +274,20 @@ std::vector<DelaunayVertex> DelaunayTriangulation2::neighbours(DelaunayVertex v)
   });
   std::sort(result.begin(), result.end());
   return result;
+}
+
+std::array<TriangleId, 2> DelaunayTriangulation2::triangles(DelaunayVertex u,
+                                                            DelaunayVertex v) const {
+  const Impl& impl = get();
+  const VertexId from = impl.id(u), to = impl.id(v);
+  if (dimension() < 2) return {};
+  const Incremental2& plane = impl.plane.triangles();
+  const HalfEdgeId h = plane.find_edge(impl.plane.site(from), impl.plane.site(to));
+  if (!h.valid()) return {};
+  std::array<TriangleId, 2> sides{Incremental2::triangle(h),
+                                  Incremental2::triangle(plane.opposite(h))};
+  for (TriangleId& t : sides) t = plane.is_ghost(t) ? TriangleId() : t;
+  return sides;
 }
 
 bool DelaunayTriangulation2::is_on_hull(DelaunayVertex v) const {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -22,6 +23,21 @@ namespace tetloft::internal::triangulation2 {
   Error error{ErrorCode::invalid_input, "a coordinate is not finite", {}};
   error.where.point = Point3{p.x, p.y, 0};
   return error;
+}
+
+/// Of many at once, 2^29 at most; the error names the first one that is not finite.
+[[nodiscard]] inline Result<void> check_points(std::span<const Point2> points) {
+  if (points.size() >= Incremental2::kMostVertices) {
+    return Error{ErrorCode::invalid_input, "2^29 points or more", {}};
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (Result<void> fine = check_point(points[i]); !fine) {
+      Error error = fine.error();
+      error.where.vertex = i;
+      return error;
+    }
+  }
+  return {};
 }
 
 }  // namespace tetloft::internal::triangulation2
@@ -97,12 +113,20 @@ class tetloft::DelaunayTriangulation2::Impl {
     }
     return vertex_of;
   }
+  /// The first points there are, by place, and those that have a vertex. False where two of these
+  /// are equal.
+  [[nodiscard]] bool take_vertices(std::span<const Point2> points,
+                                   std::span<const std::uint32_t> live) {
+    for (std::size_t i = 0; i < points.size(); ++i) plane.provide(VertexId(i), points[i]);
+    const std::vector<VertexId> vertices(live.begin(), live.end());
+    return live.empty() || plane.build(vertices, {.threads = 1}) == vertices;
+  }
   /// What is said of a vertex that a constraint goes over, if one does.
   [[nodiscard]] Result<void> check_free(VertexId v) const {
-    const std::vector<ConstraintId>* over = plane.wall_of(v);
-    if (over == nullptr) return {};
+    const internal::triangulation2::PlaneWall* wall = plane.wall_of(v);
+    if (wall == nullptr) return {};
     Error error{ErrorCode::invalid_input,
-                "constraint " + std::to_string(over->front().value()) + " goes over the vertex",
+                "constraint " + std::to_string(wall->lowest().value()) + " goes over the vertex",
                 {}};
     error.where.vertex = v.index();
     return error;
@@ -113,11 +137,20 @@ class tetloft::DelaunayTriangulation2::Impl {
     return c.index() < ends.size() && ends[c][0].valid();
   }
   [[nodiscard]] Result<void> check_ends(const std::array<DelaunayVertex, 2>& segment) const;
+  /// The vertices on the segment from u to v, in order; refused where it crosses a constraint.
+  [[nodiscard]] Result<std::vector<VertexId>> path_between(VertexId u, VertexId v) const;
+  /// A constraint comes to go over a path between two of its vertices.
+  void lay(ConstraintId c, std::span<const VertexId> path);
   [[nodiscard]] Result<ConstraintId> constrain(VertexId u, VertexId v);
-  /// What it has done when it fails stays.
+  // What these have done when they fail stays.
   [[nodiscard]] Result<ConstraintId> constrain_dividing(VertexId u, VertexId v);
   [[nodiscard]] Result<ConstraintId> constrain_one(const std::array<DelaunayVertex, 2>& segment,
                                                    Crossing crossing);
+  /// False where one is refused.
+  [[nodiscard]] bool constrain_in_any_order(
+      std::span<const std::array<DelaunayVertex, 2>> segments);
+  [[nodiscard]] Result<void> constrain_in_order(
+      std::span<const std::array<DelaunayVertex, 2>> segments, Crossing crossing);
   [[nodiscard]] std::vector<std::array<VertexId, 2>> edges_of(ConstraintId c) const;
 
   /// Points one after the other, along a curve: each search starts at the last one.

@@ -10,6 +10,8 @@
 #include <tetloft/predicates.hpp>
 
 #include "core/guard.hpp"
+#include "core/pages.hpp"
+#include "core/provide_room.hpp"
 #include "core/watched_work.hpp"
 #include "delaunay2/start.hpp"
 #include "spatial/sort_by_key.hpp"
@@ -47,19 +49,19 @@ void LivePlane::provide(VertexId place, const Point2& point) {
     points_[place] = point;
     return;
   }
+  provide_room(points_.raw(), 1);
+  provide_room(site_of_.raw(), 1);
   points_.push_back(point);
-  try {
-    site_of_.push_back(SiteId());
-  } catch (...) {
-    points_.resize(points_.size() - 1);
-    throw;
-  }
+  site_of_.push_back(SiteId());
 }
 
 VertexId LivePlane::insert(VertexId v, VertexId near) {
   const Point2 p = point(v);
   if (!plane_) return insert_into_row(v);
-  if (vertex_of_.size() <= plane_->vertex_count()) vertex_of_.push_back({});
+  if (vertex_of_.size() <= plane_->vertex_count()) {
+    provide_room(vertex_of_.raw(), 1);
+    vertex_of_.push_back({});
+  }
   if (plane_->vertex_count() >= Incremental2::kMostVertices) throw std::length_error("2^29 points");
   const SiteId from = start(p, near);
   Walls::Division division;
@@ -75,7 +77,7 @@ VertexId LivePlane::insert(VertexId v, VertexId near) {
 }
 
 // Prepared, for afterwards there may be no memory.
-Walls::Division LivePlane::division_of(SiteId near, VertexId v) const {
+Walls::Division LivePlane::division_of(SiteId near, VertexId v) {
   const HalfEdgeId wall = plane_->wall_at(point(v), plane_->locate(point(v), near));
   if (!wall.valid()) return {};
   return walls_.prepare(vertex_of_[plane_->origin(wall)], vertex_of_[plane_->destination(wall)], v);
@@ -98,7 +100,7 @@ VertexId LivePlane::insert_into_row(VertexId v) {
   if (at < row_.size() && point(row_[at]) == p) return row_[at];
   if (is_in_row(p)) {
     Walls::Division division;
-    if (at > 0 && at < row_.size() && walls_.over(row_[at - 1], row_[at]) != nullptr) {
+    if (at > 0 && at < row_.size() && walls_.find(row_[at - 1], row_[at]) != nullptr) {
       division = walls_.prepare(row_[at - 1], row_[at], v);
     }
     row_.insert(row_.begin() + static_cast<std::ptrdiff_t>(at), v);
@@ -213,8 +215,8 @@ std::vector<VertexId> LivePlane::build(std::span<const VertexId> points,
   if (start.plane) {
     start.plane->respect_labels();
     // Of what was a row: all its edges are there.
-    for (const auto& entry : walls_.edges()) {
-      start.plane->make_wall(site_of[entry.first[0]], site_of[entry.first[1]], kWall);
+    for (const PlaneWall& wall : walls_.all()) {
+      start.plane->make_wall(site_of[wall.edge()[0]], site_of[wall.edge()[1]], kWall);
     }
   }
   work.step_done();
@@ -228,11 +230,11 @@ std::vector<VertexId> LivePlane::build(std::span<const VertexId> points,
   return vertex_of_point;
 }
 
-const std::vector<ConstraintId>* LivePlane::wall_of(VertexId v) const {
-  const std::vector<ConstraintId>* result = nullptr;
+const PlaneWall* LivePlane::wall_of(VertexId v) const {
+  const PlaneWall* result = nullptr;
   if (walls_.empty()) return result;
   EdgesOfPlane(*this).for_each_neighbour(v, [&](VertexId u) {
-    result = walls_.over(v, u);
+    result = walls_.find(v, u);
     return result == nullptr;
   });
   return result;
@@ -252,14 +254,14 @@ LivePlane::Step LivePlane::step(VertexId a, VertexId b) const {
   return result;
 }
 
-void LivePlane::add_to_edge(VertexId a, VertexId b, const std::vector<ConstraintId>& over) {
-  const bool is_new = walls_.over(a, b) == nullptr;
+void LivePlane::add_to_edge(VertexId a, VertexId b, std::span<const ConstraintId> over) {
+  const bool is_new = walls_.find(a, b) == nullptr;
   walls_.add(a, b, over);
   if (!plane_ || !is_new) return;
   try {
     plane_->make_wall(site_of_[a], site_of_[b], kWall);
   } catch (...) {
-    (void)walls_.take_all(a, b);
+    walls_.remove(a, b);
     throw;
   }
 }
@@ -269,7 +271,8 @@ void LivePlane::take_from_edge(VertexId a, VertexId b, ConstraintId c) {
 }
 
 std::vector<ConstraintId> LivePlane::open_edge(VertexId a, VertexId b) {
-  std::vector<ConstraintId> over = walls_.take_all(a, b);
+  std::vector<ConstraintId> over = walls_.find(a, b)->constraints();
+  walls_.remove(a, b);
   if (plane_) plane_->remove_wall(site_of_[a], site_of_[b]);
   return over;
 }
@@ -283,6 +286,7 @@ void LivePlane::note_start(VertexId v) {
       for (const VertexId u : vertices) live.push_back(point(u));
       StartGrid starts;
       starts.start_again(box_of(live), vertices.size());
+      core::release(live);
       for (const VertexId u : vertices) starts.add(in_space(point(u)), u);
       starts_ = std::move(starts);
     } catch (const std::bad_alloc&) {

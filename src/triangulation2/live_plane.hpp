@@ -62,8 +62,8 @@ class LivePlane {
   // Constraints, by edges. They are walls of the triangles.
 
   [[nodiscard]] const Walls& walls() const { return walls_; }
-  /// A constraint's edge at v, or null.
-  [[nodiscard]] const std::vector<ConstraintId>* wall_of(VertexId v) const;
+  /// A wall at v, or null.
+  [[nodiscard]] const PlaneWall* wall_of(VertexId v) const;
   /// What one comes to on the way from a to another vertex b.
   struct Step {
     VertexId reached;                 ///< the first vertex on the segment
@@ -71,7 +71,7 @@ class LivePlane {
   };
   [[nodiscard]] Step step(VertexId a, VertexId b) const;
   /// Constraints come to go over a b. Requires that a step leads from a to b, without a wall.
-  void add_to_edge(VertexId a, VertexId b, const std::vector<ConstraintId>& over);
+  void add_to_edge(VertexId a, VertexId b, std::span<const ConstraintId> over);
   /// A constraint goes over a b no more. Requires that it does, maybe several times.
   void take_from_edge(VertexId a, VertexId b, ConstraintId c);
   /// The edge a b is no wall any more. Returns what went over it.
@@ -86,7 +86,7 @@ class LivePlane {
   [[nodiscard]] bool spans_plane_without(VertexId v) const;
   [[nodiscard]] std::vector<VertexId> live_vertices() const;
   void note_start(VertexId v);
-  [[nodiscard]] Walls::Division division_of(SiteId near, VertexId v) const;
+  [[nodiscard]] Walls::Division division_of(SiteId near, VertexId v);
 
   // By place.
   IdVector<VertexId, Point2> points_;

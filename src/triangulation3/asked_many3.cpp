@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "core/asked_together.hpp"
 #include "core/parallel.hpp"
-#include "core/watched_work.hpp"
 #include "delaunay3/batch.hpp"
 #include "delaunay3/canonical_order.hpp"
 #include "delaunay3/spatial_order.hpp"
@@ -18,10 +18,6 @@ namespace tetloft {
 using namespace internal;
 
 namespace {
-
-// A thread takes so many neighbouring points at a time. Each search of a stretch starts at the
-// answer to the last one, so what comes out does not depend on the number of threads.
-constexpr std::size_t kAskedTogether3 = 1024;
 
 // The points along a curve: near ones follow each other, and what one search reads the next one
 // finds in the cache.
@@ -38,22 +34,11 @@ Result<std::vector<Answer>> asked_of_all(std::span<const Point3> points, std::si
                                          const Execution& execution, const Ask& ask) {
   return guard_threads(execution, [&](const Execution& own) -> Result<std::vector<Answer>> {
     if (Result<void> fine = triangulation3::check_points(points); !fine) return fine.error();
-    std::vector<Answer> answers(points.size());
-    if (vertices == 0 || points.empty()) return answers;
+    if (vertices == 0) return std::vector<Answer>(points.size());
+    if (points.empty()) return std::vector<Answer>();
     const std::vector<std::uint32_t> order = order_of_asking(points, own.threads);
-    const auto all = delaunay3_detail::Stretches::of(order.size(), kAskedTogether3, order.size());
-    WatchedWork work(own, all.count);
-    parallel_for(all.count, own.threads, [&](std::size_t k) {
-      work.go_on();
-      const Answer* before = nullptr;
-      for (std::size_t i = all.begin(k); i < all.end(k); ++i) {
-        Answer& answer = answers[order[i]];
-        answer = ask(points[order[i]], before);
-        before = &answer;
-      }
-      work.step_done();
-    });
-    return answers;
+    return asked_together<Answer>(
+        order, own, [&](std::uint32_t i, const Answer* before) { return ask(points[i], before); });
   });
 }
 

@@ -12,6 +12,7 @@
 
 #include <tetloft/delaunay_triangulation3.hpp>
 
+#include "core/pages.hpp"
 #include "core/provide_room.hpp"
 #include "core/vertex_places.hpp"
 #include "delaunay3/canonical_order.hpp"
@@ -111,10 +112,11 @@ class tetloft::DelaunayTriangulation3::Impl {
   /// The first points there are; equal ones share a vertex. Returns that of each.
   std::vector<VertexId> take_all(std::span<const Point3> points, const Execution& execution) {
     places.generation.resize(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i) tets.provide(id_of_place(i), points[i]);
+    provide_all(points);
     std::vector<VertexId> distinct;
+    distinct.reserve(points.size());
     std::vector<VertexId> vertex_of(points.size());
-    const std::vector<std::uint32_t> order =
+    std::vector<std::uint32_t> order =
         internal::delaunay3_detail::canonical_order(points, execution.threads);
     for (std::size_t k = 0; k < order.size(); ++k) {
       if (k == 0 || points[order[k]] != points[order[k - 1]]) {
@@ -124,6 +126,7 @@ class tetloft::DelaunayTriangulation3::Impl {
       }
       vertex_of[order[k]] = distinct.back();
     }
+    internal::core::release(order);
     std::sort(places.free.begin(), places.free.end(), std::greater<>());
     std::sort(distinct.begin(), distinct.end());
     tets.build(distinct, execution);
@@ -131,7 +134,7 @@ class tetloft::DelaunayTriangulation3::Impl {
   }
   /// The first points there are, by place, of which these are vertices. False where two are equal.
   [[nodiscard]] bool take_vertices(std::span<const Point3> points, std::vector<VertexId> vertices) {
-    for (std::size_t i = 0; i < points.size(); ++i) tets.provide(id_of_place(i), points[i]);
+    provide_all(points);
     const auto before = [&](VertexId u, VertexId v) {
       return canonical_less(tets.point(u), tets.point(v));
     };
@@ -142,6 +145,10 @@ class tetloft::DelaunayTriangulation3::Impl {
     std::sort(vertices.begin(), vertices.end());
     tets.build(vertices, {.threads = 1});
     return true;
+  }
+  void provide_all(std::span<const Point3> points) {
+    tets.reserve(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) tets.provide(id_of_place(i), points[i]);
   }
   /// Places that were provided and are of no vertex, from the last one on to be taken again.
   void give_back(std::span<const VertexId> unused) {

@@ -22,8 +22,6 @@ using delaunay3_detail::index_of;
 using delaunay3_detail::Inserter;
 using delaunay3_detail::kGhost;
 
-constexpr std::size_t kNoLimit = (std::size_t{1} << 30) - 1;
-
 // Vertices of larger links are inserted in an order of their own; of smaller ones in that of the
 // star, whose neighbours are near each other.
 constexpr std::size_t kLargeLink = 100;
@@ -109,7 +107,7 @@ void Hole::triangulate_link(const GrowingTets& tets) {
   inserter_.start_with(first);
   const auto insert = [&](VertexId v) {
     if (v != first[0] && v != first[1] && v != first[2] && v != first[3]) {
-      (void)inserter_.insert(v, kNoLimit);
+      (void)inserter_.insert(v, delaunay3_detail::kMostTetSlots);
     }
   };
   if (link_.size() < kLargeLink) {

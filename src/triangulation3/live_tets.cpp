@@ -17,9 +17,6 @@ namespace tetloft::internal::triangulation3 {
 
 namespace {
 
-// Half-faces are 4 t + i in 32 bits.
-constexpr std::size_t kMostTets = (std::size_t{1} << 30) - 1;
-
 // As many as are affinely independent.
 std::vector<Point3> spanning_points(std::span<const Point3> points) {
   const delaunay3_detail::AffineBasis basis = delaunay3_detail::affine_basis(points);
@@ -68,6 +65,11 @@ LiveTets::LiveTets(const LiveTets& other)
       finite_tets_(other.finite_tets_),
       dimension_(other.dimension_) {}
 
+void LiveTets::reserve(std::size_t vertices) {
+  tet_of_.reserve(vertices + kAuxiliaries);
+  tets_.reserve_vertices(vertices + kAuxiliaries);
+}
+
 void LiveTets::provide(VertexId place, const Point3& point) {
   if (place.index() < tet_of_.size()) {
     TETLOFT_CHECK(!tet_of_[place].valid());
@@ -97,7 +99,8 @@ VertexId LiveTets::insert(VertexId v, VertexId near) {
     for (const VertexId u : tets_.tet(t)) {
       if (u != kGhost && point(u) == p) return u;
     }
-    if (!inserter_.insert_at(v, t, kMostTets)) throw std::length_error("2^30 tets or more");
+    if (!inserter_.insert_at(v, t, delaunay3_detail::kMostTetSlots))
+      throw std::length_error("2^30 tets or more");
   } catch (...) {
     tets_.unmark_all();
     throw;
@@ -196,48 +199,54 @@ void LiveTets::rename(VertexId w, VertexId v) {
 }
 
 void LiveTets::build(std::span<const VertexId> points, const Execution& execution) {
-  // What was provided and is yet to come keeps its point too.
-  IdVector<VertexId, Point3> point_of(tet_of_.size());
-  for (std::size_t k = kAuxiliaries; k < point_of.size(); ++k) {
-    point_of[VertexId(k)] = point(VertexId(k));
-  }
   // Those to be built of, by place: points first.
   std::vector<VertexId> vertices(points.begin(), points.end());
   std::vector<Point3> built_of;
+  built_of.reserve(points.size() + kAuxiliaries);
   for (const VertexId v : points) built_of.push_back(point(v));
   const std::vector<Point3> spanning = spanning_points(built_of);
   const int dimension = static_cast<int>(spanning.size()) - 1;
-  if (!points.empty() && dimension < 3) {
-    for (const Point3& p : auxiliary_points(spanning)) {
-      const VertexId v(vertices.size() - points.size());
-      point_of[v] = p;
-      vertices.push_back(v);
-      built_of.push_back(p);
-    }
+  std::vector<Point3> auxiliaries;
+  if (!points.empty() && dimension < 3) auxiliaries = auxiliary_points(spanning);
+  for (const Point3& p : auxiliaries) {
+    vertices.emplace_back(vertices.size() - points.size());
+    built_of.push_back(p);
   }
-  std::vector<TetSlot> slots;
-  if (!points.empty()) slots = delaunay3_detail::batch_tets(built_of, execution);
-  IdVector<VertexId, TetId> tet_of(tet_of_.size());
-  std::vector<TetId> dead = rename_vertices(slots, vertices, tet_of);
-  const auto finite_count =
-      static_cast<std::size_t>(std::count_if(slots.begin(), slots.end(), [](const TetSlot& slot) {
-        return slot.vertices[0].valid() && slot.vertices[0] != kGhost;
-      }));
   StartGrid starts;
   if (!points.empty()) {
     const predicates::SetFilter box(built_of);
     starts.start_again({box.low(), box.high()}, points.size());
   }
   for (const VertexId v : points) starts.add(point(v), v);
+  delaunay3_detail::OwnedSlots slots;
+  if (!points.empty()) slots = delaunay3_detail::batch_tets(std::move(built_of), execution);
+  IdVector<VertexId, TetId> tet_of(tet_of_.size());
+  std::vector<TetId> dead = rename_vertices(slots.all(), vertices, tet_of);
+  const auto is_finite_slot = [](const TetSlot& slot) {
+    return slot.vertices[0].valid() && slot.vertices[0] != kGhost;
+  };
+  const auto finite_count = static_cast<std::size_t>(
+      std::count_if(slots.all().begin(), slots.all().end(), is_finite_slot));
 
-  tets_.take_over(point_of.raw(), slots);
+  tets_.take_over(std::move(slots), filter_of_all(auxiliaries));
   // From here on nothing can fail.
+  for (std::size_t k = 0; k < auxiliaries.size(); ++k) {
+    tets_.replace_vertex(VertexId(k), auxiliaries[k]);
+  }
   inserter_.start_again(std::move(dead));
   starts_ = std::move(starts);
   tet_of_ = std::move(tet_of);
   vertex_count_ = points.size();
   finite_tets_ = finite_count;
   dimension_ = dimension;
+}
+
+// Of what was provided and is yet to come too.
+predicates::SetFilter LiveTets::filter_of_all(std::span<const Point3> auxiliaries) const {
+  const std::size_t count = vertex_slots() - kAuxiliaries;
+  return predicates::SetFilter(count + auxiliaries.size(), [&](std::size_t k) -> const Point3& {
+    return k < count ? point(VertexId(k + kAuxiliaries)) : auxiliaries[k - count];
+  });
 }
 
 TetId LiveTets::start(const Point3& p, VertexId near) const {

@@ -72,6 +72,8 @@ class LiveTets {
 
   // Changes. Where they throw, everything is as it was.
 
+  /// Room for so many vertices, auxiliary ones apart.
+  void reserve(std::size_t vertices);
   /// A place for a vertex that is in no tet yet; `place` is one that is free, or vertex_slots().
   void provide(VertexId place, const Point3& point);
   /// The vertex at the point of v, which was provided: v itself, inserted now, or another one.
@@ -103,6 +105,7 @@ class LiveTets {
   void note_inserted(VertexId v);
   [[nodiscard]] std::size_t count_finite(std::span<const TetId> tets) const;
   void renew_starts();
+  [[nodiscard]] predicates::SetFilter filter_of_all(std::span<const Point3> auxiliaries) const;
 
   GrowingTets tets_;
   Inserter inserter_;

@@ -1,16 +1,14 @@
 #include "voronoi/circumcentre3.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
 #include <tetloft/voronoi.hpp>
 
-#include "arithmetic/double_double.hpp"
-#include "arithmetic/expansion.hpp"
-#include "core/vector.hpp"
+#include "arithmetic/rounded_sum.hpp"
 #include "voronoi/moderate.hpp"
+#include "voronoi/near_one.hpp"
 
 namespace tetloft {
 
@@ -23,15 +21,6 @@ struct SphereMinors {
   Point3 minors;
   double determinant = 0;
 };
-
-double rounded_sum(double value) { return value; }
-double rounded_sum(const DoubleDouble& value) { return value.high; }
-template <int Capacity>
-double rounded_sum(const Expansion<Capacity>& e) {
-  double sum = 0;
-  for (int i = 0; i < e.size(); ++i) sum += e[i];
-  return sum;
-}
 
 // With numbers as difference(u, v) makes them: doubles, their pairs, or exact sums.
 template <class Difference>
@@ -54,16 +43,6 @@ SphereMinors sphere_minors(const std::array<Point3, 4>& p, const Difference& dif
           rounded_sum(bx * cd_x + by * cd_y + bz * cd_z)};
 }
 
-// The product of the edges' lengths at p[0]: the determinant of a corner of a cube.
-double product_of_edges(const std::array<Point3, 4>& p) {
-  double product = 1;
-  for (std::size_t i = 1; i < 4; ++i) {
-    const Point3 edge{p[i].x - p[0].x, p[i].y - p[0].y, p[i].z - p[0].z};
-    product *= std::sqrt(vectors::dot(edge, edge));
-  }
-  return product;
-}
-
 // With enough digits: of u = 2^-53 and rounded differences the error of the determinant is below
 // 20 u times the product of the edges, and of the minors below 20 u times that and the sum of the
 // edges, which are at most two radii each; with pairs of doubles 200 u² takes the place of 20 u. So
@@ -83,22 +62,6 @@ SphereMinors sphere_minors_within(const std::array<Point3, 4>& p) {
 }
 
 }  // namespace
-
-double largest_difference(const std::array<Point3, 4>& p) {
-  double largest = 0;
-  for (std::size_t i = 1; i < 4; ++i) {
-    largest = std::max(
-        {largest, std::abs(p[i].x - p[0].x), std::abs(p[i].y - p[0].y), std::abs(p[i].z - p[0].z)});
-  }
-  return largest;
-}
-
-int bring_near_one(std::array<Point3, 4>& p, double largest) {
-  if (largest > 0x1p-40 && largest < 0x1p100) return 0;
-  const int exponent = std::ilogb(largest) + 1;
-  for (Point3& q : p) q = times_power_of_two(q, -exponent);
-  return exponent;
-}
 
 Point3 circumcentre_from(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();

@@ -72,6 +72,11 @@ void CutPolygon::cut(const HalfSpace& half_space) {
   corners_ = std::move(kept);
 }
 
+bool CutPolygon::reaches_box() const {
+  return std::any_of(corners_.begin(), corners_.end(),
+                     [](const Corner& c) { return c.edge < kSides; });
+}
+
 double CutPolygon::area() const {
   double twice = 0;
   for (std::size_t i = 2; i < corners_.size(); ++i) {

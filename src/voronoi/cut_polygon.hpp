@@ -25,6 +25,9 @@ class CutPolygon {
   static constexpr std::uint32_t kSides = 4;
 
   CutPolygon(const Point2& low, const Point2& high);
+  [[nodiscard]] static CutPolygon around_origin(double half) {
+    return {{-half, -half}, {half, half}};
+  }
 
   /// Keeps what is in the half-space of no slope in z; the edge on its line has the next number,
   /// whether anything of it is there or not.
@@ -33,6 +36,8 @@ class CutPolygon {
   /// Counter-clockwise.
   [[nodiscard]] const std::vector<Corner>& corners() const { return corners_; }
   [[nodiscard]] double area() const;
+  /// Is anything left of the rectangle's sides?
+  [[nodiscard]] bool reaches_box() const;
 
  private:
   [[nodiscard]] Corner crossing(std::size_t kept, std::size_t cut_off, std::uint32_t edge) const;

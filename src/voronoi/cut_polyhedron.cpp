@@ -40,7 +40,10 @@ HalfSpace nearer_to_first(const Point3& a, const Point3& b, const Point3& differ
   return {normal, 0.5 * (dot(normal, a) + dot(normal, b))};
 }
 
-CutPolyhedron::CutPolyhedron(const Point3& low, const Point3& high) : corner_count_(8) {
+void CutPolyhedron::start_again(const Point3& low, const Point3& high) {
+  corner_count_ = 8;
+  corners_.clear();
+  free_.clear();
   for (std::uint32_t i = 0; i < 8; ++i) {
     Corner corner;
     corner.point = {(i & 1) != 0 ? high.x : low.x, (i & 2) != 0 ? high.y : low.y,
@@ -263,6 +266,16 @@ std::vector<CutFace> CutPolyhedron::faces() const {
     for (const std::uint32_t i : loop) made.corners.push_back(number[i]);
   });
   return result;
+}
+
+bool CutPolyhedron::reaches_box() const {
+  for (std::size_t i = 0; i < corners_.size(); ++i) {
+    if (part_[i] == Part::gone) continue;
+    for (const std::uint32_t face : corners_[i].face) {
+      if (face < kBoxFaces) return true;
+    }
+  }
+  return false;
 }
 
 // Pyramids over the faces from one of the corners: the divergence theorem for any closed surface.

@@ -43,7 +43,12 @@ class CutPolyhedron {
   /// Faces 0 to 5 of all: low x, high x, low y, … of the box.
   static constexpr std::uint32_t kBoxFaces = 6;
 
-  CutPolyhedron(const Point3& low, const Point3& high);
+  CutPolyhedron(const Point3& low, const Point3& high) { start_again(low, high); }
+  [[nodiscard]] static CutPolyhedron around_origin(double half) {
+    return {{-half, -half, -half}, {half, half, half}};
+  }
+  /// Is the whole box again, and keeps the memory.
+  void start_again(const Point3& low, const Point3& high);
 
   /// Keeps what is in the half-space; the face on its plane has the next number, whether anything
   /// of it is there or not.
@@ -55,6 +60,8 @@ class CutPolyhedron {
   /// By number; without corners where nothing of it is left.
   [[nodiscard]] std::vector<CutFace> faces() const;
   [[nodiscard]] double volume() const;
+  /// Is anything left of the box's sides?
+  [[nodiscard]] bool reaches_box() const;
 
  private:
   struct Corner {

@@ -1,11 +1,4 @@
-// Volumes of all whole cells, tet by tet.
-//
-// A cell is the signed sum, over the flags vertex, edge, facet, tet at its site, of orthoschemes:
-// the site, the edge's midpoint, the facet's circumcentre and the tet's. Each is a sixth of the
-// product of three lengths at right angles: half the edge; from there to the facet's centre,
-// negative where the third vertex is on the other side; from there to the tet's centre, likewise
-// with the fourth. What sticks out of the cell is taken away by another flag. So every tet is
-// looked at once, in coordinates of its own.
+// Volumes of all whole cells, tet by tet (flag_volumes.hpp).
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,9 +10,8 @@
 
 #include "core/guard.hpp"
 #include "core/parallel.hpp"
-#include "core/vector.hpp"
 #include "core/watched_work.hpp"
-#include "voronoi/circumcentre3.hpp"
+#include "voronoi/flag_volumes.hpp"
 #include "voronoi/moderate.hpp"
 #include "voronoi/sites.hpp"
 
@@ -29,36 +21,11 @@ using namespace internal;
 
 namespace {
 
-// The part of a vertex' cell in a tet: by the edges from there to the other vertices, and the
-// centre.
-double share_of(const std::array<Point3, 3>& edge, const Point3& centre) {
-  using namespace vectors;
-  double sum = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Point3& p = edge[k];
-    const Point3& q = edge[(k + 1) % 3];
-    const Point3 normal = cross(p, q);
-    // Distance to the facet's plane times twice its area: positive on the fourth vertex' side.
-    const bool turned = dot(edge[(k + 2) % 3], normal) < 0;
-    const double height = turned ? -dot(centre, normal) : dot(centre, normal);
-    // In the facet the distance of its centre from p is half |p| times the cotangent of the angle
-    // opposite, that of its inner product and twice the area; from q likewise.
-    const double of_edges = dot(p, p) * dot(q, q - p) + dot(q, q) * dot(p, p - q);
-    sum += height * of_edges / (24 * dot(normal, normal));
-  }
-  return sum;
-}
-
-std::array<double, 4> shares_of(std::array<Point3, 4> p) {
-  using namespace vectors;
-  const int exponent = voronoi::bring_near_one(p, voronoi::largest_difference(p));
-  const Point3 centre = voronoi::circumcentre_from(p[0], p[1], p[2], p[3]);
+std::array<double, 4> shares_of(const std::array<Point3, 4>& p) {
   std::array<double, 4> shares{};
-  for (std::size_t i = 0; i < 4; ++i) {
-    const std::array<Point3, 3> edge{p[(i + 1) % 4] - p[i], p[(i + 2) % 4] - p[i],
-                                     p[(i + 3) % 4] - p[i]};
-    shares[i] = std::ldexp(share_of(edge, centre - (p[i] - p[0])), 3 * exponent);
-  }
+  voronoi::for_each_corner(p, [&](std::size_t i, const voronoi::CornerOfTet& corner, int exponent) {
+    shares[i] = std::ldexp(voronoi::flag_volume(corner), 3 * exponent);
+  });
   return shares;
 }
 

@@ -1,4 +1,5 @@
-// The API boundary of Voronoi cells in the plane: polygons that bisectors cut.
+// The API boundary of Voronoi cells in the plane: checks at entry; cells clipped, as polygons that
+// bisectors cut.
 #include <tetloft/voronoi2.hpp>
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 
 #include "core/guard.hpp"
 #include "voronoi/cut_polygon.hpp"
+#include "voronoi/dual_cell2.hpp"
 #include "voronoi/moderate.hpp"
 #include "voronoi/sites.hpp"
 
@@ -44,20 +46,34 @@ void put_edges(const CutPolygon& polygon, const std::vector<std::size_t>& place,
 }
 
 // Among constraints neighbours are not those of the cells.
+Result<void> check_cells(const DelaunayTriangulation2& triangulation) {
+  if (triangulation.constraint_count() == 0) return {};
+  return Error{
+      ErrorCode::invalid_input, "a triangulation with constraints has no Voronoi cells", {}};
+}
+
 Result<void> check_cells(const DelaunayTriangulation2& triangulation,
                          const ClippingRectangle& rectangle) {
-  if (triangulation.constraint_count() != 0) {
-    return Error{
-        ErrorCode::invalid_input, "a triangulation with constraints has no Voronoi cells", {}};
-  }
+  if (Result<void> fine = check_cells(triangulation); !fine) return fine;
   return check_rectangle(rectangle);
+}
+
+Result<void> check_sites_of_plane(const DelaunayTriangulation2& triangulation, DelaunayVertex site,
+                                  const std::vector<DelaunayVertex>& neighbours) {
+  if (!is_moderate_in_plane(triangulation.point(site))) return voronoi::immoderate_site(site);
+  for (const DelaunayVertex v : neighbours) {
+    if (!is_moderate_in_plane(triangulation.point(v))) return voronoi::immoderate_site(v);
+  }
+  return {};
 }
 
 Result<VoronoiCell2> cell_in_rectangle(const DelaunayTriangulation2& triangulation,
                                        DelaunayVertex site, const ClippingRectangle& rectangle) {
   const std::vector<DelaunayVertex> neighbours = triangulation.neighbours(site);
+  if (Result<void> fine = check_sites_of_plane(triangulation, site, neighbours); !fine) {
+    return fine.error();
+  }
   const Point2& at = triangulation.point(site);
-  if (!is_moderate_in_plane(at)) return voronoi::immoderate_site(site);
   CutPolygon polygon({rectangle.low.x - at.x, rectangle.low.y - at.y},
                      {rectangle.high.x - at.x, rectangle.high.y - at.y});
   VoronoiCell2 cell;
@@ -66,7 +82,6 @@ Result<VoronoiCell2> cell_in_rectangle(const DelaunayTriangulation2& triangulati
   std::vector<std::size_t> place(CutPolygon::kSides + neighbours.size());
   for (std::size_t i = 0; i < neighbours.size(); ++i) {
     const Point2& p = triangulation.point(neighbours[i]);
-    if (!is_moderate_in_plane(p)) return voronoi::immoderate_site(neighbours[i]);
     polygon.cut(voronoi::nearer_to_origin({p.x - at.x, p.y - at.y, 0}));
     place[CutPolygon::kSides + i] = i;
     cell.edges.push_back({.neighbour = neighbours[i],
@@ -93,7 +108,38 @@ Result<VoronoiCell2> cell_in_rectangle(const DelaunayTriangulation2& triangulati
   return cell;
 }
 
+Result<VoronoiCell2> whole_cell_of_plane(const DelaunayTriangulation2& triangulation,
+                                         DelaunayVertex site) {
+  const std::vector<DelaunayVertex> neighbours = triangulation.neighbours(site);
+  if (Result<void> fine = check_sites_of_plane(triangulation, site, neighbours); !fine) {
+    return fine.error();
+  }
+  return voronoi::dual_cell(triangulation, site, neighbours);
+}
+
+// That a thread makes at a time.
+constexpr std::size_t kPlaneCellsAtOnce = 1024;
+
 }  // namespace
+
+Result<VoronoiCell2> voronoi_cell(const DelaunayTriangulation2& triangulation,
+                                  DelaunayVertex site) {
+  return guard_internal([&]() -> Result<VoronoiCell2> {
+    if (!triangulation.is_live(site)) return voronoi::no_such_site(site);
+    if (Result<void> fine = check_cells(triangulation); !fine) return fine.error();
+    return whole_cell_of_plane(triangulation, site);
+  });
+}
+
+Result<std::vector<VoronoiCell2>> voronoi_cells(const DelaunayTriangulation2& triangulation,
+                                                const Execution& execution) {
+  return guard_threads(execution, [&](const Execution& own) -> Result<std::vector<VoronoiCell2>> {
+    if (Result<void> fine = check_cells(triangulation); !fine) return fine.error();
+    return voronoi::all_cells(triangulation, kPlaneCellsAtOnce, own, [&](DelaunayVertex site) {
+      return whole_cell_of_plane(triangulation, site);
+    });
+  });
+}
 
 Result<VoronoiCell2> voronoi_cell(const DelaunayTriangulation2& triangulation, DelaunayVertex site,
                                   const ClippingRectangle& rectangle) {
@@ -104,13 +150,30 @@ Result<VoronoiCell2> voronoi_cell(const DelaunayTriangulation2& triangulation, D
   });
 }
 
+Result<std::vector<double>> voronoi_areas(const DelaunayTriangulation2& triangulation,
+                                          const Execution& execution) {
+  return guard_threads(execution, [&](const Execution& own) -> Result<std::vector<double>> {
+    if (Result<void> fine = check_cells(triangulation); !fine) return fine.error();
+    const auto area_of = [&](DelaunayVertex site) -> Result<double> {
+      const Result<VoronoiCell2> cell = whole_cell_of_plane(triangulation, site);
+      if (!cell) return cell.error();
+      return cell->area;
+    };
+    const std::vector<double> of_live =
+        voronoi::all_cells(triangulation, kPlaneCellsAtOnce, own, area_of);
+    std::vector<double> areas(triangulation.vertex_slots());
+    std::size_t at = 0;
+    for (const DelaunayVertex v : triangulation.vertices()) areas[v.index] = of_live[at++];
+    return areas;
+  });
+}
+
 Result<std::vector<VoronoiCell2>> voronoi_cells(const DelaunayTriangulation2& triangulation,
                                                 const ClippingRectangle& rectangle,
                                                 const Execution& execution) {
   return guard_threads(execution, [&](const Execution& own) -> Result<std::vector<VoronoiCell2>> {
-    constexpr std::size_t kStretch = 1024;
     if (Result<void> fine = check_cells(triangulation, rectangle); !fine) return fine.error();
-    return voronoi::all_cells(triangulation, kStretch, own, [&](DelaunayVertex site) {
+    return voronoi::all_cells(triangulation, kPlaneCellsAtOnce, own, [&](DelaunayVertex site) {
       return cell_in_rectangle(triangulation, site, rectangle);
     });
   });

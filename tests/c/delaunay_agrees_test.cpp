@@ -3,56 +3,19 @@
 
 #include <array>
 #include <atomic>
-#include <functional>
+#include <cmath>
 #include <thread>
 
 #include <tetloft/delaunay_triangulation3.hpp>
 
+#include "c/changing_numbers.hpp"
 #include "c/owned.hpp"
 #include "core/prng.hpp"
 
 namespace tetloft::c_test {
 namespace {
 
-using Number = std::uint64_t;
 using TetNumbers = std::array<Number, 4>;
-
-Number number(DelaunayVertex v) { return (Number{v.generation} << 32) + v.index; }
-
-std::vector<Number> numbers(const std::vector<DelaunayVertex>& vertices) {
-  std::vector<Number> result;
-  for (const DelaunayVertex v : vertices) result.push_back(number(v));
-  return result;
-}
-
-template <class Tets>
-std::vector<TetNumbers> tets_of(const DelaunayTriangulation3& t, const Tets& tets) {
-  std::vector<TetNumbers> result;
-  for (const TetId tet : tets) {
-    TetNumbers& made = result.emplace_back();
-    for (std::size_t i = 0; i < 4; ++i) made[i] = number(t.vertices(tet)[i]);
-  }
-  return result;
-}
-
-// What a call with an array of the caller's gives: asked for the number first, then with an element
-// too few.
-template <class T, class Element>
-void expect_found(const std::function<tetloft_status(Element*, std::size_t, std::size_t*)>& query,
-                  const std::vector<T>& expected) {
-  std::size_t count = 12345;
-  ASSERT_OK(query(nullptr, 0, &count));
-  ASSERT_EQ(count, expected.size());
-  std::vector<T> found(count);
-  auto* const array = reinterpret_cast<Element*>(found.data());
-  if (count > 0) {
-    EXPECT_EQ(query(array, count - 1, &count), TETLOFT_TOO_SMALL);
-    EXPECT_EQ(count, expected.size());
-    EXPECT_EQ(found, std::vector<T>(count)) << "nothing is written";
-  }
-  ASSERT_OK(query(array, count, &count));
-  EXPECT_EQ(found, expected);
-}
 
 void expect_same_triangulation(const tetloft_delaunay* c, const DelaunayTriangulation3& t) {
   std::size_t vertices = 0, slots = 0, tets = 0;
@@ -76,7 +39,7 @@ void expect_same_triangulation(const tetloft_delaunay* c, const DelaunayTriangul
       points);
   expect_found<TetNumbers, Number>(
       [&](auto* a, auto n, auto* count) { return tetloft_delaunay_tets(c, a, n, count); },
-      tets_of(t, t.tets()));
+      corners<4>(t, t.tets()));
   for (const DelaunayVertex v : live) {
     expect_found<Number, Number>(
         [&](auto* a, auto n, auto* count) {
@@ -87,7 +50,7 @@ void expect_same_triangulation(const tetloft_delaunay* c, const DelaunayTriangul
         [&](auto* a, auto n, auto* count) {
           return tetloft_delaunay_star(c, number(v), a, n, count);
         },
-        tets_of(t, t.star(v)));
+        corners<4>(t, t.star(v)));
     std::array<double, 3> xyz{};
     ASSERT_OK(tetloft_delaunay_point(c, number(v), xyz.data()));
     EXPECT_EQ((Point3{xyz[0], xyz[1], xyz[2]}), t.point(v));
@@ -110,10 +73,6 @@ class ChangingDelaunayOfC : public testing::Test {
   }
   internal::Prng random_{20};
 };
-
-const double* coordinates(const std::vector<Point3>& points) {
-  return reinterpret_cast<const double*>(points.data());
-}
 
 TEST_F(ChangingDelaunayOfC, HasTheHistoryOfCpp) {
   const std::vector<Point3> first = points(40);
@@ -193,6 +152,27 @@ TEST_F(ChangingDelaunayOfC, AnswersAsCpp) {
   }
   std::size_t count = 0;
   EXPECT_EQ(tetloft_delaunay_within(c, 0, 0, 0, -1, nullptr, 0, &count), TETLOFT_INVALID_INPUT);
+}
+
+TEST_F(ChangingDelaunayOfC, TellsWhatAnInsertionWouldChange) {
+  const std::vector<Point3> of = points(60);
+  const auto t = DelaunayTriangulation3::of(of).value();
+  Owned<tetloft_delaunay> c;
+  ASSERT_OK(tetloft_delaunay_create(coordinates(of), of.size(), nullptr, c.out()));
+  for (const Point3& p : {Point3{1.25, 2.5, 1.75}, Point3{9, 2, 2}, of[0]}) {
+    const ConflictZone3 zone = t.conflict_zone(p).value();
+    EXPECT_EQ(zone.horizon.empty(), p == of[0]);
+    expect_zone<4>(
+        [&](auto... parts) {
+          return tetloft_delaunay_conflict_zone(c, p.x, p.y, p.z, TETLOFT_NO_VERTEX, parts...);
+        },
+        corners<4>(t, zone.tets), corners<3>(t, zone.horizon), numbers(zone.neighbours));
+  }
+  std::array<std::size_t, 3> counts{7, 7, 7};
+  EXPECT_EQ(tetloft_delaunay_conflict_zone(c, 0, 0, std::nan(""), 0, nullptr, 0, &counts[0],
+                                           nullptr, 0, &counts[1], nullptr, 0, &counts[2]),
+            TETLOFT_INVALID_INPUT);
+  EXPECT_EQ(counts, (std::array<std::size_t, 3>{}));
 }
 
 TEST_F(ChangingDelaunayOfC, IsCopiedAndSerialised) {

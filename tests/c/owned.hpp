@@ -22,6 +22,7 @@ class Owned {
   Owned(const Owned&) = delete;
   Owned& operator=(const Owned&) = delete;
   operator Handle*() const { return handle_; }
+  [[nodiscard]] const Handle* handle() const { return handle_; }
   /// For a call that makes one.
   Handle** out() {
     free_handle(KindOf<Handle>::value, handle_);
@@ -60,6 +61,21 @@ void expect_array(tetloft_status (*get)(const Handle*, const Number**, std::size
   std::size_t count = 0;
   EXPECT_OK(get(handle, &array, &count));
   EXPECT_TRUE(same_array(array, count, values));
+}
+
+/// An array of C, which lives as long as its handle.
+template <class T>
+struct Array {
+  const T* data = nullptr;
+  std::size_t size = 0;
+  const T& operator[](std::size_t i) const { return data[i]; }
+};
+template <class T, class Handle>
+Array<T> array_of(tetloft_status (*get)(const Handle*, const T**, std::size_t*),
+                  const Handle* handle) {
+  Array<T> array;
+  EXPECT_OK(get(handle, &array.data, &array.size));
+  return array;
 }
 
 inline std::string bytes_of(const tetloft_bytes* bytes) {

@@ -155,6 +155,27 @@ class Answers(unittest.TestCase):
             self.assertEqual(rows(self.made.neighbours(vertex)),
                              sorted({v for tet in star for v in tet} - {vertex}))
 
+    def test_are_what_an_insertion_changes(self):
+        before = {tuple(row) for row in rows(self.made.tets)}
+        for query in self.queries:
+            changed = copy.copy(self.made)
+            zone = self.made.conflict_zone(query, near=3)
+            vertex = changed.insert(query)
+            gone = before - {tuple(row) for row in rows(changed.tets)}
+            if query in LATTICE:
+                self.assertEqual([len(part) for part in zone], [0, 0, 0])
+                continue
+            self.assertEqual({tuple(row) for row in rows(zone.simplices)}, gone)
+            self.assertEqual(rows(zone.neighbours), rows(changed.neighbours(vertex)))
+            self.assertEqual({frozenset(face) for face in rows(zone.horizon)},
+                             {frozenset(row) - {vertex} for row in rows(changed.star(vertex))})
+        many = tetloft.DelaunayTriangulation3(
+            [(x % 10, x // 10, (x % 10 - 4.5) ** 2 + (x // 10 - 4.5) ** 2) for x in range(100)])
+        far = many.conflict_zone((4.5, 4.5, -100))  # sees all from below
+        self.assertEqual(rows(far.neighbours), list(range(100)))  # no room for them at first
+        with self.assertRaises(tetloft.InvalidInput):
+            self.made.conflict_zone((0, 0, float("nan")))
+
     def test_end_when_stopped(self):
         stop = tetloft.Stop()
         stop.request()

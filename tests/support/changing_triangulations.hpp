@@ -15,17 +15,12 @@
 #include <tetloft/result.hpp>
 
 #include "core/prng.hpp"
+#include "support/value_of.hpp"
 
 namespace tetloft::test {
 
 using internal::Prng;
 
-/// A value that is there, or a failed test that ends.
-template <class T>
-T value_of(Result<T> result) {
-  if (!result) throw std::runtime_error(to_string(result.error()));
-  return *std::move(result);
-}
 inline void succeed(const Result<void>& result) {
   if (!result) throw std::runtime_error(to_string(result.error()));
 }

@@ -15,6 +15,7 @@ of the input. Ids are zero-based; NO_ID means none. What is refused raises an :c
 its place. Functions may be called from any thread; results do not depend on the number of threads.
 """
 
+from ._changing import LOCATIONS, ConflictZone
 from ._library import library_path, library_version
 from ._running import Stop
 from ._structs import NO_ID, NO_VERTEX
@@ -34,18 +35,26 @@ from .meshes import Delaunay, Mesh, Triangulation, delaunay
 from .models import (
     POINT_ORIGINS, TET_KINDS, Model, Report, Surface, Topology, parse_model, read_model
 )
+from .periodic import PeriodicTets, periodic_delaunay, periodic_voronoi
+from .plane_cells import PlaneCell, PlaneCells, PlaneEdge
 from .reconstructing import LongStack, between, reconstruct
 from .stacks import Nesting, Repair, Section, Stack, parse_stack, read_stack
-from .triangulations import LOCATIONS, DelaunayTriangulation3
+from .triangulations import DelaunayTriangulation2, DelaunayTriangulation3
+from .voronoi import (
+    BOX_SIDES, NaturalNeighbours, VoronoiCell, VoronoiCells, VoronoiFace, circumsphere
+)
 
 __all__ = [
-    "BadHandle", "Cancelled", "Correspondence", "Delaunay", "DelaunayTriangulation3", "Description",
-    "Error", "Failure", "Figures", "FileError", "Format", "Guarantee", "InternalError",
-    "InvalidInput", "LOCATIONS", "Labels", "Link", "Links", "LongStack", "Mesh", "Model", "NO_ID",
-    "NO_VERTEX", "Nesting", "OutOfMemory", "POINT_ORIGINS", "Place", "Repair", "Report", "Section",
-    "Stack", "Stop", "Surface", "TET_KINDS", "TetloftWarning", "TooSmall", "Topology",
-    "Triangulation", "UnfitArithmetic", "Unrepresentable", "UsageError", "Verdict", "WorkLimit",
-    "__version__", "between", "check", "delaunay", "format_points", "formats", "library_path",
-    "library_version", "links", "parse_labels", "parse_model", "parse_points", "parse_stack",
+    "BOX_SIDES", "BadHandle", "Cancelled", "ConflictZone", "Correspondence", "Delaunay",
+    "DelaunayTriangulation2", "DelaunayTriangulation3", "Description", "Error", "Failure",
+    "Figures", "FileError", "Format", "Guarantee", "InternalError", "InvalidInput", "LOCATIONS",
+    "Labels", "Link", "Links", "LongStack", "Mesh", "Model", "NO_ID", "NO_VERTEX",
+    "NaturalNeighbours", "Nesting", "OutOfMemory", "POINT_ORIGINS", "PeriodicTets", "Place",
+    "PlaneCell", "PlaneCells", "PlaneEdge", "Repair", "Report", "Section", "Stack", "Stop",
+    "Surface", "TET_KINDS", "TetloftWarning", "TooSmall", "Topology", "Triangulation",
+    "UnfitArithmetic", "Unrepresentable", "UsageError", "Verdict", "VoronoiCell", "VoronoiCells",
+    "VoronoiFace", "WorkLimit", "__version__", "between", "check", "circumsphere", "delaunay",
+    "format_points", "formats", "library_path", "library_version", "links", "parse_labels",
+    "parse_model", "parse_points", "parse_stack", "periodic_delaunay", "periodic_voronoi",
     "read_labels", "read_model", "read_points", "read_stack", "reconstruct", "write_points",
 ]

@@ -20,7 +20,7 @@ except ImportError:
     pass
 
 if TYPE_CHECKING:
-    from numpy import float64, int64, uint8, uint32, uint64
+    from numpy import float64, int32, int64, uint8, uint32, uint64
     from numpy.typing import ArrayLike as ArrayLike
     from numpy.typing import NDArray
 
@@ -30,8 +30,9 @@ if TYPE_CHECKING:
     Codes = NDArray[uint8]
     Integers = NDArray[int64]
     Vertices = NDArray[uint64]
+    Shifts = NDArray[int32]
 else:
-    ArrayLike = Doubles = Ids = Codes = Integers = Vertices = Any
+    ArrayLike = Doubles = Ids = Codes = Integers = Vertices = Shifts = Any
 
 
 def view(pointer: Any, rows: int, columns: int, owner: Any) -> Any:
@@ -91,6 +92,13 @@ def ids(value: Any, columns: int, what: str) -> Input:
     return _of_lists(value, columns, what, "I", ctypes.c_uint32)
 
 
+def vertex_tuples(value: Any, columns: int, what: str) -> Input:
+    """Vertices of a triangulation that changes, integers from 0 to 2^64 - 1, (n, columns)."""
+    if numpy is not None:
+        return _of_numpy(value, columns, what, numpy.uint64, "iu")
+    return _of_lists(value, columns, what, "Q", ctypes.c_uint64)
+
+
 def _of_numpy(value: Any, columns: int, what: str, kind: Any, accepted: str) -> Input:
     given = numpy.asarray(value)
     if given.size == 0:
@@ -99,8 +107,9 @@ def _of_numpy(value: Any, columns: int, what: str, kind: Any, accepted: str) -> 
         raise TypeError(f"{what}: numbers of type {given.dtype} are not accepted")
     if given.ndim != 2 or given.shape[1] != columns:
         raise ValueError(f"{what}: an array of shape (n, {columns}) is expected, not {given.shape}")
-    if kind is numpy.uint32 and given.size and (given.min() < 0 or given.max() > 0xFFFFFFFF):
-        raise ValueError(f"{what}: ids are from 0 to 2^32 - 1")
+    if kind is not numpy.float64 and given.size:
+        if given.min() < 0 or given.max() > numpy.iinfo(kind).max:
+            raise ValueError(f"{what}: numbers are from 0 to 2^{8 * kind(0).itemsize} - 1")
     made = numpy.ascontiguousarray(given, kind)
     pointer = made.ctypes.data_as(ctypes.POINTER(numpy.ctypeslib.as_ctypes_type(kind)))
     return Input(pointer, len(made), made)
@@ -114,7 +123,8 @@ def _of_lists(value: Any, columns: int, what: str, code: str, kind: Any) -> Inpu
     try:
         made = array.array(code, itertools.chain.from_iterable(rows))
     except OverflowError:
-        raise ValueError(f"{what}: ids are from 0 to 2^32 - 1") from None
+        bits = 8 * ctypes.sizeof(kind)
+        raise ValueError(f"{what}: numbers are from 0 to 2^{bits} - 1") from None
     pointer = (kind * len(made)).from_buffer(made) if made else None
     return Input(pointer, len(rows), made)
 

@@ -247,7 +247,10 @@ VOIDS = {"overlap": 0, "near": 1, "free": 2}
 ENDS = {"flat": 0, "half": 1}
 ENGINE = {"automatic": 0, "incremental": 1, "slab": 2}
 COLOUR = {"component": 0, "slab": 1, "kind": 2, "dihedral": 3, "evidence": 4}
+CROSSING = {"refuse": 0, "split": 1}
 LOCATION = {"vertex": 0, "edge": 1, "facet": 2, "tet": 3, "outside": 4}
+SIDE = {"none": 0, "low_x": 1, "high_x": 2, "low_y": 3, "high_y": 4, "low_z": 5, "high_z": 6}
+WEIGHTS = {"sibson": 0, "laplace": 1}
 LINK = {"disc": 0, "sphere": 1, "empty": 2, "components": 3, "pinch": 4, "holes": 5}
 STATUS = {
     "ok": 0,

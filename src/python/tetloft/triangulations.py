@@ -1,36 +1,25 @@
-"""A Delaunay triangulation of points in space that come, go and move."""
+"""Delaunay triangulations of points that come, go and move, in space and in the plane."""
 
 from __future__ import annotations
 
 import ctypes
-from ctypes import c_double, c_int, c_int32, c_size_t, c_uint64
-from typing import Any, Iterator, Optional, Sequence
+from ctypes import c_double, c_int, c_size_t, c_uint32, c_uint64
+from typing import Any, Optional
 
 from . import _structs as structs
-from ._arrays import ArrayLike, Doubles, Integers, Vertices, doubles, filled, numpy
-from ._handles import Handle, Owner
+from ._arrays import ArrayLike, Doubles, Ids, Vertices, doubles, filled, vertex_tuples
+from ._changing import ChangingDelaunay, vertex_number
+from ._handles import Handle
 from ._library import lib
-from ._options import whole
+from ._options import choice, whole
 from ._running import Progress, Run, Stop
-from .errors import TooSmall
-from .formats import Data, as_bytes, bytes_of
-
-LOCATIONS = tuple(structs.LOCATION)
-"""The kinds of places, by the number that :meth:`DelaunayTriangulation3.locate` gives."""
+from .plane_cells import PlaneCell, PlaneCells
+from .voronoi import VoronoiCell, VoronoiCells, clipping_box
 
 
-def _point(given: Sequence[float]) -> tuple[float, float, float]:
-    x, y, z = given
-    return float(x), float(y), float(z)
-
-
-def _vertex(given: int) -> int:
-    return whole(given, "vertex", 0, 2**64 - 1)
-
-
-class DelaunayTriangulation3(Owner):
+class DelaunayTriangulation3(ChangingDelaunay):
     """The Delaunay triangulation of the points that are there, whatever was done before: insert,
-    remove, move; nearest, locate, neighbours.
+    remove, move; nearest, locate, neighbours; Voronoi cells, natural neighbours.
 
     ``points``: (n, 3); vertex i is that of point i, of equal ones the first has it. A vertex is an
     integer, index + 2^32 · generation: the index is taken again when it is gone, the generation
@@ -51,179 +40,178 @@ class DelaunayTriangulation3(Owner):
     True
     """
 
-    def __init__(self, points: ArrayLike = (), *, threads: int = 0,
-                 progress: Optional[Progress] = None, stop: Optional[Stop] = None):
-        given, made = doubles(points, 3, "points"), Handle("delaunay")
-        run = Run(threads, progress, stop)
-        run.call(lib.tetloft_delaunay_create, given.pointer, given.rows, run.pointer, made.out)
-        self._take(made)
+    _kind = "delaunay"
+    _dimensions = 3
+    _simplices = "tets"
 
-    def insert(self, point: Sequence[float], near: Optional[int] = None) -> int:
-        """The vertex of a point, which gets one unless it has one. ``near``: a vertex where the
-        search starts."""
-        vertex = c_uint64()
-        start = structs.NO_VERTEX if near is None else _vertex(near)
-        lib.tetloft_delaunay_insert(self._open(), *_point(point), start, ctypes.byref(vertex), None)
-        return vertex.value
-
-    def insert_all(self, points: ArrayLike, *, threads: int = 0,
-                   progress: Optional[Progress] = None, stop: Optional[Stop] = None) -> Vertices:
-        """(n,): the vertex of each point of (n, 3), inserted in an order that is fast."""
-        given, run = doubles(points, 3, "points"), Run(threads, progress, stop)
-        made = (c_uint64 * given.rows)()
-        run.call(lib.tetloft_delaunay_insert_all, self._open(), given.pointer, given.rows,
-                 run.pointer, made)
-        return filled(made, given.rows)
-
-    def remove(self, vertex: int) -> None:
-        """Takes a vertex away; its index may be taken again, by a vertex of another number."""
-        lib.tetloft_delaunay_remove(self._open(), _vertex(vertex))
-
-    def move(self, vertex: int, to: Sequence[float]) -> None:
-        """The vertex stays the same. Refused where another one is."""
-        lib.tetloft_delaunay_move(self._open(), _vertex(vertex), *_point(to))
-
-    def clear(self) -> None:
-        """Takes all vertices away."""
-        lib.tetloft_delaunay_clear(self._open())
-
-    def _counts(self) -> tuple[int, int, int, int]:
+    def _counts(self) -> dict[str, int]:
         vertices, slots, tets, dimension = c_size_t(), c_size_t(), c_size_t(), c_int()
         lib.tetloft_delaunay_counts(self._open(), ctypes.byref(vertices), ctypes.byref(slots),
                                     ctypes.byref(tets), ctypes.byref(dimension))
-        return vertices.value, slots.value, tets.value, dimension.value
-
-    def __len__(self) -> int:
-        """The number of vertices."""
-        return self._counts()[0]
-
-    def __bool__(self) -> bool:
-        return True
-
-    def __iter__(self) -> Iterator[int]:
-        """The vertices of now."""
-        return iter([int(vertex) for vertex in self.vertices])
-
-    def __contains__(self, vertex: int) -> bool:
-        """Whether there is this vertex."""
-        live = c_int()
-        lib.tetloft_delaunay_is_live(self._open(), _vertex(vertex), ctypes.byref(live))
-        return bool(live.value)
-
-    @property
-    def slots(self) -> int:
-        """All indices of vertices are below."""
-        return self._counts()[1]
-
-    @property
-    def dimension(self) -> int:
-        """Of the points' affine hull, -1 to 3; there are tets in 3 alone."""
-        return self._counts()[3]
-
-    @property
-    def vertices(self) -> Vertices:
-        """(n,), by index."""
-        return self._found(lib.tetloft_delaunay_vertices, c_uint64, 1)
-
-    @property
-    def points(self) -> Doubles:
-        """(n, 3), those of ``vertices``."""
-        return self._found(lib.tetloft_delaunay_points, c_double, 3)
+        return {"vertices": vertices.value, "slots": slots.value, "tets": tets.value,
+                "dimension": dimension.value}
 
     @property
     def tets(self) -> Vertices:
         """(m, 4) vertices. Where none was removed, and no points were equal, they are the rows of
         ``points``."""
-        return self._found(lib.tetloft_delaunay_tets, c_uint64, 4)
+        return self._listed("tets", c_uint64, 4)
 
-    def point(self, vertex: int) -> tuple[float, float, float]:
-        """Where a vertex is."""
-        xyz = (c_double * 3)()
-        lib.tetloft_delaunay_point(self._open(), _vertex(vertex), xyz)
-        return xyz[0], xyz[1], xyz[2]
+    def cells(self, box: Optional[ArrayLike] = None, *, threads: int = 0,
+              progress: Optional[Progress] = None, stop: Optional[Stop] = None) -> VoronoiCells:
+        """The Voronoi cells of all vertices, by index: whole, or what of them is in a box, given as
+        its low and its high corner. Those in a box are bounded, and their volumes sum to its."""
+        clip, made, run = clipping_box(box), Handle("cells"), Run(threads, progress, stop)
+        run.call(lib.tetloft_delaunay_cells, self._open(), clip and clip.pointer, run.pointer,
+                 made.out)
+        return VoronoiCells._of(made)
 
-    def star(self, vertex: int) -> Vertices:
-        """(k, 4): the vertices of the tets of a vertex."""
-        return self._found(lib.tetloft_delaunay_star, c_uint64, 4, _vertex(vertex))
+    def cell(self, vertex: int, box: Optional[ArrayLike] = None) -> VoronoiCell:
+        """That of one vertex."""
+        clip, made = clipping_box(box), Handle("cells")
+        lib.tetloft_delaunay_cell(self._open(), vertex_number(vertex), clip and clip.pointer,
+                                  made.out)
+        return VoronoiCells._of(made)[0]
 
-    def neighbours(self, vertex: int) -> Vertices:
-        """The vertices that one has edges with, by index."""
-        return self._found(lib.tetloft_delaunay_neighbours, c_uint64, 1, _vertex(vertex))
+    def volumes(self, *, threads: int = 0, progress: Optional[Progress] = None,
+                stop: Optional[Stop] = None) -> Doubles:
+        """(``slots``,): of all whole cells, by index of vertex, infinite where unbounded, 0 where
+        there is no vertex. Several times as fast as making the cells."""
+        return self._measured("volumes", threads, progress, stop)
 
-    def locate(self, points: ArrayLike, *, threads: int = 0, progress: Optional[Progress] = None,
-               stop: Optional[Stop] = None) -> tuple[Integers, Vertices]:
-        """The smallest simplex that holds each point of (n, 3): its kind, (n,), a number of
-        :data:`LOCATIONS`, and (n, 4) its vertices by index, then NO_VERTEX."""
-        given, run = doubles(points, 3, "points"), Run(threads, progress, stop)
-        kinds, vertices = (c_int32 * given.rows)(), (c_uint64 * (4 * given.rows))()
-        run.call(lib.tetloft_delaunay_locate, self._open(), given.pointer, given.rows, run.pointer,
-                 kinds, vertices)
-        return _wide(filled(kinds, given.rows)), filled(vertices, given.rows, 4)
-
-    def nearest(self, points: ArrayLike, *, threads: int = 0, progress: Optional[Progress] = None,
-                stop: Optional[Stop] = None) -> Vertices:
-        """(n,): the vertex nearest to each point of (n, 3), the one of lowest index of equally near
-        ones; NO_VERTEX where there are none."""
-        given, run = doubles(points, 3, "points"), Run(threads, progress, stop)
-        found = (c_uint64 * given.rows)()
-        run.call(lib.tetloft_delaunay_nearest, self._open(), given.pointer, given.rows,
-                 run.pointer, found)
-        return filled(found, given.rows)
-
-    def nearest_one(self, point: Sequence[float]) -> int:
-        """The same of one point."""
-        return int(self.nearest([_point(point)], threads=1)[0])
-
-    def nearest_few(self, point: Sequence[float], most: int) -> Vertices:
-        """The ``most`` vertices nearest to a point, or all there are, by distance, then by
-        index."""
-        return self._found(lib.tetloft_delaunay_nearest_few, c_uint64, 1, *_point(point),
-                           whole(most, "most", 0, 2**32))
-
-    def within(self, point: Sequence[float], radius: float) -> Vertices:
-        """All vertices at most so far from a point, by distance, then by index."""
-        return self._found(lib.tetloft_delaunay_within, c_uint64, 1, *_point(point), float(radius))
-
-    def to_bytes(self) -> bytes:
-        """The same on every machine; what is made of them has the same vertices."""
-        made = Handle("bytes")
-        lib.tetloft_delaunay_serialise(self._open(), made.out)
-        return bytes_of(made)
-
-    @classmethod
-    def from_bytes(cls, data: Data) -> DelaunayTriangulation3:
-        """Of what :meth:`to_bytes` gave; :class:`InvalidInput` where it is damaged."""
-        given, made = as_bytes(data), Handle("delaunay")
-        lib.tetloft_delaunay_deserialise(given, len(given), made.out)
-        return cls._of(made)
-
-    def __copy__(self) -> DelaunayTriangulation3:
-        made = Handle("delaunay")
-        lib.tetloft_delaunay_copy(self._open(), made.out)
-        return type(self)._of(made)
-
-    def __reduce__(self) -> Any:
-        return type(self).from_bytes, (self.to_bytes(),)
-
-    def _found(self, function: Any, kind: Any, columns: int, *of: Any) -> Any:
-        # Room for a few, as of one vertex; where there are more, for as many as there were: between
-        # two calls another thread may change it.
-        count, handle = c_size_t(64), self._open()
-        while True:
-            capacity = count.value
-            made = (kind * (columns * capacity))()
-            try:
-                function(handle, *of, made, capacity, ctypes.byref(count))
-            except TooSmall:
-                continue
-            return filled(made, count.value, columns)
-
-    def __repr__(self) -> str:
-        if self.closed:
-            return "<tetloft.DelaunayTriangulation3, closed>"
-        vertices, _, tets, _ = self._counts()
-        return f"<tetloft.DelaunayTriangulation3 of {vertices} vertices, {tets} tets>"
+    @property
+    def circumspheres(self) -> Doubles:
+        """(m, 4): centre and radius of the spheres through the vertices of ``tets``."""
+        return self._listed("circumspheres", c_double, 4)
 
 
-def _wide(codes: Any) -> Any:
-    return codes if numpy is None else codes.astype(numpy.int64)
+class DelaunayTriangulation2(ChangingDelaunay):
+    """The same of points of the plane, (n, 2), with constraints: segments between vertices that are
+    unions of edges. With them it is the constrained Delaunay triangulation; no vertex is put on a
+    constraint but where two cross, and where that is asked for.
+
+    Constraints go over all vertices on them, those that come later too, and share edges where they
+    overlap. A constraint is an integer that is not given again. A vertex that one goes over is
+    neither removed nor moved: :class:`InvalidInput`.
+
+    >>> t = DelaunayTriangulation2([(0, 0), (4, 0), (4, 4), (0, 4), (1, 1), (3, 1), (2, 3)])
+    >>> outline = [(0, 1), (1, 2), (2, 3), (3, 0)]
+    >>> hole = [(4, 5), (5, 6), (6, 4)]
+    >>> numbers = t.insert_constraints(outline + hole)
+    >>> t
+    <tetloft.DelaunayTriangulation2 of 7 vertices, 8 triangles>
+    >>> len(t.inside())
+    7
+    """
+
+    _kind = "delaunay_plane"
+    _dimensions = 2
+    _simplices = "triangles"
+
+    def _counts(self) -> dict[str, int]:
+        vertices, slots, triangles, constraints, dimension = \
+            c_size_t(), c_size_t(), c_size_t(), c_size_t(), c_int()
+        lib.tetloft_delaunay_plane_counts(
+            self._open(), ctypes.byref(vertices), ctypes.byref(slots), ctypes.byref(triangles),
+            ctypes.byref(constraints), ctypes.byref(dimension))
+        return {"vertices": vertices.value, "slots": slots.value, "triangles": triangles.value,
+                "constraints": constraints.value, "dimension": dimension.value}
+
+    @property
+    def triangles(self) -> Vertices:
+        """(m, 3) vertices, counter-clockwise. Where none was removed, and no points were equal,
+        they are the rows of ``points``."""
+        return self._listed("triangles", c_uint64, 3)
+
+    def hull(self) -> Vertices:
+        """The vertices on the hull, counter-clockwise from that of lowest index; of points in a row
+        all of them, from one end to the other."""
+        return self._listed("hull", c_uint64, 1)
+
+    def cells(self, rectangle: Optional[ArrayLike] = None, *, threads: int = 0,
+              progress: Optional[Progress] = None, stop: Optional[Stop] = None) -> PlaneCells:
+        """The Voronoi cells of all vertices, by index: whole, or what of them is in a rectangle,
+        given as its low and its high corner; their areas sum to its. Refused among
+        constraints."""
+        clip, made = clipping_box(rectangle, 2, "rectangle"), Handle("plane_cells")
+        run = Run(threads, progress, stop)
+        run.call(lib.tetloft_delaunay_plane_cells, self._open(), clip and clip.pointer, run.pointer,
+                 made.out)
+        return PlaneCells._of(made)
+
+    def cell(self, vertex: int, rectangle: Optional[ArrayLike] = None) -> PlaneCell:
+        """That of one vertex."""
+        clip, made = clipping_box(rectangle, 2, "rectangle"), Handle("plane_cells")
+        lib.tetloft_delaunay_plane_cell(self._open(), vertex_number(vertex), clip and clip.pointer,
+                                        made.out)
+        return PlaneCells._of(made)[0]
+
+    def areas(self, *, threads: int = 0, progress: Optional[Progress] = None,
+              stop: Optional[Stop] = None) -> Doubles:
+        """(``slots``,): of all whole cells, by index of vertex, infinite where unbounded, 0 where
+        there is no vertex. Refused among constraints."""
+        return self._measured("areas", threads, progress, stop)
+
+    def insert_constraint(self, u: int, v: int, crossing: str = "refuse") -> int:
+        """The segment between two vertices, as a constraint.
+
+        ``crossing``: where it crosses others it is refused, "refuse", with where in the error's
+        place; or a vertex is put there, "split", and all go over it: the point is rounded, which
+        bends them by ulps."""
+        constraint = c_uint32()
+        lib.tetloft_delaunay_plane_insert_constraint(
+            self._open(), vertex_number(u), vertex_number(v), _crossing(crossing),
+            ctypes.byref(constraint))
+        return constraint.value
+
+    def insert_constraints(self, segments: ArrayLike, crossing: str = "refuse") -> Ids:
+        """(k,): the constraint of each of the segments, (k, 2) vertices: all or, where one is
+        refused, none. Of many much faster than one by one where they cross."""
+        given = vertex_tuples(segments, 2, "segments")
+        made = (c_uint32 * given.rows)()
+        lib.tetloft_delaunay_plane_insert_constraints(self._open(), given.pointer, given.rows,
+                                                      _crossing(crossing), made)
+        return filled(made, given.rows)
+
+    def remove_constraint(self, constraint: int) -> None:
+        """Takes a constraint away; its vertices stay."""
+        lib.tetloft_delaunay_plane_remove_constraint(self._open(), _constraint(constraint))
+
+    def has_constraint(self, constraint: int) -> bool:
+        """Whether there is this constraint."""
+        has = c_int()
+        lib.tetloft_delaunay_plane_has_constraint(self._open(), _constraint(constraint),
+                                                  ctypes.byref(has))
+        return bool(has.value)
+
+    @property
+    def constraints(self) -> Ids:
+        """(k,), by number."""
+        return self._listed("constraints", c_uint32, 1)
+
+    def constraint_ends(self, constraint: int) -> tuple[int, int]:
+        """The two vertices that it was given."""
+        ends = (c_uint64 * 2)()
+        lib.tetloft_delaunay_plane_constraint_ends(self._open(), _constraint(constraint), ends)
+        return ends[0], ends[1]
+
+    def constraint_edges(self, constraint: int) -> Vertices:
+        """(k, 2): the edges that it goes over, each by index, sorted."""
+        return self._listed("constraint_edges", c_uint64, 2, _constraint(constraint))
+
+    def edge_constraints(self, u: int, v: int) -> Ids:
+        """The constraints over an edge, by number; none where the vertices are not joined."""
+        return self._listed("edge_constraints", c_uint32, 1, vertex_number(u), vertex_number(v))
+
+    def inside(self) -> Vertices:
+        """(k, 3): the triangles that one comes to from outside across an odd number of constraints:
+        of an outline and its holes what is between. Refused where constraints end."""
+        return self._listed("inside", c_uint64, 3)
+
+
+def _crossing(word: str) -> int:
+    return choice(structs.CROSSING, word, "crossing")
+
+
+def _constraint(given: int) -> int:
+    return whole(given, "constraint", 0, 2**32 - 1)

@@ -56,6 +56,39 @@ void* new_warnings() {
   return warnings;
 }
 
+// With constraints 0 to 3 along the sides.
+void* new_plane() {
+  tetloft_delaunay_plane* made = nullptr;
+  tetloft_status status =
+      tetloft_delaunay_plane_create(kPlanePoints.data(), kPlanePoints.size() / 2, nullptr, &made);
+  if (status == TETLOFT_OK) {
+    status = tetloft_delaunay_plane_insert_constraints(made, kOutline.data(), kOutline.size() / 2,
+                                                       TETLOFT_CROSSING_REFUSE, nullptr);
+  }
+  if (status == TETLOFT_OK) return made;
+  tetloft_delaunay_plane_free(made);
+  return nullptr;
+}
+
+void* new_plane_cells() {
+  tetloft_delaunay_plane* plane = nullptr;
+  tetloft_plane_cells* made = nullptr;
+  tetloft_status status =
+      tetloft_delaunay_plane_create(kPlanePoints.data(), kPlanePoints.size() / 2, nullptr, &plane);
+  if (status == TETLOFT_OK) status = tetloft_delaunay_plane_cells(plane, nullptr, nullptr, &made);
+  tetloft_delaunay_plane_free(plane);
+  return handle_or_null(status, made);
+}
+
+void* new_natural_neighbours() {
+  auto* const delaunay = static_cast<tetloft_delaunay*>(new_handle(Kind::delaunay));
+  tetloft_natural_neighbours* made = nullptr;
+  const tetloft_status status = tetloft_delaunay_natural_neighbours_all(
+      delaunay, kInnerPoint.data(), 1, TETLOFT_SIBSON, nullptr, &made);
+  free_handle(Kind::delaunay, delaunay);
+  return handle_or_null(status, made);
+}
+
 }  // namespace
 
 tetloft_status free_handle(Kind kind, void* handle) {
@@ -74,6 +107,15 @@ tetloft_status free_handle(Kind kind, void* handle) {
       return tetloft_triangulation_free(static_cast<tetloft_triangulation*>(handle));
     case Kind::points: return tetloft_points_free(static_cast<tetloft_points*>(handle));
     case Kind::delaunay: return tetloft_delaunay_free(static_cast<tetloft_delaunay*>(handle));
+    case Kind::delaunay_plane:
+      return tetloft_delaunay_plane_free(static_cast<tetloft_delaunay_plane*>(handle));
+    case Kind::cells: return tetloft_cells_free(static_cast<tetloft_cells*>(handle));
+    case Kind::plane_cells:
+      return tetloft_plane_cells_free(static_cast<tetloft_plane_cells*>(handle));
+    case Kind::natural_neighbours:
+      return tetloft_natural_neighbours_free(static_cast<tetloft_natural_neighbours*>(handle));
+    case Kind::periodic_tets:
+      return tetloft_periodic_tets_free(static_cast<tetloft_periodic_tets*>(handle));
   }
   return TETLOFT_USAGE;
 }
@@ -133,6 +175,20 @@ void* new_handle(Kind kind) {
       tetloft_delaunay* made = nullptr;
       return handle_or_null(
           tetloft_delaunay_create(kTetPoints.data(), kTetPoints.size() / 3, nullptr, &made), made);
+    }
+    case Kind::delaunay_plane: return new_plane();
+    case Kind::cells: {
+      tetloft_cells* made = nullptr;
+      return handle_or_null(
+          tetloft_periodic_voronoi(kTetPoints.data(), 2, kBoxVectors.data(), nullptr, &made), made);
+    }
+    case Kind::plane_cells: return new_plane_cells();
+    case Kind::natural_neighbours: return new_natural_neighbours();
+    case Kind::periodic_tets: {
+      tetloft_periodic_tets* made = nullptr;
+      return handle_or_null(
+          tetloft_periodic_delaunay(kTetPoints.data(), 2, kBoxVectors.data(), nullptr, &made),
+          made);
     }
   }
   return nullptr;
@@ -229,6 +285,13 @@ Arguments::Array<const void> Arguments::choose_array(const void* usual, std::siz
   // The last one times the size of an element is a small number, if nobody looks at overflow.
   const std::size_t counts[] = {count, 0, kMost, kMost / tuple + 2};
   return {copy.data(), counts[variant]};
+}
+
+const double* Arguments::numbers(const std::vector<double>& usual, Expected null) {
+  if (choose({Expected::ok, null}) != 0) return nullptr;
+  std::vector<double> given = reals(usual);
+  given.resize(usual.size());
+  return numbers_.emplace_back(std::move(given)).data();
 }
 
 Arguments::Array<void> Arguments::choose_output_array(std::size_t tuple, Expected null) {

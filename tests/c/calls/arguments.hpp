@@ -39,8 +39,13 @@ enum class Kind {
   triangulation,
   points,
   delaunay,
+  delaunay_plane,
+  cells,
+  plane_cells,
+  natural_neighbours,
+  periodic_tets,
 };
-inline constexpr int kKinds = 13;
+inline constexpr int kKinds = 18;
 
 template <class Handle>
 struct KindOf;
@@ -62,6 +67,11 @@ TETLOFT_KIND(mesh)
 TETLOFT_KIND(triangulation)
 TETLOFT_KIND(points)
 TETLOFT_KIND(delaunay)
+TETLOFT_KIND(delaunay_plane)
+TETLOFT_KIND(cells)
+TETLOFT_KIND(plane_cells)
+TETLOFT_KIND(natural_neighbours)
+TETLOFT_KIND(periodic_tets)
 #undef TETLOFT_KIND
 
 /// The _free function of a kind.
@@ -139,6 +149,8 @@ class Arguments {
     const auto chosen = choose_array(usual.data(), usual.size() * sizeof(T), tuple * sizeof(T));
     return {static_cast<const T*>(chosen.data), chosen.size};
   }
+  /// So many numbers as usual, without their count. `null`: what NULL must come to.
+  const double* numbers(const std::vector<double>& usual, Expected null = Expected::usage);
   /// For writing: of a result that is not empty and takes no more than kMostElements. `null`: what
   /// NULL with a capacity must come to.
   template <class T>
@@ -203,6 +215,7 @@ class Arguments {
   std::deque<HandleOutput> handle_outputs_;
   std::deque<HandleOutput> changed_;
   std::deque<std::vector<unsigned char>> arrays_;
+  std::deque<std::vector<double>> numbers_;
   std::deque<std::string> paths_;
   std::string folder_;
 };

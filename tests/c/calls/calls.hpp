@@ -22,6 +22,9 @@ struct Call {
 [[nodiscard]] std::span<const Call> calls_of_models();    // with reconstruction, surfaces, pictures
 [[nodiscard]] std::span<const Call> calls_of_meshes();    // with verdicts, triangulations, points
 [[nodiscard]] std::span<const Call> calls_of_delaunay();  // triangulations that change
+[[nodiscard]] std::span<const Call> calls_of_planes();    // the same in the plane
+[[nodiscard]] std::span<const Call> calls_of_cells();     // with natural neighbours, periodic sets
+[[nodiscard]] std::span<const Call> calls_of_plane_cells();
 
 /// All of them, by name.
 [[nodiscard]] std::vector<Call> all_calls();
@@ -37,6 +40,14 @@ struct Call {
 /// A status for functions that return a text.
 [[nodiscard]] inline tetloft_status told(const char* text) {
   return text != nullptr ? TETLOFT_OK : TETLOFT_INTERNAL;
+}
+
+/// An array of what a handle names.
+template <class Handle, class T, class Get>
+tetloft_status get_array(Arguments& a, Get get) {
+  auto* const handle = a.handle<Handle>();
+  auto* const array = a.output<const T*>();
+  return get(handle, array, a.output<std::size_t>());
 }
 
 /// Of a stack or a model.

@@ -1,9 +1,8 @@
 // Delaunay triangulations that change: the five points of two tets, numbered as they come.
-#include <algorithm>
 #include <array>
-#include <new>
 
 #include "c/calls/calls.hpp"
+#include "c/calls/changing.hpp"
 #include "c/calls/samples.hpp"
 
 namespace tetloft::c_test {
@@ -11,30 +10,7 @@ namespace tetloft::c_test {
 namespace {
 
 using A = Arguments;
-
-std::uint64_t vertex(A& a, std::int64_t usual) {
-  return static_cast<std::uint64_t>(a.integer(usual));
-}
-
-// Arrays for as many points as there are at most: 40 coordinates.
-constexpr std::size_t kMostPoints = 40;
-
-const std::vector<double> kQueries{0.1, 0.1, 0.1, 0.5, 0.5, 0, 9, 9, 9};
-
-// What is asked of all of it, and of one of its vertices.
-template <class Number, class Query>
-tetloft_status of_all(A& a, Query query, std::size_t tuple) {
-  auto* const delaunay = a.handle<tetloft_delaunay>();
-  const auto array = a.output_array<Number>(tuple);
-  return query(delaunay, array.data, array.size, a.output<std::size_t>());
-}
-template <class Query>
-tetloft_status around_vertex(A& a, Query query, std::size_t tuple) {
-  auto* const delaunay = a.handle<tetloft_delaunay>();
-  const std::uint64_t of = vertex(a, 1);
-  const auto array = a.output_array<std::uint64_t>(tuple);
-  return query(delaunay, of, array.data, array.size, a.output<std::size_t>());
-}
+using D = tetloft_delaunay;
 
 // The vertices near a point, as far as `limit` says.
 template <class Query, class Limit>
@@ -45,32 +21,6 @@ tetloft_status about(A& a, Query query, Limit limit) {
   const double z = a.real(0.25);
   const auto array = a.output_array<std::uint64_t>();
   return query(delaunay, x, y, z, limit, array.data, array.size, a.output<std::size_t>());
-}
-
-// A vertex for each of some points.
-template <class Query>
-tetloft_status for_points(A& a, tetloft_delaunay* delaunay, Query query) {
-  const auto xyz = a.array(a.reals(kQueries), 3);
-  const auto* const how = execution(a);
-  std::vector<std::uint64_t> vertices(kMostPoints);
-  return query(delaunay, xyz.data, xyz.size, how, vertices.data());
-}
-
-// What serialise() makes.
-std::vector<char> delaunay_bytes() {
-  auto* const delaunay = static_cast<tetloft_delaunay*>(new_handle(Kind::delaunay));
-  tetloft_bytes* bytes = nullptr;
-  const tetloft_status status = tetloft_delaunay_serialise(delaunay, &bytes);
-  free_handle(Kind::delaunay, delaunay);
-  if (status != TETLOFT_OK) throw std::bad_alloc();
-  const void* data = nullptr;
-  std::size_t size = 0;
-  tetloft_bytes_data(bytes, &data, &size);
-  std::array<char, 1024> copy{};
-  size = std::min(size, copy.size());
-  std::copy_n(static_cast<const char*>(data), size, copy.begin());
-  free_handle(Kind::bytes, bytes);
-  return {copy.begin(), copy.begin() + static_cast<std::ptrdiff_t>(size)};
 }
 
 constexpr auto kCalls = std::to_array<Call>({
@@ -99,7 +49,7 @@ constexpr auto kCalls = std::to_array<Call>({
      }},
     {"tetloft_delaunay_insert_all",
      [](A& a) {
-       return for_points(a, a.changing_handle<tetloft_delaunay>(), tetloft_delaunay_insert_all);
+       return for_points(a, a.changing_handle<D>(), tetloft_delaunay_insert_all, kQueries, 3);
      }},
     {"tetloft_delaunay_remove",
      [](A& a) {
@@ -131,8 +81,9 @@ constexpr auto kCalls = std::to_array<Call>({
        return tetloft_delaunay_is_live(delaunay, of, a.output<int>());
      }},
     {"tetloft_delaunay_vertices",
-     [](A& a) { return of_all<std::uint64_t>(a, tetloft_delaunay_vertices, 1); }},
-    {"tetloft_delaunay_points", [](A& a) { return of_all<double>(a, tetloft_delaunay_points, 3); }},
+     [](A& a) { return of_all<D, std::uint64_t>(a, tetloft_delaunay_vertices, 1); }},
+    {"tetloft_delaunay_points",
+     [](A& a) { return of_all<D, double>(a, tetloft_delaunay_points, 3); }},
     {"tetloft_delaunay_point",
      [](A& a) {
        auto* const delaunay = a.handle<tetloft_delaunay>();
@@ -142,10 +93,10 @@ constexpr auto kCalls = std::to_array<Call>({
        return tetloft_delaunay_point(delaunay, of, xyz == nullptr ? nullptr : xyz->data());
      }},
     {"tetloft_delaunay_tets",
-     [](A& a) { return of_all<std::uint64_t>(a, tetloft_delaunay_tets, 4); }},
-    {"tetloft_delaunay_star", [](A& a) { return around_vertex(a, tetloft_delaunay_star, 4); }},
+     [](A& a) { return of_all<D, std::uint64_t>(a, tetloft_delaunay_tets, 4); }},
+    {"tetloft_delaunay_star", [](A& a) { return around_vertex<D>(a, tetloft_delaunay_star, 4); }},
     {"tetloft_delaunay_neighbours",
-     [](A& a) { return around_vertex(a, tetloft_delaunay_neighbours, 1); }},
+     [](A& a) { return around_vertex<D>(a, tetloft_delaunay_neighbours, 1); }},
     {"tetloft_delaunay_locate",
      [](A& a) {
        auto* const delaunay = a.handle<tetloft_delaunay>();
@@ -157,13 +108,24 @@ constexpr auto kCalls = std::to_array<Call>({
                                       vertices.data());
      }},
     {"tetloft_delaunay_nearest",
-     [](A& a) { return for_points(a, a.handle<tetloft_delaunay>(), tetloft_delaunay_nearest); }},
+     [](A& a) { return for_points(a, a.handle<D>(), tetloft_delaunay_nearest, kQueries, 3); }},
     {"tetloft_delaunay_nearest_few",
      [](A& a) {
        return about(a, tetloft_delaunay_nearest_few, static_cast<std::size_t>(a.integer(3)));
      }},
     {"tetloft_delaunay_within",
      [](A& a) { return about(a, tetloft_delaunay_within, a.real(0.75)); }},
+    {"tetloft_delaunay_conflict_zone",
+     [](A& a) {
+       auto* const delaunay = a.handle<D>();
+       const double x = a.real(0.5);
+       const double y = a.real(0.25);
+       const double z = a.real(0.125);
+       const std::uint64_t near = vertex(a, 3);
+       return zone(a, 4, [&](auto... parts) {
+         return tetloft_delaunay_conflict_zone(delaunay, x, y, z, near, parts...);
+       });
+     }},
     {"tetloft_delaunay_serialise",
      [](A& a) {
        auto* const delaunay = a.handle<tetloft_delaunay>();
@@ -171,7 +133,7 @@ constexpr auto kCalls = std::to_array<Call>({
      }},
     {"tetloft_delaunay_deserialise",
      [](A& a) {
-       const auto data = a.array(delaunay_bytes());
+       const auto data = a.array(serialised<D>(tetloft_delaunay_serialise));
        return tetloft_delaunay_deserialise(data.data, data.size,
                                            a.handle_output<tetloft_delaunay>());
      }},

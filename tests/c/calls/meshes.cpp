@@ -32,13 +32,6 @@ const tetloft_delaunay3_options* delaunay3_options(A& a) {
 
 std::uint32_t id(A& a, std::uint32_t usual) { return static_cast<std::uint32_t>(a.integer(usual)); }
 
-template <class Handle, class T, class Get>
-tetloft_status get_array(A& a, Get get) {
-  auto* const handle = a.handle<Handle>();
-  auto* const array = a.output<const T*>();
-  return get(handle, array, a.output<std::size_t>());
-}
-
 // Of a vertex, and of an edge.
 template <class Query>
 tetloft_status at_vertex(A& a, Query query, std::size_t tuple) {

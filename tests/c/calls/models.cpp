@@ -102,12 +102,6 @@ tetloft_status format_model(A& a, Format format, const char* name) {
   return format(model, options, bytes, a.optional_handle_output<tetloft_warnings>());
 }
 
-template <class Handle, class T, class Get>
-tetloft_status get_array(A& a, Get get) {
-  auto* const handle = a.handle<Handle>();
-  auto* const array = a.output<const T*>();
-  return get(handle, array, a.output<std::size_t>());
-}
 template <class T, class Get>
 tetloft_status model_array(A& a, Get get) {
   return get_array<tetloft_model, T>(a, get);

@@ -21,7 +21,15 @@ inline constexpr std::string_view kPointText = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
 inline const std::vector<double> kTetPoints{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1};
 inline const std::vector<std::uint32_t> kTets{0, 1, 2, 3, 4, 1, 3, 2};
 
-/// The same as a file, which tells that they are one component.
+/// Within them, and beside.
+inline const std::vector<double> kInnerPoint{0.25, 0.25, 0.125};
+inline const std::vector<double> kQueries{0.1, 0.1, 0.1, 0.5, 0.5, 0, 9, 9, 9};
+
+/// What cells are clipped to, and a periodic box.
+inline const std::vector<double> kClippingBox{-1, -1, -1, 2, 2, 2};
+inline const std::vector<double> kBoxVectors{3, 0, 0, 1, 3, 0, 0, 1, 3};
+
+/// The two tets as a file, which tells that they are one component.
 inline constexpr std::string_view kModelText =
     "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\">"
     "<UnstructuredGrid><Piece NumberOfPoints=\"5\" NumberOfCells=\"2\">"
@@ -37,5 +45,7 @@ inline constexpr std::string_view kModelText =
 /// A square with a segment along a diagonal.
 inline const std::vector<double> kPlanePoints{0, 0, 2, 0, 2, 2, 0, 2, 1, 0.5};
 inline const std::vector<std::uint32_t> kSegments{0, 2};
+/// Its sides.
+inline const std::vector<std::uint64_t> kOutline{0, 1, 1, 2, 2, 3, 3, 0};
 
 }  // namespace tetloft::c_test

@@ -100,8 +100,9 @@ std::span<const Call> calls_of_values() { return kCalls; }
 
 std::vector<Call> all_calls() {
   std::vector<Call> calls;
-  for (const auto part : {calls_of_values(), calls_of_stacks(), calls_of_models(),
-                          calls_of_meshes(), calls_of_delaunay()}) {
+  for (const auto part :
+       {calls_of_values(), calls_of_stacks(), calls_of_models(), calls_of_meshes(),
+        calls_of_delaunay(), calls_of_planes(), calls_of_cells(), calls_of_plane_cells()}) {
     calls.insert(calls.end(), part.begin(), part.end());
   }
   std::sort(calls.begin(), calls.end(), [](const Call& x, const Call& y) {

@@ -1,11 +1,12 @@
 // Periodic sets, and what is true of all results.
 #pragma once
 
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include <tetloft/periodic.hpp>
+
+#include "support/value_of.hpp"
 
 namespace tetloft::test {
 
@@ -20,12 +21,6 @@ struct NamedBox {
 /// At coordinates in the box's vectors in [0, 1), multiples of 2^-bits.
 [[nodiscard]] std::vector<Point3> points_in(const PeriodicBox& box, std::size_t n,
                                             std::uint64_t seed, int bits = 53);
-
-template <class T>
-T value_of(Result<T> result) {
-  if (!result) throw std::runtime_error(to_string(result.error()));
-  return *std::move(result);
-}
 
 /// Volumes sum to the box's; faces are mutual, closed, and lie halfway to their neighbours.
 void expect_sound(const PeriodicVoronoi3& diagram, const std::vector<Point3>& points,

@@ -51,6 +51,60 @@ testing::AssertionResult covers_its_segment(const DelaunayTriangulation2& t, Con
   return testing::AssertionSuccess();
 }
 
+std::set<std::array<DelaunayVertex, 3>> triangles_by_vertices(const DelaunayTriangulation2& t) {
+  std::set<std::array<DelaunayVertex, 3>> result;
+  for (const TriangleId triangle : t.triangles()) {
+    auto v = t.vertices(triangle);
+    std::sort(v.begin(), v.end());
+    result.insert(v);
+  }
+  return result;
+}
+
+testing::AssertionResult are_same_constrained(const DelaunayTriangulation2& a,
+                                              const DelaunayTriangulation2& b) {
+  if (live_vertices(a) != live_vertices(b) || a.vertex_slots() != b.vertex_slots() ||
+      a.vertex_count() != b.vertex_count()) {
+    return testing::AssertionFailure() << "vertices";
+  }
+  for (const DelaunayVertex v : a.vertices()) {
+    if (a.point(v) != b.point(v)) return testing::AssertionFailure() << "a point";
+  }
+  if (a.dimension() != b.dimension() || a.edges() != b.edges() ||
+      triangles_by_vertices(a) != triangles_by_vertices(b)) {
+    return testing::AssertionFailure() << "triangles";
+  }
+  if (a.constraints() != b.constraints() || a.constraint_count() != b.constraint_count()) {
+    return testing::AssertionFailure() << "constraints";
+  }
+  for (const ConstraintId c : a.constraints()) {
+    if (a.ends(c) != b.ends(c) || a.edges(c) != b.edges(c)) {
+      return testing::AssertionFailure() << "a constraint";
+    }
+  }
+  return testing::AssertionSuccess();
+}
+
+DelaunayTriangulation2 constrained_at_random(const PlaneSource& source, Prng& prng) {
+  DelaunayTriangulation2 t;
+  for (int step = 0; step < 60; ++step) {
+    const std::vector<DelaunayVertex> live = live_vertices(t);
+    const auto draw = [&] { return live[prng.below(live.size())]; };
+    const std::vector<ConstraintId> constraints = t.constraints();
+    if (live.size() < 6 || prng.chance(0.55)) {
+      (void)value_of(t.insert(source.draw(prng)));
+    } else if (prng.chance(0.2)) {
+      (void)t.remove(draw());  // refused where a constraint holds it
+    } else if (!constraints.empty() && prng.chance(0.2)) {
+      succeed(t.remove_constraint(constraints[prng.below(constraints.size())]));
+    } else {
+      (void)t.insert_constraint(draw(), draw(),
+                                prng.chance(0.5) ? Crossing::split : Crossing::refuse);
+    }
+  }
+  return t;
+}
+
 namespace {
 
 // Of points whose coordinates are multiples of three, few: no vertex in a triangle's perturbed

@@ -220,6 +220,22 @@ TEST(Constrained, PiecesOfAFewUlpsEnd) {
   EXPECT_EQ(refused, 0U);
 }
 
+// Three that lie beside each other, a step of doubles apart at one end: rounded, their crossings
+// would move along them by a step each.
+TEST(Constrained, PiecesBesideEachOtherDoNotCreep) {
+  const Point2 far{0x1.adeca10e2dd4fp+2, 0x1.546d5146407e1p+3};
+  const Point2 farther{0x1.a615fcdbe097p+2, 0x1.562f1dd72a67cp+3};
+  const Point2 near{0x1.b507507507518p+2, 0x1.4f8af8af8af87p+3};
+  const Point2 nearer{0x1.b507507507519p+2, 0x1.4f8af8af8af86p+3};
+  const std::vector<Point2> points{far, farther, near, nearer};
+  DelaunayTriangulation2 t = value_of(DelaunayTriangulation2::of(points));
+  const auto v = live_vertices(t);
+  const std::vector<Edge> segments{{v[2], v[0]}, {v[2], v[1]}, {v[3], v[0]}, {v[3], v[1]}};
+  (void)value_of(t.insert_constraints(segments, Crossing::split));
+  EXPECT_LE(t.vertex_count(), 6U);
+  ASSERT_TRUE(is_constrained_delaunay(t, false));
+}
+
 TEST(Constrained, RefusalsNameWhatIsInTheWay) {
   const std::vector<Point2> square{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
   DelaunayTriangulation2 t = value_of(DelaunayTriangulation2::of(square));

@@ -50,6 +50,43 @@ std::vector<std::vector<Point2>> sets_of_few_bits() {
   return sets;
 }
 
+// With constraints and without.
+TEST(Questions, ManyAtOnceHaveTheAnswersOfEachAlone) {
+  for (const std::vector<Point2>& points : sets_of_few_bits()) {
+    SCOPED_TRACE(testing::Message() << points.size() << " points");
+    DelaunayTriangulation2 t = value_of(DelaunayTriangulation2::of(points));
+    Prng prng(16);
+    std::vector<Point2> queries;
+    for (int i = 0; i < 2600; ++i) queries.push_back(few_bits(prng));
+    for (const bool constrained : {false, true}) {
+      if (constrained && t.vertex_count() > 1) {
+        ASSERT_TRUE(t.insert_constraint(t.hull().front(), t.hull().back()).ok());
+      }
+      std::vector<Location2> alone;
+      for (const unsigned threads : {1U, 2U, 5U}) {
+        const auto nearest = value_of(t.nearest_vertex(queries, {.threads = threads}));
+        const auto located = value_of(t.locate(queries, {.threads = threads}));
+        ASSERT_EQ(nearest.size(), queries.size());
+        ASSERT_EQ(located.size(), queries.size());
+        if (threads == 1) alone = located;
+        for (std::size_t i = 0; i < queries.size(); ++i) {
+          EXPECT_EQ(nearest[i], value_of(t.nearest_vertex(queries[i])));
+          const Location2 one = value_of(t.locate(queries[i]));
+          EXPECT_EQ(located[i].kind, one.kind);
+          EXPECT_EQ(located[i].vertices, one.vertices);
+          EXPECT_EQ(located[i].triangle, alone[i].triangle);
+        }
+      }
+    }
+    EXPECT_TRUE(value_of(t.locate(std::span<const Point2>())).empty());
+    queries[7].y = std::numeric_limits<double>::infinity();
+    const auto refused = t.nearest_vertex(queries);
+    ASSERT_FALSE(refused.ok());
+    EXPECT_EQ(refused.error().code, ErrorCode::invalid_input);
+    EXPECT_EQ(refused.error().where.vertex, 7U);
+  }
+}
+
 TEST(Questions, NearestVerticesAreThoseOfAllByDistanceThenIndex) {
   for (const std::vector<Point2>& points : sets_of_few_bits()) {
     SCOPED_TRACE(testing::Message() << points.size() << " points");
@@ -97,6 +134,29 @@ TEST(Questions, LocateNamesTheSmallestSimplex) {
   }
   seen[static_cast<std::size_t>(LocationKind::tet)] = 1;
   EXPECT_EQ(std::count(seen.begin(), seen.end(), 0), 0);
+}
+
+TEST(Questions, SidesOfEdgesAreTheTrianglesThatHaveThem) {
+  const DelaunayTriangulation2 t = value_of(DelaunayTriangulation2::of(small_lattice()));
+  std::size_t sides = 0;
+  for (const auto& [u, v] : t.edges()) {
+    const std::array<TriangleId, 2> there = t.triangles(u, v);
+    const std::array<TriangleId, 2> back = t.triangles(v, u);
+    EXPECT_EQ(there[0], back[1]);
+    EXPECT_EQ(there[1], back[0]);
+    EXPECT_TRUE(there[0].valid() || there[1].valid());
+    if (!there[0].valid()) continue;
+    ++sides;
+    const auto w = t.vertices(there[0]);
+    const auto at = static_cast<std::size_t>(std::find(w.begin(), w.end(), u) - w.begin());
+    ASSERT_LT(at, 3U);
+    EXPECT_EQ(w[(at + 1) % 3], v);
+    sides += there[1].valid() ? 1U : 0U;
+  }
+  EXPECT_LT(sides, 3 * t.triangle_count());
+  const std::array<TriangleId, 2> none = t.triangles(t.vertex_at(0), t.vertex_at(143));
+  EXPECT_FALSE(none[0].valid() || none[1].valid());
+  EXPECT_THROW((void)t.triangles(t.vertex_at(0), {}), std::out_of_range);
 }
 
 TEST(Questions, LocateKnowsRows) {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stop_token>
 
 #include <gtest/gtest.h>
 
@@ -151,6 +152,91 @@ TEST(NaturalNeighbours, AreWhatAnInsertionTakes) {
     const double after = value_of(voronoi_cell(t, n.vertices[i], kLarge)).volume;
     EXPECT_NEAR((before[i] - after) / whole, n.weights[i], 1e-9);
   }
+}
+
+// Points in and outside of the hull, at vertices, on facets and edges, in no order.
+std::vector<Point3> many_points(Prng& prng, std::size_t count) {
+  std::vector<Point3> points;
+  const auto on_grid = [&] { return static_cast<double>(prng.below(12)) / 8 - 0.125; };
+  for (std::size_t i = 0; i < count; ++i) {
+    if (prng.chance(0.5)) {
+      points.push_back({on_grid(), on_grid(), on_grid()});
+    } else {
+      points.push_back({1.5 * prng.unit() - 0.25, prng.unit(), prng.unit()});
+    }
+  }
+  return points;
+}
+
+TEST(NaturalNeighbours, OfManyAreThoseOfEach) {
+  Prng prng(31);
+  const std::vector<Point3> points = many_points(prng, 700);
+  for (const std::vector<Point3>& of : {uniform_points(150, 3), cubic_points(5)}) {
+    const DelaunayTriangulation3 t = triangulated(of);
+    for (const NaturalWeights kind : kBoth) {
+      const NaturalNeighboursOfMany all =
+          value_of(natural_neighbours_of_many(t, points, kind, {.threads = 1}));
+      std::size_t outside = 0;
+      ASSERT_EQ(all.begin.size(), points.size() + 1);
+      EXPECT_EQ(all.begin.front(), 0U);
+      EXPECT_EQ(all.begin.back(), all.vertices.size());
+      EXPECT_EQ(all.begin.back(), all.weights.size());
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        const auto first = static_cast<std::ptrdiff_t>(all.begin[i]);
+        const auto last = static_cast<std::ptrdiff_t>(all.begin[i + 1]);
+        const Result<NaturalNeighbours> one = natural_neighbours(t, points[i], kind);
+        outside += one ? 0U : 1U;
+        const NaturalNeighbours expected = one ? *one : NaturalNeighbours{};
+        EXPECT_EQ(std::vector(all.vertices.begin() + first, all.vertices.begin() + last),
+                  expected.vertices);
+        EXPECT_EQ(std::vector(all.weights.begin() + first, all.weights.begin() + last),
+                  expected.weights);
+      }
+      EXPECT_GT(outside, 50U);
+      EXPECT_LT(outside, 650U);
+      for (const unsigned threads : {2U, 5U}) {
+        const NaturalNeighboursOfMany again =
+            value_of(natural_neighbours_of_many(t, points, kind, {.threads = threads}));
+        EXPECT_EQ(again.begin, all.begin);
+        EXPECT_EQ(again.vertices, all.vertices);
+        EXPECT_EQ(again.weights, all.weights);
+      }
+    }
+  }
+}
+
+TEST(NaturalNeighbours, OfManyAreNoneWithoutSpace) {
+  const std::vector<Point3> points(3, Point3{0.25, 0.25, 0});
+  for (const std::vector<Point3>& of :
+       {std::vector<Point3>{}, std::vector<Point3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}) {
+    const NaturalNeighboursOfMany none =
+        value_of(natural_neighbours_of_many(triangulated(of), points));
+    EXPECT_EQ(none.begin, std::vector<std::size_t>(4));
+    EXPECT_TRUE(none.vertices.empty());
+  }
+  const DelaunayTriangulation3 t = triangulated(cubic_points(3));
+  EXPECT_EQ(value_of(natural_neighbours_of_many(t, {})).begin, std::vector<std::size_t>(1));
+}
+
+TEST(NaturalNeighbours, OfManyAreRefusedTogether) {
+  const DelaunayTriangulation3 t = triangulated(cubic_points(3));
+  std::vector<Point3> points(3, Point3{0.5, 0.25, 0.5});
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), 0x1p301}) {
+    points[1].z = bad;
+    const Error error = natural_neighbours_of_many(t, points).error();
+    EXPECT_EQ(error.code, ErrorCode::invalid_input);
+    ASSERT_TRUE(error.where.point.has_value());
+    EXPECT_EQ(error.where.point->y, 0.25);
+  }
+  EXPECT_EQ(natural_neighbours_of_many(t, {}, static_cast<NaturalWeights>(7)).error().code,
+            ErrorCode::usage);
+  std::stop_source stop;
+  stop.request_stop();
+  points[1].z = 0.5;
+  EXPECT_EQ(natural_neighbours_of_many(t, points, {}, {.threads = 1, .stop = stop.get_token()})
+                .error()
+                .code,
+            ErrorCode::cancelled);
 }
 
 TEST(NaturalNeighbours, AreRefusedOutside) {
