@@ -68,7 +68,9 @@ void expect_joined(const SectionStack& stack, const ReconstructOptions& options,
   EXPECT_EQ(*format_vtu(joined->model), *format_vtu(direct->model));
   EXPECT_EQ(joined->settled, settled);
   // What was built twice counts twice.
-  if (settled == 0) EXPECT_EQ(joined->report.rules, direct->report.rules);
+  if (settled == 0) {
+    EXPECT_EQ(joined->report.rules, direct->report.rules);
+  }
   EXPECT_EQ(joined->report.tets, direct->report.tets);
   EXPECT_EQ(joined->report.volume, direct->report.volume);
   EXPECT_EQ(joined->report.slices, direct->report.slices);
