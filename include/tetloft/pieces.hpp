@@ -45,7 +45,7 @@ struct PlanSource {
 
 /// What a plan is about.
 struct PlanSummary {
-  /// Of two plans of one stack by the same options the same.
+  /// Of two plans of one file by the same options the same.
   std::uint64_t identity = 0;
   PlanSource source;
   ReconstructOptions options;  ///< as it was made with; the execution is not kept

@@ -68,7 +68,9 @@ void expect_joined(const SectionStack& stack, const ReconstructOptions& options,
   EXPECT_EQ(*format_vtu(joined->model), *format_vtu(direct->model));
   EXPECT_EQ(joined->settled, settled);
   // What was built twice counts twice.
-  if (settled == 0) EXPECT_EQ(joined->report.rules, direct->report.rules);
+  if (settled == 0) {
+    EXPECT_EQ(joined->report.rules, direct->report.rules);
+  }
   EXPECT_EQ(joined->report.tets, direct->report.tets);
   EXPECT_EQ(joined->report.volume, direct->report.volume);
   EXPECT_EQ(joined->report.slices, direct->report.slices);
@@ -132,6 +134,31 @@ TEST(Pieces, SlabsThatNeedMoreThanTheirPieceAreSettledByJoining) {
   EXPECT_NE(without.error().message.find("slabs 4:6"), std::string::npos)
       << without.error().message;
   EXPECT_EQ(read_piece(folder / "piece1.vtu")->open, (std::vector<std::size_t>{4, 5}));
+}
+
+// Slabs that all need refined contours, so that what is mended goes on from each to the next.
+TEST(Pieces, AChainOfMendsIsSettledAsLongAsItIs) {
+  const SectionStack slab = sample("cases/shielded.cnt");
+  const Section plate = stack_of_boxes({{box(-1000, 0, 200, 100)}}).sections[SectionId(0)];
+  SectionStack stack;
+  ReconstructOptions options;
+  options.divide_coarse = false;
+  options.correspondence.criterion = Criterion::overlap;
+  for (std::size_t s = 0; s < 12; ++s) {
+    const bool shielded = s < 5 || s > 7;
+    stack.sections.push_back(shielded ? slab.sections[SectionId(s % 2)] : plate);
+    stack.sections[SectionId(s)].z = static_cast<double>(s);
+    if (!shielded) continue;
+    const std::uint32_t body = s < 5 ? 1 : 2;
+    const auto alone = static_cast<std::uint32_t>(100 + s);
+    options.correspondence.labels.push_back({SectionId(s), ContourId(0), body});
+    options.correspondence.labels.push_back({SectionId(s), ContourId(1), alone});
+  }
+  ASSERT_TRUE(reconstruct(stack, options).ok());
+  expect_joined(stack, options, {0, 11}, 0);
+  expect_joined(stack, options, {0, 2, 11}, 5);
+  expect_joined(stack, options, {0, 6, 9, 11}, 4);
+  expect_joined(stack, options, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11}, 9);
 }
 
 TEST(Pieces, EachIsASolidThatEveryToolReads) {
