@@ -74,6 +74,11 @@ std::string digest_of_options(const Arguments& arguments, const std::vector<Opti
   return digest_of(text);
 }
 
+fs::path place_of(const std::string& path) {
+  std::error_code code;
+  return fs::weakly_canonical(path, code);
+}
+
 // It is there, or can be made.
 Result<void> check_folder(const std::string& folder) {
   std::error_code code;
@@ -114,7 +119,9 @@ Result<BatchRequest> batch_request_of(const Arguments& arguments,
   batch.log = (fs::path(batch.folder) / kBatchLog).string();
   if (const auto log = arguments.text("--log")) {
     batch.log = *log;
-    if (fine) fine = check_output("--log", *log, {}, {arguments.operand(0)});
+    // The folder of the solids may be one that is made later.
+    const bool beside = place_of(io::folder_of(*log)) == place_of(batch.folder);
+    if (fine && !beside) fine = check_output("--log", *log, {}, {arguments.operand(0)});
   }
   if (!fine) return fine.error();
   batch.digest = digest_of_options(arguments, options);
@@ -227,11 +234,6 @@ class Batch {
   std::mutex staging_;
   std::optional<Error> unlogged_;
 };
-
-fs::path place_of(const std::string& path) {
-  std::error_code code;
-  return fs::weakly_canonical(path, code);
-}
 
 // With its outputs, none of which is an input, the list, or the log.
 Result<std::vector<BatchStack>> batch_stacks(const BatchRequest& batch,
