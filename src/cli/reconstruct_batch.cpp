@@ -21,6 +21,7 @@
 #include "cli/outputs.hpp"
 #include "cli/progress.hpp"
 #include "core/text.hpp"
+#include "io/files.hpp"
 #include "io/numbers.hpp"
 #include "io/output_place.hpp"
 #include "io/stack_files.hpp"
@@ -79,15 +80,25 @@ fs::path place_of(const std::string& path) {
   return fs::weakly_canonical(path, code);
 }
 
+bool names_model(const std::string& path) {
+  const std::string extension = io::extension_of(path);
+  for (const Contents contents : {Contents::model, Contents::surface}) {
+    const auto all = output_extensions(contents);
+    if (std::find(all.begin(), all.end(), extension) != all.end()) return true;
+  }
+  return false;
+}
+
 // It is there, or can be made.
 Result<void> check_folder(const std::string& folder) {
   std::error_code code;
   if (fs::is_directory(folder, code)) {
     return check_output("--output (-o)", (fs::path(folder) / kBatchLog).string(), {}, {});
   }
-  if (fs::exists(folder, code)) {
+  // A name for one solid is more likely a folder taken for a file than the name of a folder.
+  if (fs::exists(folder, code) || names_model(folder)) {
     return usage_error("option --output (-o): " + io::in_quotes(folder) +
-                       " is no folder, which many solids need");
+                       " is no folder, which the solids of many stacks need");
   }
   return check_output("--output (-o)", folder, {}, {});
 }
