@@ -21,6 +21,7 @@
 #include "cli/outputs.hpp"
 #include "cli/progress.hpp"
 #include "core/text.hpp"
+#include "io/files.hpp"
 #include "io/numbers.hpp"
 #include "io/output_place.hpp"
 #include "io/stack_files.hpp"
@@ -74,15 +75,30 @@ std::string digest_of_options(const Arguments& arguments, const std::vector<Opti
   return digest_of(text);
 }
 
+fs::path place_of(const std::string& path) {
+  std::error_code code;
+  return fs::weakly_canonical(path, code);
+}
+
+bool names_model(const std::string& path) {
+  const std::string extension = io::extension_of(path);
+  for (const Contents contents : {Contents::model, Contents::surface}) {
+    const auto all = output_extensions(contents);
+    if (std::find(all.begin(), all.end(), extension) != all.end()) return true;
+  }
+  return false;
+}
+
 // It is there, or can be made.
 Result<void> check_folder(const std::string& folder) {
   std::error_code code;
   if (fs::is_directory(folder, code)) {
     return check_output("--output (-o)", (fs::path(folder) / kBatchLog).string(), {}, {});
   }
-  if (fs::exists(folder, code)) {
+  // A name for one solid is more likely a folder taken for a file than the name of a folder.
+  if (fs::exists(folder, code) || names_model(folder)) {
     return usage_error("option --output (-o): " + io::in_quotes(folder) +
-                       " is no folder, which many solids need");
+                       " is no folder, which the solids of many stacks need");
   }
   return check_output("--output (-o)", folder, {}, {});
 }
@@ -114,7 +130,9 @@ Result<BatchRequest> batch_request_of(const Arguments& arguments,
   batch.log = (fs::path(batch.folder) / kBatchLog).string();
   if (const auto log = arguments.text("--log")) {
     batch.log = *log;
-    if (fine) fine = check_output("--log", *log, {}, {arguments.operand(0)});
+    // The folder of the solids may be one that is made later.
+    const bool beside = place_of(io::folder_of(*log)) == place_of(batch.folder);
+    if (fine && !beside) fine = check_output("--log", *log, {}, {arguments.operand(0)});
   }
   if (!fine) return fine.error();
   batch.digest = digest_of_options(arguments, options);
@@ -227,11 +245,6 @@ class Batch {
   std::mutex staging_;
   std::optional<Error> unlogged_;
 };
-
-fs::path place_of(const std::string& path) {
-  std::error_code code;
-  return fs::weakly_canonical(path, code);
-}
 
 // With its outputs, none of which is an input, the list, or the log.
 Result<std::vector<BatchStack>> batch_stacks(const BatchRequest& batch,

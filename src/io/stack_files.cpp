@@ -14,20 +14,20 @@ namespace tetloft::internal::io {
 
 namespace {
 
-struct OpenedFile {
+struct FileBeginning {
   std::unique_ptr<ByteSource> bytes;  // null where it cannot be read at any place
-  std::string beginning;
+  std::string first;
 };
 
 // Formats tell themselves by few bytes, and headers of volumes are read from the file.
-OpenedFile opened(const std::string& path) {
+FileBeginning file_beginning(const std::string& path) {
   constexpr std::size_t kLooked = std::size_t{1} << 16;
-  OpenedFile file;
+  FileBeginning file;
   Result<std::unique_ptr<ByteSource>> bytes = open_bytes(path);
   if (!bytes || *bytes == nullptr) return file;
-  file.beginning.resize(kLooked);
-  const Result<std::size_t> got = (*bytes)->read_at(0, file.beginning);
-  file.beginning.resize(got ? *got : 0);
+  file.first.resize(kLooked);
+  const Result<std::size_t> got = (*bytes)->read_at(0, file.first);
+  file.first.resize(got ? *got : 0);
   if (got) file.bytes = *std::move(bytes);
   return file;
 }
@@ -35,20 +35,20 @@ OpenedFile opened(const std::string& path) {
 }  // namespace
 
 bool is_stack_file(const std::string& path, const std::string& format) {
-  const OpenedFile file = opened(path);
+  const FileBeginning file = file_beginning(path);
   const auto tells = [&](const Format* one) {
     if (!reads(*one, Contents::stack) || (!format.empty() && one->name != format)) return false;
     return !extension_in(*one, path).empty() ||
-           (one->recognise != nullptr && one->recognise(file.beginning));
+           (one->recognise != nullptr && one->recognise(file.first));
   };
   return std::any_of(format_table().begin(), format_table().end(), tells);
 }
 
 std::vector<std::string> stack_files(const std::string& path, const std::string& format) {
   std::vector<std::string> files{path};
-  const OpenedFile file = opened(path);
+  const FileBeginning file = file_beginning(path);
   if (file.bytes == nullptr) return files;
-  const Source source{file.beginning, path, folder_of(path), file.bytes.get()};
+  const Source source{file.first, path, folder_of(path), file.bytes.get()};
   const auto reader = choose_reader(format_table(), Contents::stack, source, format);
   if (!reader || (*reader)->open_volume == nullptr) return files;
   const auto volume = (*reader)->open_volume(source, {});

@@ -413,6 +413,17 @@ TEST_F(BatchCommand, EndsWhereTheLogCannotBeWritten) {
   EXPECT_EQ(batch().at("done").number, 3);
 }
 
+TEST_F(BatchCommand, WritesItsLogWhereItIsAskedTo) {
+  const std::string beside = out_ + "/log.jsonl";
+  EXPECT_EQ(batch({"--log", beside}).at("log").string, beside);
+  const std::string elsewhere = folder_.file("log.jsonl");
+  fs::rename(beside, elsewhere);
+  EXPECT_EQ(batch({"--log", elsewhere}).at("skipped").number, 3);
+  EXPECT_FALSE(fs::exists(log()));
+  expect_failure({"reconstruct", in_, "-o", out_, "--log", folder_.file("no/such")}, 4, "io",
+                 "folder does not exist");
+}
+
 TEST_F(BatchCommand, TakesNoDeviceForItsLog) {
   expect_failure({"reconstruct", in_, "-o", out_, "--log", "/dev/null"}, 4, "io", "regular file",
                  {solid("tube")});
