@@ -100,7 +100,7 @@ InnerSections get_inner(RecordReader& in) {
   return inner;
 }
 
-bool fits(const InnerSections& inner, std::size_t lower, std::size_t upper) {
+bool fits_slab(const InnerSections& inner, std::size_t lower, std::size_t upper) {
   const std::size_t sections = inner.sections.size();
   const auto regions = [&](std::size_t layer) {
     if (layer == 0) return lower;

@@ -16,6 +16,7 @@ void put_inner(const between::InnerSections& inner, RecordWriter& out);
 /// Refused are sections that are not valid.
 [[nodiscard]] between::InnerSections get_inner(RecordReader& in);
 /// Do they fit a slab of so many regions below and above?
-[[nodiscard]] bool fits(const between::InnerSections& inner, std::size_t lower, std::size_t upper);
+[[nodiscard]] bool fits_slab(const between::InnerSections& inner, std::size_t lower,
+                             std::size_t upper);
 
 }  // namespace tetloft::internal

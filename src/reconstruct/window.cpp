@@ -111,7 +111,7 @@ class WindowMaker {
     if (!has_ends(plan.region_links, below.size(), above.size())) {
       return no_fit(slab.index(), "links a region that there is not");
     }
-    if (!fits(plan.between, below.size(), above.size())) {
+    if (!fits_slab(plan.between, below.size(), above.size())) {
       return no_fit(slab.index(), "has sections between that are of other regions");
     }
     for (RegionMotion& motion : plan.motions) {
