@@ -9,7 +9,8 @@
 #include "cli/engine_option.hpp"
 #include "cli/file_formats.hpp"
 #include "cli/outputs.hpp"
-#include "cli/progress.hpp"
+#include "cli/signals.hpp"
+#include "pieces/piece_file.hpp"
 
 namespace tetloft::cli {
 
@@ -30,6 +31,9 @@ Usage join_usage() {
        {"--plan", "PLAN",
         "the plan of the pieces: needed where slabs were left open at the ends of pieces, "
         "which are built from it now"},
+       {"--index", "",
+        "write OUT.pvtu, which lists the pieces and leaves the solid in them; pieces with slabs "
+        "left open are written anew beside it (OUT_0.vtu, ...)"},
        kThreadsOption,
        kAsciiOption,
        kCompressOption,
@@ -60,28 +64,94 @@ std::string to_json(const Joined& joined, const ModelOutputs& outputs, std::size
   return json.text();
 }
 
+std::string settled_text(std::size_t slabs) {
+  if (slabs == 0) return {};
+  return ", " + counted(slabs, "slab") + " built from the plan";
+}
+
 std::string to_text(const Joined& joined, const ModelOutputs& outputs, std::size_t pieces) {
-  return counted(pieces, "piece") +
-         (joined.settled == 0 ? std::string()
-                              : ", " + counted(joined.settled, "slab") + " built from the plan") +
-         ": " + counted(joined.report.tets, "tet") + ", " + std::to_string(joined.report.vertices) +
+  return counted(pieces, "piece") + settled_text(joined.settled) + ": " +
+         counted(joined.report.tets, "tet") + ", " + std::to_string(joined.report.vertices) +
          " vertices, " + counted(joined.report.components, "component") + ", volume " +
          readable(joined.report.volume) + '\n' + written_line(paths_of(outputs));
 }
 
-Result<int> run_join(const Arguments& arguments, Console& console) {
-  const auto outputs = model_outputs(arguments);
-  if (!outputs) return outputs.error();
+std::string index_json(const internal::pieces::StagedIndex& staged, const Console& console) {
+  JsonWriter json;
+  json.begin_object();
+  json.member("pieces", staged.index.pieces.size());
+  json.member("settled", staged.index.settled);
+  json.member("tets", staged.index.tets);
+  json.member("components", staged.index.components);
+  json.member("listed", staged.index.pieces);
+  json.member("written", paths_of(staged.files));
+  write_warnings(json, console.warnings());
+  json.end_object();
+  return json.text();
+}
+
+std::string index_text(const internal::pieces::StagedIndex& staged) {
+  return counted(staged.index.pieces.size(), "piece") + settled_text(staged.index.settled) + ": " +
+         counted(staged.index.tets, "tet") + ", " + counted(staged.index.components, "component") +
+         '\n' + written_line(paths_of(staged.files));
+}
+
+std::vector<std::string> pieces_of(const Arguments& arguments) {
+  std::vector<std::string> pieces;
+  for (std::size_t k = 0; k < arguments.operand_count(); ++k) {
+    pieces.push_back(arguments.operand(k));
+  }
+  return pieces;
+}
+
+Result<JoinOptions> options_of(const Arguments& arguments) {
   JoinOptions options;
   options.plan = arguments.text("--plan").value_or(std::string());
   const auto threads = threads_option(arguments);
   if (!threads) return threads.error();
   options.execution.threads = *threads;
-  std::vector<std::string> pieces;
-  for (std::size_t k = 0; k < arguments.operand_count(); ++k) {
-    pieces.push_back(arguments.operand(k));
+  const auto encoding = encoding_of(arguments);
+  if (!encoding) return encoding.error();
+  options.encoding = *encoding;
+  return options;
+}
+
+Result<int> run_index(const Arguments& arguments, Console& console) {
+  const auto output = arguments.text("--output");
+  if (!output) return usage_error("--index needs --output (-o) OUT.pvtu");
+  if (arguments.has("--surface")) {
+    return usage_error("option --surface does not go with --index: the solid stays in its pieces");
   }
-  const Result<Joined> joined = join_pieces(pieces, options);
+  const std::vector<std::string> pieces = pieces_of(arguments);
+  std::vector<std::string> taken = pieces;
+  if (const auto plan = arguments.text("--plan")) taken.push_back(*plan);
+  const Result<void> fine = check_output("--output (-o)", *output, {".pvtu"}, taken);
+  if (!fine) return fine.error();
+  const Result<JoinOptions> options = options_of(arguments);
+  if (!options) return options.error();
+  Result<internal::pieces::StagedIndex> staged =
+      internal::pieces::stage_index(*output, pieces, *options, temporary_watcher());
+  if (!staged) return staged.error();
+  console.warn_of({}, staged->index.warnings);
+  std::string told;
+  if (console.json()) {
+    told = index_json(*staged, console);
+  } else if (!console.quiet()) {
+    told = index_text(*staged);
+  }
+  const Result<void> done = deliver_with(staged->files, told, console);
+  if (!done) return done.error();
+  return 0;
+}
+
+Result<int> run_join(const Arguments& arguments, Console& console) {
+  if (arguments.has("--index")) return run_index(arguments, console);
+  const auto outputs = model_outputs(arguments);
+  if (!outputs) return outputs.error();
+  const Result<JoinOptions> options = options_of(arguments);
+  if (!options) return options.error();
+  const std::vector<std::string> pieces = pieces_of(arguments);
+  const Result<Joined> joined = join_pieces(pieces, *options);
   if (!joined) return joined.error();
   console.warn_of({}, joined->warnings);
   auto files = stage_model(joined->model, *outputs, console, Tets::proven);

@@ -1,20 +1,18 @@
 // Pieces become one model.
 #include <algorithm>
-#include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
-#include <tetloft/formats.hpp>
 #include <tetloft/pieces.hpp>
 
 #include "core/guard.hpp"
 #include "core/parallel.hpp"
-#include "io/files.hpp"
 #include "model/segment.hpp"
 #include "pieces/piece_file.hpp"
-#include "pieces/plan_file.hpp"
+#include "pieces/piece_set.hpp"
 #include "reconstruct/report_of.hpp"
 
 namespace tetloft {
@@ -23,216 +21,64 @@ using namespace internal;
 
 namespace {
 
-using pieces::PieceRecord;
-using pieces::PlanFile;
-using pieces::PlannedRange;
+using pieces::PieceAt;
+using pieces::SettledPieces;
+using pieces::Stretch;
 
-std::string text_of(const SlabRange& slabs) {
-  return slabs.end == slabs.first + 1
-             ? "slab " + std::to_string(slabs.first)
-             : "slabs " + std::to_string(slabs.first) + ':' + std::to_string(slabs.end);
-}
-
-Error join_error(ErrorCode code, const std::string& file, std::string message) {
-  Error error{code, std::move(message), {}};
-  error.where.file = file;
+Error of_piece(Error error, const PieceAt* piece) {
+  if (piece != nullptr) error.where.file = piece->path;
   return error;
 }
 
-struct PieceAt {
-  std::string path;
-  PieceRecord record;
-};
+void report_joined(const std::vector<PieceAt>& all, const ReconstructReport& settled,
+                   unsigned threads, Joined& joined) {
+  ReconstructReport& sum = joined.report;
+  add_up(settled, sum);
+  for (const PieceAt& piece : all) add_up(piece.record.report, sum);
+  sum.slices = all.front().record.sections;
+  sum.input_vertices = static_cast<std::size_t>(
+      std::count(joined.model.origin.begin(), joined.model.origin.end(), PointOrigin::input));
+  describe(joined.model, threads, sum);
+}
 
-// A stretch of slabs and where its model is.
-struct Stretch {
-  SlabRange slabs;
-  const PieceAt* piece = nullptr;  // or
-  const Model* built = nullptr;
-};
-
-class Joining {
- public:
-  Joining(std::span<const std::string> paths, const JoinOptions& options)
-      : paths_(paths), options_(options) {}
-
-  Result<Joined> join() {
-    if (Result<void> read = read_records(); !read) return read.error();
-    if (Result<void> whole = check_cover(); !whole) return whole.error();
-    if (Result<void> done = settle_open(); !done) return done.error();
-    if (whole_) return std::move(*whole_);
-    return put_together();
-  }
-
- private:
-  Result<void> read_records() {
-    if (paths_.empty()) return Error{ErrorCode::usage, "there is no piece to join", {}};
-    for (const std::string& path : paths_) {
-      const Result<std::string> bytes = io::read_file(path);
-      if (!bytes) return bytes.error();
-      Result<PieceRecord> record = pieces::piece_record_of(*bytes, path);
-      if (!record) return record.error();
-      pieces_.push_back({path, std::move(*record)});
-    }
-    std::stable_sort(pieces_.begin(), pieces_.end(), [](const PieceAt& a, const PieceAt& b) {
-      return a.record.slabs.first < b.record.slabs.first;
-    });
-    return {};
-  }
-
-  // All of one plan, and each slab in one of them.
-  Result<void> check_cover() {
-    const PieceAt& first = pieces_.front();
-    const std::size_t slabs = first.record.sections - 1;
-    std::size_t next = 0;
-    const PieceAt* below = nullptr;
-    for (const PieceAt& piece : pieces_) {
-      if (piece.record.plan != first.record.plan ||
-          piece.record.sections != first.record.sections) {
-        return join_error(ErrorCode::invalid_input, piece.path,
-                          "it is a piece of another plan than " + first.path);
-      }
-      const SlabRange& range = piece.record.slabs;
-      if (below != nullptr && range.first < next) {
-        return join_error(ErrorCode::invalid_input, piece.path,
-                          text_of({range.first, std::min(range.end, next)}) + " is twice: in " +
-                              below->path + ", too");
-      }
-      if (range.first > next) return missing({next, range.first});
-      next = std::max(next, range.end);
-      below = &piece;
-    }
-    if (next < slabs) return missing({next, slabs});
-    return {};
-  }
-
-  [[nodiscard]] static Error missing(const SlabRange& slabs) {
-    Error error{ErrorCode::invalid_input, text_of(slabs) + ": there is no piece with it", {}};
-    error.where.slab = slabs.first;
-    return error;
-  }
-
-  [[nodiscard]] const PieceRecord& any() const { return pieces_.front().record; }
-
-  Result<void> settle_open() {
-    std::vector<ClusterSpan> clusters;
-    const ClusterSpan* open = nullptr;
-    for (const PieceAt& piece : pieces_) {
-      for (const ClusterSpan& cluster : piece.record.clusters) {
-        if (cluster.beyond.any() && open == nullptr) open = &cluster;
-        clusters.push_back(cluster);
-      }
-    }
-    if (open == nullptr) return {};
-    if (options_.plan.empty()) {
-      return Error{ErrorCode::usage,
-                   text_of(open->slabs) +
-                       " was left open where the stack was cut: the plan is needed to build it "
-                       "(--plan)",
-                   {}};
-    }
-    Result<PlanFile> plan = PlanFile::open(options_.plan);
-    if (!plan) return plan.error();
-    if (plan->identity() != any().plan) {
-      return join_error(ErrorCode::usage, options_.plan, "it is not the plan of these pieces");
-    }
-    Result<Settled> settled =
-        settle(any().sections - 1, clusters, [&](const SlabRange& slabs) -> Result<BuiltRange> {
-          Result<PlannedRange> made = pieces::build_range(*plan, slabs, options_.execution);
-          if (!made) return made.error();
-          reports_.push_back(made->report);
-          warnings_.insert(warnings_.end(), made->warnings.begin(), made->warnings.end());
-          return std::move(made->built);
-        });
-    if (!settled) return settled.error();
-    if (settled->whole) return build_whole(*plan);
-    ranges_ = std::move(settled->ranges);
-    return {};
-  }
-
-  // Links have to be decided anew, which takes all of the stack.
-  Result<void> build_whole(const PlanFile& plan) {
-    Result<SectionStack> stack = plan.stack();
-    if (!stack) return stack.error();
-    ReconstructOptions options = plan.head().options;
-    options.execution = options_.execution;
-    Result<Reconstruction> made = reconstruct(*stack, options);
-    if (!made) return made.error();
-    whole_ = Joined{std::move(made->model), made->report, plan.slabs(), std::move(made->warnings)};
-    return {};
-  }
-
-  // From below: of each piece what was not built anew.
-  [[nodiscard]] std::vector<Stretch> stretches() const {
-    std::vector<Stretch> all;
-    for (const BuiltRange& made : ranges_) all.push_back({made.slabs, nullptr, &made.model});
-    for (const PieceAt& piece : pieces_) {
-      std::size_t at = piece.record.slabs.first;
-      const std::size_t end = piece.record.slabs.end;
-      for (const BuiltRange& made : ranges_) {
-        if (made.slabs.end <= at || made.slabs.first >= end) continue;
-        if (made.slabs.first > at) all.push_back({{at, made.slabs.first}, &piece, nullptr});
-        at = made.slabs.end;
-      }
-      if (at < end || any().sections == 1) all.push_back({{at, end}, &piece, nullptr});
-    }
-    std::sort(all.begin(), all.end(),
-              [](const Stretch& a, const Stretch& b) { return a.slabs.first < b.slabs.first; });
-    return all;
-  }
-
-  Result<Joined> put_together() {
-    JoinedModel whole;
-    Model model;
-    const PieceAt* open = nullptr;  // whose model this is
-    Joined joined;
-    for (const Stretch& stretch : stretches()) {
-      if (stretch.piece != nullptr && stretch.piece != open) {
-        Result<Model> read = read_vtu(stretch.piece->path);
+Result<Joined> put_together(const std::vector<PieceAt>& all, SettledPieces& settled,
+                            unsigned threads) {
+  JoinedModel whole;
+  Joined joined;
+  for (const PieceAt& piece : all) {
+    std::optional<Model> left;  // of the piece
+    for (const Stretch& stretch : pieces::stretches_of(piece, settled.ranges)) {
+      if (stretch.built == nullptr && !left) {
+        Result<Model> read = pieces::piece_model(piece.path, piece.record);
         if (!read) return read.error();
-        model = std::move(*read);
-        model.component_count = any().components;
-        open = stretch.piece;
+        left = std::move(*read);
       }
       if (stretch.built != nullptr) joined.settled += stretch.slabs.end - stretch.slabs.first;
-      const Model& from = stretch.built != nullptr ? *stretch.built : model;
-      Result<void> added = whole.add(from, stretch.slabs);
-      if (added) continue;
-      Error error = added.error();
-      if (stretch.piece != nullptr) error.where.file = stretch.piece->path;
-      return error;
+      const Model& from = stretch.built != nullptr ? *stretch.built : *left;
+      const Result<void> added = whole.add(from, stretch.slabs);
+      if (!added) return of_piece(added.error(), stretch.piece);
     }
-    joined.model = whole.take();
-    joined.model.component_names = any().names;
-    report(joined);
-    joined.warnings = std::move(warnings_);
-    return joined;
   }
-
-  void report(Joined& joined) {
-    ReconstructReport& sum = joined.report;
-    for (const PieceAt& piece : pieces_) reports_.push_back(piece.record.report);
-    for (const ReconstructReport& part : reports_) add_up(part, sum);
-    sum.slices = any().sections;
-    sum.input_vertices = static_cast<std::size_t>(
-        std::count(joined.model.origin.begin(), joined.model.origin.end(), PointOrigin::input));
-    describe(joined.model, options_.execution.threads, sum);
-  }
-
-  std::span<const std::string> paths_;
-  const JoinOptions& options_;
-  std::vector<PieceAt> pieces_;  // by slabs
-  std::vector<BuiltRange> ranges_;
-  std::vector<ReconstructReport> reports_;
-  std::vector<Warning> warnings_;
-  std::optional<Joined> whole_;
-};
+  joined.model = whole.take();
+  report_joined(all, settled.report, threads, joined);
+  joined.warnings = std::move(settled.warnings);
+  return joined;
+}
 
 }  // namespace
 
-Result<Joined> join_pieces(std::span<const std::string> pieces, const JoinOptions& options) {
+Result<Joined> join_pieces(std::span<const std::string> paths, const JoinOptions& options) {
   return guard_threads(options, [&](const JoinOptions& own) -> Result<Joined> {
-    return Joining(pieces, own).join();
+    const Result<std::vector<PieceAt>> all = pieces::read_pieces(paths);
+    if (!all) return all.error();
+    Result<SettledPieces> settled = pieces::settle_pieces(*all, own);
+    if (!settled) return settled.error();
+    if (settled->whole) {
+      Reconstruction& made = *settled->whole;
+      return Joined{std::move(made.model), made.report, all->front().record.sections - 1,
+                    std::move(made.warnings)};
+    }
+    return put_together(*all, *settled, own.execution.threads);
   });
 }
 

@@ -233,6 +233,37 @@ TEST(Pieces, DamagedPlansAreRefused) {
   }
 }
 
+// What of a piece's bytes has no meaning may be anything; all else is missed.
+TEST(Pieces, DamagedPiecesAreRefused) {
+  const Folder folder;
+  const SectionStack stack =
+      stack_of_boxes({{box(0, 0, 4, 2)}, {box(0, 0, 3, 2), box(5, 0, 6, 2)}, {box(1, 0, 2, 2)}});
+  ASSERT_TRUE(write_plan(folder / "plan", stack).ok());
+  const auto paths = write_pieces(folder, {0, 1, 2});
+  const auto whole = join_pieces(paths);
+  ASSERT_TRUE(whole.ok()) << to_string(whole.error());
+  std::ifstream file(paths[1], std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  const std::size_t data = bytes.find("<AppendedData");
+  ASSERT_LT(data, bytes.size());
+  std::size_t refused = 0;
+  std::size_t tried = 0;
+  for (std::size_t at = 0; at < bytes.size(); at += 11) {
+    std::string damaged = bytes;
+    damaged[at] = static_cast<char>(damaged[at] ^ (1 << at % 8));
+    std::ofstream(paths[1], std::ios::binary) << damaged;
+    const auto joined = join_pieces(paths);
+    if (at >= data) ++tried;
+    if (joined.ok()) {
+      EXPECT_TRUE(same_bits(joined->model, whole->model)) << at;
+      continue;
+    }
+    EXPECT_EQ(joined.error().where.file, paths[1]) << at;
+    if (at >= data) ++refused;
+  }
+  EXPECT_GT(refused, tried * 9 / 10);
+}
+
 TEST(Pieces, SlabsThatThereAreNotAreRefused) {
   const Folder folder;
   ASSERT_TRUE(write_plan(folder / "plan", sample("torus.cnt")).ok());
