@@ -1,5 +1,5 @@
-// The pieces of a plan by MPI: mpi_pieces PLAN RANGES FOLDER, RANGES being a file of lines A:B. Each
-// rank makes every n-th piece, FOLDER/A:B.vtu, but those that are there and of this plan; so a
+// The pieces of a plan by MPI: mpi_pieces PLAN RANGES FOLDER, RANGES being a file of lines A:B.
+// Each rank makes every n-th piece, FOLDER/A:B.vtu, but those that are there and of this plan; so a
 // run that was ended goes on where it was. The ranks share a file system and nothing else.
 //
 //   mpicxx -std=c++20 -O2 mpi_pieces.cpp -o mpi_pieces -ltetloft -pthread
