@@ -1,6 +1,8 @@
+# shellcheck shell=bash
 # To be sourced: with_ENGINE STACK OUT PIECES [PLAN OPTIONS] makes OUT by the engine. Needs TETLOFT and
 # what need_ENGINE FOLDER found or made there; that fails where the engine is missing, with a word.
 engines=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+# shellcheck disable=SC2034  # read by whoever sources
 all_engines="parallel make mpi slurm snakemake"
 
 have() {
@@ -17,6 +19,7 @@ need_slurm() { have slurmctld slurmd sbatch munged python3; }
 need_mpi() { # its program is compiled as its first lines say, with a library that is not installed
   have mpirun mpicxx || return
   [ -e "$TETLOFT_LIBRARY" ] || { echo "skipped: no $TETLOFT_LIBRARY"; return 1; }
+  # shellcheck disable=SC2086  # words of options
   mpicxx -std=c++20 -O2 -Wall -Wextra "$engines/mpi_pieces.cpp" -o "$1/mpi_pieces" \
     -I"$engines/../../include" "$TETLOFT_LIBRARY" -pthread ${TETLOFT_FLAGS:-}
   PROGRAM="$1/mpi_pieces"
