@@ -110,10 +110,18 @@ TEST_F(BatchCommand, TakesTheStacksOfAList) {
   EXPECT_EQ(told.at("stacks").array.at(2).at("error").at("code").string, "io");
   EXPECT_EQ(get(out_ + "/a-x.vtu"), get(solid("tube")));
   EXPECT_TRUE(fs::exists(out_ + "/b-X.vtu"));
+  const test::Outcome plain = run({"reconstruct", list, "-o", out_});
+  EXPECT_NE(plain.err.find("missing.cnt: cannot be opened: No such file"), std::string::npos)
+      << plain.err;
   // The same under another name.
   const std::string text = folder_.file("stacks.txt");
   fs::rename(list, text);
   EXPECT_EQ(run_json({"reconstruct", text, "--list", "-o", out_}, 4).at("skipped").number, 3);
+  put(list, in_);
+  const JsonValue folder = run_json({"reconstruct", list, "-o", out_}, 4);
+  EXPECT_NE(
+      folder.at("stacks").array.at(0).at("error").at("message").string.find("no regular file"),
+      std::string::npos);
   put(list, stack("tube") + '\n' + stack("tube") + '\n');
   expect_failure({"reconstruct", list, "-o", out_}, 3, "invalid_input", "stacks.list:2: ");
   put(list, "# nothing\n");
