@@ -125,7 +125,8 @@ struct Joined {
   std::size_t settled = 0;  ///< slabs built by joining
   std::vector<Warning> warnings;
 };
-/// The model of all pieces of a stack, given in any order: that of the single run. Refused
+/// The model of all pieces of a stack, given in any order: that of the single run. A .pvtu stands
+/// for the pieces that it lists. Refused
 /// (invalid_input), naming files and slabs, where pieces are of different plans, overlap, are
 /// missing, damaged, or differ in the section that they share; (usage) where slabs are open and no
 /// plan is given, or one that is not theirs.

@@ -41,7 +41,9 @@ Usage join_usage() {
        kQuietOption,
        kHelpOption},
       "Pieces are given in any order, all of one plan, and each slab in one of them; what "
-      "is wrong, missing, doubled, damaged or foreign is named. Nothing is written when the "
+      "is wrong, missing, doubled, damaged or foreign is named. A .pvtu stands for the pieces that "
+      "it "
+      "lists. Nothing is written when the "
       "command fails."};
   usage.repeats = true;
   return usage;
@@ -96,12 +98,22 @@ std::string index_text(const internal::pieces::StagedIndex& staged) {
          '\n' + written_line(paths_of(staged.files));
 }
 
-std::vector<std::string> pieces_of(const Arguments& arguments) {
-  std::vector<std::string> pieces;
+// Those that indices list, too: no output may overwrite one.
+Result<std::vector<std::string>> pieces_of(const Arguments& arguments) {
+  std::vector<std::string> paths;
   for (std::size_t k = 0; k < arguments.operand_count(); ++k) {
-    pieces.push_back(arguments.operand(k));
+    paths.push_back(arguments.operand(k));
   }
-  return pieces;
+  return internal::pieces::listed_pieces(paths);
+}
+
+Result<void> check_against(const std::vector<std::string>& pieces, const ModelOutputs& outputs) {
+  if (outputs.solid) {
+    Result<void> fine = check_output("--output (-o)", *outputs.solid, {}, pieces);
+    if (!fine) return fine;
+  }
+  if (!outputs.surface) return {};
+  return check_output("--surface", *outputs.surface, {}, pieces);
 }
 
 Result<JoinOptions> options_of(const Arguments& arguments) {
@@ -122,15 +134,17 @@ Result<int> run_index(const Arguments& arguments, Console& console) {
   if (arguments.has("--surface")) {
     return usage_error("option --surface does not go with --index: the solid stays in its pieces");
   }
-  const std::vector<std::string> pieces = pieces_of(arguments);
-  std::vector<std::string> taken = pieces;
+  const Result<std::vector<std::string>> pieces = pieces_of(arguments);
+  if (!pieces) return pieces.error();
+  std::vector<std::string> taken = *pieces;
+  for (std::size_t k = 0; k < arguments.operand_count(); ++k) taken.push_back(arguments.operand(k));
   if (const auto plan = arguments.text("--plan")) taken.push_back(*plan);
   const Result<void> fine = check_output("--output (-o)", *output, {".pvtu"}, taken);
   if (!fine) return fine.error();
   const Result<JoinOptions> options = options_of(arguments);
   if (!options) return options.error();
   Result<internal::pieces::StagedIndex> staged =
-      internal::pieces::stage_index(*output, pieces, *options, temporary_watcher());
+      internal::pieces::stage_index(*output, *pieces, *options, temporary_watcher());
   if (!staged) return staged.error();
   console.warn_of({}, staged->index.warnings);
   std::string told;
@@ -150,17 +164,19 @@ Result<int> run_join(const Arguments& arguments, Console& console) {
   if (!outputs) return outputs.error();
   const Result<JoinOptions> options = options_of(arguments);
   if (!options) return options.error();
-  const std::vector<std::string> pieces = pieces_of(arguments);
-  const Result<Joined> joined = join_pieces(pieces, *options);
+  const Result<std::vector<std::string>> pieces = pieces_of(arguments);
+  if (!pieces) return pieces.error();
+  if (Result<void> fine = check_against(*pieces, *outputs); !fine) return fine.error();
+  const Result<Joined> joined = join_pieces(*pieces, *options);
   if (!joined) return joined.error();
   console.warn_of({}, joined->warnings);
   auto files = stage_model(joined->model, *outputs, console, Tets::proven);
   if (!files) return files.error();
   std::string told;
   if (console.json()) {
-    told = to_json(*joined, *outputs, pieces.size(), console);
+    told = to_json(*joined, *outputs, pieces->size(), console);
   } else if (!console.quiet()) {
-    told = to_text(*joined, *outputs, pieces.size());
+    told = to_text(*joined, *outputs, pieces->size());
   }
   const Result<void> done = deliver_with(*files, told, console);
   if (!done) return done.error();

@@ -69,6 +69,11 @@ struct StagedIndex {
                                               const JoinOptions& options,
                                               io::TemporaryWatcher* watcher = nullptr);
 
+/// Whether it is a file whose contents are an index (.pvtu).
+[[nodiscard]] bool is_index(const std::string& path);
+/// Files of pieces: what each index among these lists, in its place.
+[[nodiscard]] Result<std::vector<std::string>> listed_pieces(std::span<const std::string> paths);
+
 /// What a file is, as its contents say; what is cut off or damaged counts, too.
 enum class Part : std::uint8_t { none, plan, piece };
 [[nodiscard]] Result<Part> part_of(const std::string& path);

@@ -2,6 +2,7 @@
 // the files that were given.
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <iterator>
 #include <optional>
 #include <span>
@@ -52,7 +53,7 @@ Result<std::string> source_from(const std::string& index, const std::string& pie
   const fs::path folder = fs::proximate(folder_of(piece), folder_of(index), code);
   if (code) return index_error(ErrorCode::io, piece, "its folder is not found: " + code.message());
   const std::string source = (folder / fs::path(piece).filename()).lexically_normal().string();
-  if (valid_utf8(source) == source && is_utf8(source)) return source;
+  if (valid_utf8(source) == source) return source;
   return index_error(ErrorCode::usage, piece, "an index cannot hold this name: it is no UTF-8");
 }
 
@@ -199,6 +200,33 @@ class Indexing {
 };
 
 }  // namespace
+
+bool is_index(const std::string& path) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored)) return false;  // a stream is read once
+  std::ifstream file(path, std::ios::binary);
+  std::string first(512, '\0');
+  file.read(first.data(), static_cast<std::streamsize>(first.size()));
+  first.resize(static_cast<std::size_t>(file.gcount()));
+  return io::begins_as_index(first);
+}
+
+Result<std::vector<std::string>> listed_pieces(std::span<const std::string> paths) {
+  std::vector<std::string> all;
+  for (const std::string& path : paths) {
+    if (!is_index(path)) {
+      all.push_back(path);
+      continue;
+    }
+    const Result<std::string> bytes = io::read_file(path);
+    if (!bytes) return bytes.error();
+    const Result<std::vector<std::string>> sources = io::index_sources(*bytes, path);
+    if (!sources) return sources.error();
+    const fs::path folder = fs::path(path).parent_path();
+    for (const std::string& source : *sources) all.push_back((folder / source).string());
+  }
+  return all;
+}
 
 Result<StagedIndex> stage_index(const std::string& path, std::span<const std::string> pieces,
                                 const JoinOptions& options, io::TemporaryWatcher* watcher) {

@@ -68,8 +68,10 @@ std::string text_of(const SlabRange& slabs) {
 
 Result<std::vector<PieceAt>> read_pieces(std::span<const std::string> paths) {
   if (paths.empty()) return Error{ErrorCode::usage, "there is no piece to join", {}};
+  const Result<std::vector<std::string>> files = listed_pieces(paths);
+  if (!files) return files.error();
   std::vector<PieceAt> all;
-  for (const std::string& path : paths) {
+  for (const std::string& path : *files) {
     const Result<std::string> bytes = io::read_file(path);
     if (!bytes) return bytes.error();
     Result<PieceRecord> record = piece_record_of(*bytes, path);

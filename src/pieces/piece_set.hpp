@@ -19,8 +19,9 @@ struct PieceAt {
   PieceRecord record;
 };
 
-/// What these say of themselves, by slabs. Refused (invalid_input), naming files and slabs, where
-/// they are of different plans, overlap, or leave slabs out; (usage) where there are none.
+/// What these, and those that indices among them list, say of themselves, by slabs. Refused
+/// (invalid_input), naming files and slabs, where they are of different plans, overlap, or leave
+/// slabs out; (usage) where there are none.
 [[nodiscard]] Result<std::vector<PieceAt>> read_pieces(std::span<const std::string> paths);
 
 /// What was left open, built from the plan.

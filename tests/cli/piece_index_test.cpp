@@ -123,6 +123,54 @@ TEST_F(OpenPieceIndex, AppearsWithAllItsPiecesOrNotAtAll) {
   EXPECT_EQ(test::get(folder_.file("piece_0.vtu")), before);
 }
 
+// It stands for its pieces wherever a model is read, and in joining.
+TEST_F(PieceIndex, IsReadAsTheSolidOfItsPieces) {
+  make_plan(data("torus.cnt"), {"--ends", "half"});
+  const Words pieces = make_pieces({0, 7, 19});
+  std::filesystem::create_directory(folder_.file("out"));
+  const std::string index = folder_.file("out/a & b.pvtu");
+  std::filesystem::rename(piece(1), folder_.file("<1>.vtu"));
+  ASSERT_EQ(run({"join", "--index", "-o", index, piece(0), folder_.file("<1>.vtu")}).code, 0);
+  const std::string whole = folder_.file("whole.vtu"), joined = folder_.file("joined.vtu");
+  ASSERT_EQ(run({"reconstruct", stack_, "-o", whole, "--ends", "half"}).code, 0);
+  ASSERT_EQ(run({"join", index, "-o", joined}).code, 0);
+  EXPECT_TRUE(test::get(joined) == test::get(whole));
+  ASSERT_EQ(run({"convert", index, "-o", joined}).code, 0);
+  EXPECT_TRUE(test::get(joined) == test::get(whole));
+  EXPECT_EQ(run({"check", index, stack_}).out, run({"check", whole, stack_}).out);
+  EXPECT_EQ(run({"check", index, data("bifurcation.cnt")}).code, 1);
+  // One of its pieces is not overwritten, and it may be listed anew.
+  const std::string before = test::get(piece(0));
+  expect_failure({"join", index, "-o", piece(0), "--quiet"}, 2, "usage", "overwrite");
+  EXPECT_EQ(test::get(piece(0)), before);
+  ASSERT_EQ(run({"join", "--index", index, "-o", index_}).code, 0);
+  EXPECT_EQ(sources_of(index_), (Words{"piece0.vtu", "&lt;1&gt;.vtu"}));
+}
+
+TEST_F(PieceIndex, ThatIsDamagedIsRefused) {
+  make_plan(data("torus.cnt"));
+  const Words pieces = make_pieces({0, 7, 19});
+  ASSERT_EQ(run(test::with({"join", "--index", "-o", index_}, pieces)).code, 0);
+  const std::string whole = test::get(index_);
+  const auto refused = [&](const std::string& text, int code, const std::string& name,
+                           const std::string& word) {
+    test::put(index_, text);
+    expect_failure({"check", index_, stack_}, code, name, word);
+  };
+  const auto without = [&](const std::string& from, const std::string& to) {
+    std::string text = whole;
+    text.replace(text.find(from), from.size(), to);
+    return text;
+  };
+  refused(whole.substr(0, whole.size() - 11), 3, "invalid_input", "cut off");
+  refused(without("Source=", "Sauce="), 3, "invalid_input", "no Source");
+  refused(without("    <Piece Source=\"piece1.vtu\"/>\n", ""), 3, "invalid_input", "slabs 7:19");
+  refused(without("piece1", "piece7"), 4, "io", "piece7.vtu");
+  refused(without("piece1", "piece0"), 3, "invalid_input", "is twice");
+  refused(without("</PUnstructuredGrid>", "</Grid>"), 3, "invalid_input", "Grid");
+  refused("<VTKFile type=\"PUnstructuredGrid\"></VTKFile>", 3, "invalid_input", "lists no piece");
+}
+
 TEST_F(PieceIndex, RefusesWhatMakesNoSense) {
   make_plan(data("torus.cnt"));
   const Words pieces = make_pieces({0, 7, 19});
