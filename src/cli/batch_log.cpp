@@ -134,6 +134,14 @@ Result<LogEntry> take_entry(io::JsonScanner& scanner) {
 Result<std::vector<FileSum>> sums_of(const std::vector<std::string>& files) {
   std::vector<FileSum> sums;
   for (const std::string& file : files) {
+    std::error_code code;
+    const fs::file_status status = fs::status(file, code);
+    if (!fs::exists(status)) {
+      return io::io_error(file, "cannot be opened", code ? code.value() : ENOENT);
+    }
+    if (!fs::is_regular_file(status)) {
+      return io::io_error(file, "is no regular file: one of a batch is read twice", 0);
+    }
     const Result<PlanSource> source = plan_source(file);
     if (!source) return source.error();
     sums.push_back({file, source->bytes, source->checksum});
