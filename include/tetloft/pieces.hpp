@@ -24,6 +24,7 @@
 
 #include <tetloft/execution.hpp>
 #include <tetloft/export.hpp>
+#include <tetloft/formats.hpp>
 #include <tetloft/io.hpp>
 #include <tetloft/reconstruct.hpp>
 #include <tetloft/result.hpp>
@@ -117,7 +118,7 @@ struct Joined {
   Model model;
   /// Seconds, work and rules are sums over all that was built, what joining built again too.
   ReconstructReport report;
-  std::size_t settled = 0;   ///< slabs built by joining
+  std::size_t settled = 0;  ///< slabs built by joining
   std::vector<Warning> warnings;
 };
 /// The model of all pieces of a stack, given in any order: that of the single run. Refused
@@ -126,5 +127,19 @@ struct Joined {
 /// given, or one that is not theirs.
 [[nodiscard]] TETLOFT_API Result<Joined> join_pieces(std::span<const std::string> pieces,
                                                      const JoinOptions& options = {});
+
+struct WrittenJoin {
+  ReconstructReport report;  ///< as Joined::report
+  std::size_t settled = 0;
+  std::vector<Warning> warnings;
+};
+/// As join_pieces() and write_model(), the same bytes. A .vtu of pieces that lie where their stack
+/// does (Model::frame) takes memory of about one piece, what is built from the plan, and the tables
+/// of the whole; compressed, its packed arrays too. What it is put together from stands meanwhile
+/// in unnamed temporaries beside it, as large as the file. Else the whole model is in memory.
+[[nodiscard]] TETLOFT_API Result<WrittenJoin> write_joined(const std::string& path,
+                                                           std::span<const std::string> pieces,
+                                                           const JoinOptions& options = {},
+                                                           const WriteOptions& writing = {});
 
 }  // namespace tetloft

@@ -9,13 +9,16 @@
 #include "cli/engine_option.hpp"
 #include "cli/file_formats.hpp"
 #include "cli/outputs.hpp"
-#include "cli/progress.hpp"
+#include "cli/signals.hpp"
+#include "pieces/piece_file.hpp"
 
 namespace tetloft::cli {
 
 using namespace internal;
 
 namespace {
+
+using internal::pieces::StagedJoin;
 
 Usage join_usage() {
   Usage usage{
@@ -43,7 +46,7 @@ Usage join_usage() {
   return usage;
 }
 
-std::string to_json(const Joined& joined, const ModelOutputs& outputs, std::size_t pieces,
+std::string to_json(const StagedJoin& joined, const ModelOutputs& outputs, std::size_t pieces,
                     const Console& console) {
   JsonWriter json;
   json.begin_object();
@@ -60,13 +63,30 @@ std::string to_json(const Joined& joined, const ModelOutputs& outputs, std::size
   return json.text();
 }
 
-std::string to_text(const Joined& joined, const ModelOutputs& outputs, std::size_t pieces) {
+std::string to_text(const StagedJoin& joined, const ModelOutputs& outputs, std::size_t pieces) {
   return counted(pieces, "piece") +
          (joined.settled == 0 ? std::string()
                               : ", " + counted(joined.settled, "slab") + " built from the plan") +
          ": " + counted(joined.report.tets, "tet") + ", " + std::to_string(joined.report.vertices) +
          " vertices, " + counted(joined.report.components, "component") + ", volume " +
          readable(joined.report.volume) + '\n' + written_line(paths_of(outputs));
+}
+
+// A solid alone need not be in memory; its boundary is found in memory.
+Result<StagedJoin> staged_join(const std::vector<std::string>& pieces, const JoinOptions& options,
+                               const ModelOutputs& outputs, Console& console) {
+  if (!outputs.surface) {
+    Result<StagedJoin> joined = internal::pieces::stage_joined(
+        *outputs.solid, pieces, options, {outputs.encoding, outputs.format}, temporary_watcher());
+    if (joined) console.warn_of({}, joined->warnings);
+    return joined;
+  }
+  Result<Joined> joined = join_pieces(pieces, options);
+  if (!joined) return joined.error();
+  console.warn_of({}, joined->warnings);
+  auto files = stage_model(joined->model, outputs, console, Tets::proven);
+  if (!files) return files.error();
+  return StagedJoin{joined->report, joined->settled, {}, std::move(*files)};
 }
 
 Result<int> run_join(const Arguments& arguments, Console& console) {
@@ -81,18 +101,15 @@ Result<int> run_join(const Arguments& arguments, Console& console) {
   for (std::size_t k = 0; k < arguments.operand_count(); ++k) {
     pieces.push_back(arguments.operand(k));
   }
-  const Result<Joined> joined = join_pieces(pieces, options);
+  auto joined = staged_join(pieces, options, *outputs, console);
   if (!joined) return joined.error();
-  console.warn_of({}, joined->warnings);
-  auto files = stage_model(joined->model, *outputs, console, Tets::proven);
-  if (!files) return files.error();
   std::string told;
   if (console.json()) {
     told = to_json(*joined, *outputs, pieces.size(), console);
   } else if (!console.quiet()) {
     told = to_text(*joined, *outputs, pieces.size());
   }
-  const Result<void> done = deliver_with(*files, told, console);
+  const Result<void> done = deliver_with(joined->files, told, console);
   if (!done) return done.error();
   return 0;
 }

@@ -12,6 +12,8 @@
 #include "core/guard.hpp"
 #include "core/parallel.hpp"
 #include "io/files.hpp"
+#include "io/stage.hpp"
+#include "io/vtu_stream.hpp"
 #include "model/segment.hpp"
 #include "pieces/piece_file.hpp"
 #include "pieces/plan_file.hpp"
@@ -26,6 +28,7 @@ namespace {
 using pieces::PieceRecord;
 using pieces::PlanFile;
 using pieces::PlannedRange;
+using pieces::StagedJoin;
 
 std::string text_of(const SlabRange& slabs) {
   return slabs.end == slabs.first + 1
@@ -57,14 +60,36 @@ class Joining {
       : paths_(paths), options_(options) {}
 
   Result<Joined> join() {
-    if (Result<void> read = read_records(); !read) return read.error();
-    if (Result<void> whole = check_cover(); !whole) return whole.error();
-    if (Result<void> done = settle_open(); !done) return done.error();
-    if (whole_) return std::move(*whole_);
-    return put_together();
+    if (Result<void> ready = prepare(); !ready) return ready.error();
+    return whole_ ? std::move(*whole_) : in_memory();
+  }
+
+  Result<StagedJoin> write(const std::string& path, const WriteOptions& writing,
+                           io::TemporaryWatcher* watcher) {
+    if (Result<void> ready = prepare(); !ready) return ready.error();
+    if (!whole_ && io::extension_of(path) == ".vtu" &&
+        (writing.format.empty() || writing.format == "vtu")) {
+      io::VtuStream stream(path);
+      Result<bool> streamed = into(stream);
+      if (!streamed) return streamed.error();
+      if (*streamed) return staged(stream, writing.encoding, watcher);
+    }
+    Result<Joined> joined = whole_ ? Result<Joined>(std::move(*whole_)) : in_memory();
+    if (!joined) return joined.error();
+    Result<io::Staged> file = io::stage_model(path, joined->model, writing, watcher);
+    if (!file) return file.error();
+    add_warnings(file->warnings, joined->warnings);
+    return StagedJoin{joined->report, joined->settled, std::move(joined->warnings),
+                      std::move(file->files)};
   }
 
  private:
+  Result<void> prepare() {
+    if (Result<void> read = read_records(); !read) return read.error();
+    if (Result<void> whole = check_cover(); !whole) return whole.error();
+    return settle_open();
+  }
+
   Result<void> read_records() {
     if (paths_.empty()) return Error{ErrorCode::usage, "there is no piece to join", {}};
     for (const std::string& path : paths_) {
@@ -181,42 +206,91 @@ class Joining {
     return all;
   }
 
-  Result<Joined> put_together() {
-    JoinedModel whole;
+  // add(model, slabs) -> Result<void>, from below. One piece is in memory at a time.
+  template <class Add>
+  Result<void> for_each_stretch(const Add& add) {
     Model model;
     const PieceAt* open = nullptr;  // whose model this is
-    Joined joined;
     for (const Stretch& stretch : stretches()) {
       if (stretch.piece != nullptr && stretch.piece != open) {
+        model = {};
         Result<Model> read = read_vtu(stretch.piece->path);
         if (!read) return read.error();
         model = std::move(*read);
         model.component_count = any().components;
         open = stretch.piece;
       }
-      if (stretch.built != nullptr) joined.settled += stretch.slabs.end - stretch.slabs.first;
       const Model& from = stretch.built != nullptr ? *stretch.built : model;
-      Result<void> added = whole.add(from, stretch.slabs);
+      const Result<void> added = add(from, stretch.slabs);
       if (added) continue;
       Error error = added.error();
-      if (stretch.piece != nullptr) error.where.file = stretch.piece->path;
+      if (stretch.piece != nullptr && error.where.file.empty()) {
+        error.where.file = stretch.piece->path;
+      }
       return error;
     }
+    return {};
+  }
+
+  [[nodiscard]] std::size_t settled() const {
+    std::size_t slabs = 0;
+    for (const BuiltRange& made : ranges_) slabs += made.slabs.end - made.slabs.first;
+    return slabs;
+  }
+
+  Result<Joined> in_memory() {
+    JoinedModel whole;
+    const Result<void> added = for_each_stretch(
+        [&](const Model& model, const SlabRange& slabs) { return whole.add(model, slabs); });
+    if (!added) return added.error();
+    Joined joined;
+    joined.settled = settled();
     joined.model = whole.take();
     joined.model.component_names = any().names;
-    report(joined);
+    joined.report = sums();
+    joined.report.input_vertices = static_cast<std::size_t>(
+        std::count(joined.model.origin.begin(), joined.model.origin.end(), PointOrigin::input));
+    describe(joined.model, options_.execution.threads, joined.report);
     joined.warnings = std::move(warnings_);
     return joined;
   }
 
-  void report(Joined& joined) {
-    ReconstructReport& sum = joined.report;
-    for (const PieceAt& piece : pieces_) reports_.push_back(piece.record.report);
+  // False, and nothing is done, of a model that lies elsewhere than its stack.
+  Result<bool> into(io::VtuStream& stream) {
+    bool placed = false;
+    const Result<void> added =
+        for_each_stretch([&](const Model& model, const SlabRange& slabs) -> Result<void> {
+          placed = placed || model.frame != Frame{};
+          return placed ? Result<void>() : stream.add(model, slabs);
+        });
+    if (!added) return added.error();
+    stream.rest().component_names = any().names;
+    return !placed;
+  }
+
+  Result<StagedJoin> staged(io::VtuStream& stream, Encoding encoding,
+                            io::TemporaryWatcher* watcher) {
+    StagedJoin joined{sums(), settled(), std::move(warnings_), {}};
+    const Result<void> told = pieces::describe_streamed(stream, joined.report);
+    if (!told) return told.error();
+    Result<io::Staged> file = stream.stage(encoding, watcher);
+    if (!file) return file.error();
+    add_warnings(file->warnings, joined.warnings);
+    joined.files = std::move(file->files);
+    return joined;
+  }
+
+  static void add_warnings(const std::vector<Warning>& more, std::vector<Warning>& warnings) {
+    warnings.insert(warnings.end(), more.begin(), more.end());
+  }
+
+  // Of all that was built.
+  [[nodiscard]] ReconstructReport sums() const {
+    ReconstructReport sum;
     for (const ReconstructReport& part : reports_) add_up(part, sum);
+    for (const PieceAt& piece : pieces_) add_up(piece.record.report, sum);
     sum.slices = any().sections;
-    sum.input_vertices = static_cast<std::size_t>(
-        std::count(joined.model.origin.begin(), joined.model.origin.end(), PointOrigin::input));
-    describe(joined.model, options_.execution.threads, sum);
+    return sum;
   }
 
   std::span<const std::string> paths_;
@@ -229,6 +303,39 @@ class Joining {
 };
 
 }  // namespace
+
+Result<pieces::StagedJoin> pieces::stage_joined(const std::string& path,
+                                                std::span<const std::string> paths,
+                                                const JoinOptions& options,
+                                                const WriteOptions& writing,
+                                                io::TemporaryWatcher* watcher) {
+  return guard_threads(options, [&](const JoinOptions& own) -> Result<StagedJoin> {
+    return Joining(paths, own).write(path, writing, watcher);
+  });
+}
+
+Result<void> pieces::describe_streamed(io::VtuStream& stream, ReconstructReport& report) {
+  const Result<io::VtuStream::Figures> figures = stream.figures();
+  if (!figures) return figures.error();
+  report.vertices = figures->vertices;
+  report.tets = figures->tets;
+  report.components = stream.rest().component_count;
+  report.volume = figures->volume;
+  report.input_vertices = figures->input_vertices;
+  report.split_vertices = figures->split_vertices;
+  report.work += figures->split_vertices;
+  return {};
+}
+
+Result<WrittenJoin> write_joined(const std::string& path, std::span<const std::string> pieces,
+                                 const JoinOptions& options, const WriteOptions& writing) {
+  Result<pieces::StagedJoin> joined = pieces::stage_joined(path, pieces, options, writing);
+  if (!joined) return joined.error();
+  return guard_internal([&]() -> Result<WrittenJoin> {
+    if (Result<void> done = io::commit_all(joined->files); !done) return done.error();
+    return WrittenJoin{joined->report, joined->settled, std::move(joined->warnings)};
+  });
+}
 
 Result<Joined> join_pieces(std::span<const std::string> pieces, const JoinOptions& options) {
   return guard_threads(options, [&](const JoinOptions& own) -> Result<Joined> {

@@ -10,6 +10,7 @@
 #include <tetloft/pieces.hpp>
 
 #include "io/stage.hpp"
+#include "io/vtu_stream.hpp"
 #include "pieces/piece_record.hpp"
 #include "pieces/plan_head.hpp"
 #include "reconstruct/prepare.hpp"
@@ -37,6 +38,22 @@ struct StagedPiece {
 [[nodiscard]] Result<StagedPiece> stage_piece(const std::string& path, const std::string& plan,
                                               const SlabRange& slabs, const PieceOptions& options,
                                               io::TemporaryWatcher* watcher = nullptr);
+
+struct StagedJoin {
+  ReconstructReport report;
+  std::size_t settled = 0;
+  std::vector<Warning> warnings;
+  std::vector<io::PendingFile> files;
+};
+/// As write_joined().
+[[nodiscard]] Result<StagedJoin> stage_joined(const std::string& path,
+                                              std::span<const std::string> paths,
+                                              const JoinOptions& options,
+                                              const WriteOptions& writing,
+                                              io::TemporaryWatcher* watcher = nullptr);
+
+/// What is told of a whole model, as internal::describe(); and its input vertices.
+[[nodiscard]] Result<void> describe_streamed(io::VtuStream& stream, ReconstructReport& report);
 
 [[nodiscard]] PlanSummary summary_of(const PlanHead& head, std::uint64_t identity);
 [[nodiscard]] PieceSummary summary_of(const PieceRecord& record);

@@ -51,6 +51,11 @@ std::vector<std::string> write_pieces(const Folder& folder, const Cuts& cuts) {
   return paths;
 }
 
+std::string bytes_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
 void expect_joined(const SectionStack& stack, const ReconstructOptions& options, const Cuts& cuts,
                    std::size_t settled) {
   const Folder folder;
@@ -67,6 +72,20 @@ void expect_joined(const SectionStack& stack, const ReconstructOptions& options,
   EXPECT_TRUE(same_bits(joined->model, direct->model));
   EXPECT_EQ(*format_vtu(joined->model), *format_vtu(direct->model));
   EXPECT_EQ(joined->settled, settled);
+  for (const Encoding encoding : {Encoding::binary, Encoding::ascii, Encoding::compressed}) {
+    const auto written = write_joined(folder / "joined.vtu", paths, joining, {encoding, {}});
+    ASSERT_TRUE(written.ok()) << to_string(written.error());
+    EXPECT_EQ(bytes_of(folder / "joined.vtu"), *format_vtu(direct->model, encoding));
+    EXPECT_EQ(written->settled, settled);
+    EXPECT_EQ(written->report.volume, direct->report.volume);
+    EXPECT_EQ(written->report.rules, joined->report.rules);
+    EXPECT_EQ(written->report.work, joined->report.work);
+    EXPECT_EQ(written->report.vertices, direct->report.vertices);
+    EXPECT_EQ(written->report.tets, direct->report.tets);
+    EXPECT_EQ(written->report.components, direct->report.components);
+    EXPECT_EQ(written->report.input_vertices, direct->report.input_vertices);
+    EXPECT_EQ(written->report.split_vertices, direct->report.split_vertices);
+  }
   // What was built twice counts twice.
   if (settled == 0) {
     EXPECT_EQ(joined->report.rules, direct->report.rules);
@@ -90,6 +109,20 @@ TEST(Pieces, JoinedAreTheModelOfTheSingleRun) {
     options.correspondence.labels = {{SectionId(3), ContourId(0), 5}};
     expect_joined(stack, options, cuts, 0);
   }
+}
+
+TEST(Pieces, OfAStackThatLiesElsewhereAndOtherFormatsAreWritten) {
+  const Folder folder;
+  SectionStack stack = sample("torus.cnt");
+  stack.frame.origin = {1, 2, 3};
+  ASSERT_TRUE(write_plan(folder / "plan", stack).ok());
+  const auto paths = write_pieces(folder, {0, 7, 19});
+  const Model model = reconstruct(stack)->model;
+  ASSERT_TRUE(write_joined(folder / "joined.vtu", paths).ok());
+  EXPECT_EQ(bytes_of(folder / "joined.vtu"), *format_vtu(model));
+  ASSERT_TRUE(write_joined(folder / "joined.vtk", paths).ok());
+  ASSERT_TRUE(write_model(folder / "direct.vtk", model).ok());
+  EXPECT_EQ(bytes_of(folder / "joined.vtk"), bytes_of(folder / "direct.vtk"));
 }
 
 TEST(Pieces, ASingleSectionIsOnePiece) {
@@ -218,8 +251,7 @@ TEST(Pieces, DamagedPlansAreRefused) {
   const auto written = write_plan(folder / "plan", stack);
   ASSERT_TRUE(written.ok());
   EXPECT_EQ(check_plan(folder / "plan")->identity, written->summary.identity);
-  std::ifstream file(folder / "plan", std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  const std::string bytes = bytes_of(folder / "plan");
   const std::string path = folder / "damaged";
   for (std::size_t at = 0; at < bytes.size(); ++at) {
     std::string damaged = bytes;
