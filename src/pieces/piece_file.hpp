@@ -55,6 +55,21 @@ struct StagedJoin {
 /// What is told of a whole model, as internal::describe(); and its input vertices.
 [[nodiscard]] Result<void> describe_streamed(io::VtuStream& stream, ReconstructReport& report);
 
+struct StagedStream {
+  ReconstructReport report;
+  Model rest;  ///< without points and tets
+  std::vector<Warning> warnings;
+  std::vector<io::PendingFile> files;
+};
+/// As write_streamed().
+[[nodiscard]] Result<StagedStream> stage_streamed(const std::string& path, const GivenStack& given,
+                                                  const ReconstructOptions& options,
+                                                  Encoding encoding,
+                                                  io::TemporaryWatcher* watcher = nullptr);
+
+/// Of a stack planned.
+[[nodiscard]] PlanHead head_of(const BuiltStack& planned, const SectionStack& stack,
+                               const ReconstructOptions& options, const PlanSource& source);
 [[nodiscard]] PlanSummary summary_of(const PlanHead& head, std::uint64_t identity);
 [[nodiscard]] PieceSummary summary_of(const PieceRecord& record);
 /// Of the bytes of a file.
