@@ -105,26 +105,32 @@ struct WrittenPiece {
                                                            const std::string& plan,
                                                            std::size_t first, std::size_t end,
                                                            const PieceOptions& options = {});
-/// What a piece says of itself.
+/// What a piece says of itself. Its solid is not looked at.
 [[nodiscard]] TETLOFT_API Result<PieceSummary> read_piece(const std::string& path);
+/// Reads all of it: refused where its solid is not the one that was written.
+[[nodiscard]] TETLOFT_API Result<PieceSummary> check_piece(const std::string& path);
 
 struct JoinOptions {
   /// Needed where slabs are left open, not else. Empty: none.
   std::string plan = {};
+  /// Of the pieces that write_index() writes anew.
+  Encoding encoding = Encoding::binary;
   Execution execution = {};
 };
 
 struct Joined {
   Model model;
-  /// Seconds, work and rules are sums over all that was built, what joining built again too.
+  /// Work and rules are sums over all that was built, what joining built again too; seconds are
+  /// those of what joining built: a piece does not keep its own, which no two runs have alike.
   ReconstructReport report;
   std::size_t settled = 0;  ///< slabs built by joining
   std::vector<Warning> warnings;
 };
-/// The model of all pieces of a stack, given in any order: that of the single run. Refused
+/// The model of all pieces of a stack, given in any order: that of the single run. A .pvtu stands
+/// for the pieces that it lists. Refused
 /// (invalid_input), naming files and slabs, where pieces are of different plans, overlap, are
-/// missing, or differ in the section that they share; (usage) where slabs are open and no plan is
-/// given, or one that is not theirs.
+/// missing, damaged, or differ in the section that they share; (usage) where slabs are open and no
+/// plan is given, or one that is not theirs.
 [[nodiscard]] TETLOFT_API Result<Joined> join_pieces(std::span<const std::string> pieces,
                                                      const JoinOptions& options = {});
 
@@ -159,5 +165,23 @@ struct WrittenStream {
 [[nodiscard]] TETLOFT_API Result<WrittenStream> write_streamed(
     const std::string& path, const ValidStack& stack, const ReconstructOptions& options = {},
     Encoding encoding = Encoding::binary);
+
+struct WrittenIndex {
+  std::vector<std::string> pieces;   ///< the files that are listed, from the lowest slabs up
+  std::vector<std::string> written;  ///< those of them that were written anew
+  std::size_t settled = 0;           ///< slabs built by joining
+  std::size_t tets = 0;
+  std::size_t components = 0;
+  std::vector<Warning> warnings;
+};
+/// All pieces of a stack, given in any order, as one solid that stays where it is: writes a .pvtu,
+/// which lists the pieces by their paths from its folder. Pieces with slabs that were left open are
+/// written anew, these slabs built from the plan, beside it: of "out.pvtu" the k-th one as
+/// "out_k.vtu"; what was given stays. Sections between two pieces have their vertices in both, bit
+/// for bit. All files appear or none. Memory: two pieces, and what is built. Refused as
+/// join_pieces() does, and (usage) a path without ".pvtu".
+[[nodiscard]] TETLOFT_API Result<WrittenIndex> write_index(const std::string& path,
+                                                           std::span<const std::string> pieces,
+                                                           const JoinOptions& options = {});
 
 }  // namespace tetloft

@@ -2,7 +2,6 @@
 #include "cli/convert_model.hpp"
 
 #include <algorithm>
-#include <array>
 #include <iterator>
 #include <utility>
 #include <vector>
@@ -23,19 +22,6 @@ namespace tetloft::cli {
 using namespace internal;
 
 namespace {
-
-constexpr std::array kOfModels{Contents::model, Contents::surface};
-
-// Names of formats that write solids or boundaries, each once.
-std::vector<std::string_view> target_names() {
-  std::vector<std::string_view> names;
-  for (const FormatInfo& format : formats()) {
-    const bool writes = std::any_of(kOfModels.begin(), kOfModels.end(),
-                                    [&](Contents c) { return format.writes.has(c); });
-    if (writes) names.push_back(format.name);
-  }
-  return names;
-}
 
 std::vector<std::string_view> target_extensions() {
   std::vector<std::string_view> all = output_extensions(Contents::model);
@@ -58,11 +44,6 @@ struct ModelConversion {
   bool per_component = false;
   Encoding encoding = Encoding::binary;
 };
-
-// A format that writes solids is taken for those.
-bool writes_solid(const std::string& output, const std::string& to) {
-  return io::choose_writer(io::format_table(), Contents::model, output, to).ok();
-}
 
 // That of the output tells the format, unless --to does. Files beside the output have its name,
 // with extensions of their own: it must have one, too.
@@ -96,7 +77,7 @@ Result<ModelConversion> conversion_of(const Arguments& arguments, const std::str
   conversion.model_format = *model_format;
   const auto to = arguments.choice("--to");
   if (!to) return to.error();
-  if (*to) conversion.to = std::string(target_names()[**to]);
+  if (*to) conversion.to = std::string(model_targets()[**to]);
   const Result<Encoding> encoding = encoding_of(arguments);
   if (!encoding) return encoding.error();
   conversion.encoding = *encoding;
@@ -200,7 +181,7 @@ Error with_way_out(Error error, const std::string& path) {
 }  // namespace
 
 std::vector<Option> model_conversion_options() {
-  const auto names = target_names();
+  const auto names = model_targets();
   return {model_format_option(),
           {"--to",
            "NAME",

@@ -54,6 +54,19 @@ std::vector<std::string_view> output_extensions(Contents contents) {
   return io::extensions_of(io::format_table(), contents, Direction::writing);
 }
 
+std::vector<std::string_view> model_targets() {
+  std::vector<std::string_view> names;
+  for (const FormatInfo& format : formats()) {
+    const bool writes = format.writes.has(Contents::model) || format.writes.has(Contents::surface);
+    if (writes) names.push_back(format.name);
+  }
+  return names;
+}
+
+bool writes_solid(const std::string& output, const std::string& to) {
+  return io::choose_writer(io::format_table(), Contents::model, output, to).ok();
+}
+
 bool has_input_extension(const std::string& path, Contents contents) {
   return std::any_of(
       io::format_table().begin(), io::format_table().end(), [&](const io::Format* format) {

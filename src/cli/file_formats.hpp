@@ -24,6 +24,12 @@ namespace tetloft::cli {
 /// The extensions of what can be written.
 [[nodiscard]] std::vector<std::string_view> output_extensions(Contents contents);
 
+/// Names of formats that write solids or boundaries, each once.
+[[nodiscard]] std::vector<std::string_view> model_targets();
+/// Whether the format of this name, or if it is empty that of the output's extension, takes solids:
+/// one that does gets the solid of a model, another one the boundary.
+[[nodiscard]] bool writes_solid(const std::string& output, const std::string& to);
+
 /// Whether a file of this name would be read as such contents.
 [[nodiscard]] bool has_input_extension(const std::string& path, Contents contents);
 

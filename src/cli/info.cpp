@@ -11,6 +11,7 @@
 #include "cli/commands.hpp"
 #include "cli/file_formats.hpp"
 #include "cli/file_summary.hpp"
+#include "cli/plan_info.hpp"
 #include "cli/progress.hpp"
 #include "cli/read_options.hpp"
 #include "io/files.hpp"
@@ -24,12 +25,15 @@ namespace {
 Usage info_usage() {
   std::vector<Option> options = read_option_list();
   for (const Option& option : {kJsonOption, kQuietOption, kHelpOption}) options.push_back(option);
-  return {"info",
-          "What a file holds: structures, labels, voxels; sections, contours, nesting, areas.",
-          {input_word("IN", Contents::stack)},
-          std::move(options),
-          "Depth counts the contours around a contour: even for outer contours, odd for holes. "
-          "A region is an outer contour with its immediate holes; areas are those of regions."};
+  return {
+      "info",
+      "What a file holds: structures, labels, voxels; sections, contours, nesting, areas.",
+      {input_word("IN", Contents::stack)},
+      std::move(options),
+      "Depth counts the contours around a contour: even for outer contours, odd for holes. "
+      "A region is an outer contour with its immediate holes; areas are those of regions. IN may "
+      "also be a plan (tetloft plan), or a piece of a planned stack: all of it is read and "
+      "checked."};
 }
 
 struct SectionInfo {
@@ -224,12 +228,25 @@ Result<std::optional<SectionStack>> stack_of(const File& file, const FileSummary
   return std::optional(std::move(read->stack));
 }
 
+Result<int> delivered(const std::string& text, Console& console) {
+  if (text.empty()) return 0;
+  const Result<void> told = console.deliver(text);
+  if (!told) return told.error();
+  return 0;
+}
+
 Result<int> run_info(const Arguments& arguments, Console& console) {
   auto options = read_options(arguments);
   if (!options) return options.error();
   if (options->structure == kAllStructures) options->structure.clear();  // all are listed anyway
   const Result<File> file = open_file(arguments);
   if (!file) return file.error();
+  if (!file->bytes) {
+    const Result<std::optional<std::string>> part = plan_or_piece_info(file->path, console);
+    if (!part) return part.error();
+    if (*part)
+      return delivered(console.quiet() && !console.json() ? std::string() : **part, console);
+  }
   Progress progress(!console.quiet());
   options->execution.progress = progress.callback();
   const Result<FileSummary> summary = file->bytes
@@ -240,15 +257,13 @@ Result<int> run_info(const Arguments& arguments, Console& console) {
   const auto stack = stack_of(*file, *summary, *options, console);
   if (!stack) return stack.error();
   const SectionStack* const made = stack->has_value() ? &**stack : nullptr;
-  Result<void> told;
+  std::string told;
   if (console.json()) {
-    told = console.deliver(to_json(*summary, made, console));
+    told = to_json(*summary, made, console);
   } else if (!console.quiet()) {
-    told = console.deliver(describe_summary(*summary) +
-                           (made == nullptr ? "" : to_text(*made, stack_info(*made))));
+    told = describe_summary(*summary) + (made == nullptr ? "" : to_text(*made, stack_info(*made)));
   }
-  if (!told) return told.error();
-  return 0;
+  return delivered(told, console);
 }
 
 }  // namespace

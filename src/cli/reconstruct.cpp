@@ -2,6 +2,7 @@
 #include <optional>
 #include <utility>
 
+#include "cli/batch_inputs.hpp"
 #include "cli/commands.hpp"
 #include "cli/file_formats.hpp"
 #include "cli/geiger_method.hpp"
@@ -10,6 +11,7 @@
 #include "cli/outputs.hpp"
 #include "cli/progress.hpp"
 #include "cli/reconstruct_all.hpp"
+#include "cli/reconstruct_batch.hpp"
 #include "cli/reconstruct_piece.hpp"
 #include "cli/reconstruct_request.hpp"
 #include "cli/repaired_output.hpp"
@@ -25,20 +27,26 @@ using namespace internal;
 namespace {
 
 Usage reconstruct_usage() {
-  Usage usage{"reconstruct",
-              "From a stack of contours to a tetrahedral solid.",
-              {input_word("IN", Contents::stack)},
-              {{"--output", output_word("OUT", Contents::model),
-                "the solid: " + described_outputs(Contents::model), "-o"},
-               {"--surface", "FILE",
-                "its boundary: " + described_outputs(Contents::surface) +
-                    "; this or --output must be given"},
-               repaired_option()},
-              "A single section is made into a solid of --thickness, or of a tenth of the larger "
-              "side of its bounding box, with a warning. Nothing is written when the command "
-              "fails."};
+  Usage usage{
+      "reconstruct",
+      "From a stack of contours to a tetrahedral solid.",
+      {input_word("IN", Contents::stack)},
+      {{"--output", output_word("OUT", Contents::model),
+        "the solid: " + described_outputs(Contents::model), "-o"},
+       {"--surface", "FILE",
+        "its boundary: " + described_outputs(Contents::surface) +
+            "; this or --output must be given"},
+       repaired_option()},
+      "A single section is made into a solid of --thickness, or of a tenth of the larger "
+      "side of its bounding box, with a warning. Nothing is written when the command "
+      "fails. Where IN is a folder, all stacks in it are made into solids, several at once, "
+      "by the same options, and of IN.list those that it names: OUT is then a folder, too, "
+      "in which a log of JSON lines tells of each. Run again, it goes on: what the log "
+      "knows as done, input, options and output by their contents, is skipped. Those that "
+      "fail keep none from being made; the exit code is that of the first."};
   for (const Option& option : stack_options()) usage.options.push_back(option);
   for (const Option& option : solid_options()) usage.options.push_back(option);
+  for (const Option& option : batch_options()) usage.options.push_back(option);
   for (const Option& option :
        {Option{"--method",
                "NAME",
@@ -227,6 +235,10 @@ Result<Made> make_whole(const StackInput& input, ReconstructRequest& request, Se
 }
 
 Result<int> run_reconstruct(const Arguments& arguments, Console& console) {
+  if (names_many(arguments)) {
+    return reconstruct_batch(arguments, reconstruct_usage().options, console);
+  }
+  if (Result<void> fine = check_no_batch_options(arguments); !fine) return fine.error();
   if (arguments.has("--plan") || arguments.has("--slabs")) {
     return reconstruct_piece(arguments, console);
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "cli/file_formats.hpp"
 #include "cli/progress.hpp"
@@ -11,6 +12,7 @@
 #include "core/spelling.hpp"
 #include "io/numbers.hpp"
 #include "io/vtu_frame.hpp"
+#include "pieces/piece_file.hpp"
 
 namespace tetloft::cli {
 
@@ -67,8 +69,25 @@ Result<std::string> chosen_model_format(const Arguments& arguments) {
   return chosen_format(arguments, "--model-format", Contents::model);
 }
 
+namespace {
+
+// The pieces that an index lists are all in memory here.
+Result<Model> joined_model(const std::string& index, Console& console) {
+  JoinOptions options;
+  options.execution.threads = 1;
+  Result<Joined> joined = join_pieces(std::span(&index, 1), options);
+  if (!joined) return joined.error();
+  console.warn_of(index, joined->warnings);
+  return std::move(joined->model);
+}
+
+}  // namespace
+
 Result<Model> read_model_input(const std::string& path, const std::string& format,
                                Console& console) {
+  if (format.empty() && internal::pieces::is_index(input_path(path))) {
+    return joined_model(input_path(path), console);
+  }
   ReadOptions reading;
   reading.format = format;
   Result<ReadModel> read = read_model(input_path(path), reading);

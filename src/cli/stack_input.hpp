@@ -66,7 +66,8 @@ struct StackInput {
 /// --model-format.
 [[nodiscard]] Option model_format_option();
 [[nodiscard]] Result<std::string> chosen_model_format(const Arguments& arguments);
-/// Reads a model; "-" is standard input. Warnings go to the console.
+/// Reads a model; "-" is standard input; an index (.pvtu) is the solid of the pieces that it lists.
+/// Warnings go to the console.
 [[nodiscard]] Result<Model> read_model_input(const std::string& path, const std::string& format,
                                              Console& console);
 /// Puts a model whose file does not tell how the planes of its stack are turned back into the

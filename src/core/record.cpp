@@ -41,6 +41,10 @@ std::vector<std::byte> RecordWriter::take_bytes() {
   return result;
 }
 
+bool begins_as(std::string_view bytes, const RecordKind& kind) {
+  return bytes.starts_with(kMagic) && bytes.substr(kMagic.size()).starts_with(kind.letters);
+}
+
 RecordReader::RecordReader(std::span<const std::byte> bytes, const RecordKind& kind)
     : RecordReader({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, kind, {}) {}
 

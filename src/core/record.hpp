@@ -63,6 +63,9 @@ class RecordWriter {
   std::string bytes_;
 };
 
+/// Whether bytes begin as a record of this kind does, whatever comes behind.
+[[nodiscard]] bool begins_as(std::string_view bytes, const RecordKind& kind);
+
 class RecordReader {
  public:
   /// `name` stands for the file in messages.

@@ -29,13 +29,15 @@ namespace tetloft::internal::io {
 namespace {
 
 // The fields of points or of tets; without values they are left out: a model need not have
-// provenance.
-VtkGroup field_group(const char* element, const Model& model, bool of_points) {
+// provenance. Pieces have them always: those of a solid have the same arrays, also where one is
+// empty.
+VtkGroup field_group(const char* element, const Model& model, bool of_points, bool of_piece) {
   VtkGroup group{element, {}};
   for_each_field([&](const auto& field) {
     using Field = std::remove_cvref_t<decltype(field)>;
     const auto& values = (model.*field.values).raw();
-    if (Field::kOfPoints != of_points || values.empty()) return;
+    const bool is_there = !values.empty() || (of_piece && Field::due(model) == 0);
+    if (Field::kOfPoints != of_points || !is_there) return;
     group.arrays.push_back(vtk_array<typename Field::Stored::Type>(
         std::string(field.name), 1, values.size(),
         [&values](std::size_t i) { return Field::Stored::store(values[i]); }));
@@ -78,15 +80,16 @@ std::vector<Warning> append_mesh(Sink& sink, VtkGroup tables, std::vector<VtkGro
 }
 
 Written write_grid(Sink& sink, const Model& model, const Target& target) {
-  std::vector<VtkGroup> fields{field_group("PointData", model, true),
-                               field_group("CellData", model, false)};
+  const bool of_piece = !target.piece.empty();
+  std::vector<VtkGroup> fields{field_group("PointData", model, true, of_piece),
+                               field_group("CellData", model, false, of_piece)};
   VtkGroup tables = vtu_tables(model);
   if (target.stack_points != nullptr) {
     tables.arrays.push_back(frame_array(model.frame));
     if (!is_exact(model.frame)) fields[0].arrays.push_back(stack_point_array(*target.stack_points));
   }
   add_texts(model, tables);
-  if (!target.piece.empty()) tables.arrays.push_back(piece_array(target.piece));
+  if (of_piece) tables.arrays.push_back(piece_array(target.piece));
   return append_mesh(sink, std::move(tables), std::move(fields), model.points.raw(),
                      model.tets.raw(), target.options.encoding);
 }
@@ -102,6 +105,10 @@ Written write_mesh(Sink& sink, const std::vector<Point3>& points,
 bool is_grid(std::string_view bytes) { return is_vtk_file(bytes, "UnstructuredGrid"); }
 
 }  // namespace
+
+bool names_piece(std::string_view file) {
+  return is_grid(file) && file.find(kPieceArray) != std::string_view::npos;
+}
 
 VtkGroup vtu_tables(const Model& model) {
   VtkGroup group{"FieldData", {}};

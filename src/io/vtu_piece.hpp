@@ -20,6 +20,9 @@ inline constexpr std::string_view kPieceArray = "tetloft_piece";
                                          std::string_view bytes, Encoding encoding,
                                          TemporaryWatcher* watcher = nullptr);
 
+/// Whether a file is a .vtu that speaks of such bytes, well formed or not.
+[[nodiscard]] bool names_piece(std::string_view file);
+
 /// The bytes alone; refused (invalid_input) where there are none.
 [[nodiscard]] Result<std::string> piece_bytes(std::string_view file, const std::string& name);
 

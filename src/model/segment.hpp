@@ -44,6 +44,9 @@ struct AddedSegment {
 
 class SegmentNumbers {
  public:
+  /// Of slabs from this one on.
+  explicit SegmentNumbers(std::size_t first_slab = 0) : slabs_(first_slab) {}
+
   /// Takes the tets of these slabs, which follow those before, out of a model that is numbered as
   /// gluing does it, its ids of slabs and sections those of the whole. Refused (invalid_input) is
   /// one that is not, or whose first section is not as the last one before, bit for bit.
@@ -54,6 +57,7 @@ class SegmentNumbers {
   [[nodiscard]] std::size_t constructed() const { return constructed_; }
   [[nodiscard]] std::size_t vertices() const { return section_vertices_ + constructed_; }
   [[nodiscard]] std::size_t tets() const { return tets_; }
+  /// Where the next segment begins.
   [[nodiscard]] std::size_t slabs() const { return slabs_; }
 
   /// Of AddedSegment::number, when all are added.
@@ -73,7 +77,7 @@ class SegmentNumbers {
   std::size_t section_vertices_ = 0;
   std::size_t constructed_ = 0;
   std::size_t tets_ = 0;
-  std::size_t slabs_ = 0;
+  std::size_t slabs_;  // the next one
   bool any_ = false;
   std::vector<Seam> seam_;
 };
@@ -84,6 +88,9 @@ void append_rows(const Model& model, const SlabRange& slabs, Model& whole);
 /// All in memory: the segments' model.
 class JoinedModel {
  public:
+  /// Of slabs from this one on.
+  explicit JoinedModel(std::size_t first_slab = 0) : numbers_(first_slab) {}
+
   [[nodiscard]] Result<void> add(const Model& model, const SlabRange& slabs);
   /// With component_count, frame and texts of the first.
   [[nodiscard]] Model take();

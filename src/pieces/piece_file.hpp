@@ -2,6 +2,7 @@
 // caller commits them.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -74,5 +75,39 @@ struct StagedStream {
 [[nodiscard]] PieceSummary summary_of(const PieceRecord& record);
 /// Of the bytes of a file.
 [[nodiscard]] Result<PieceRecord> piece_record_of(std::string_view file, const std::string& name);
+/// The solid of the piece that has this record. Refused (invalid_input) where it is not the one
+/// that was written.
+[[nodiscard]] Result<Model> piece_model(const std::string& path, const PieceRecord& record);
+
+struct WholePiece {
+  PieceRecord record;
+  Model model;
+};
+/// Both.
+[[nodiscard]] Result<WholePiece> read_whole_piece(const std::string& path);
+
+/// A .vtu of the piece that has this record, whose digest is set.
+[[nodiscard]] Result<io::Staged> stage_whole_piece(const std::string& path, WholePiece& piece,
+                                                   Encoding encoding,
+                                                   io::TemporaryWatcher* watcher);
+
+struct StagedIndex {
+  WrittenIndex index;
+  std::vector<io::PendingFile> files;
+};
+/// As write_index().
+[[nodiscard]] Result<StagedIndex> stage_index(const std::string& path,
+                                              std::span<const std::string> pieces,
+                                              const JoinOptions& options,
+                                              io::TemporaryWatcher* watcher = nullptr);
+
+/// Whether it is a file whose contents are an index (.pvtu).
+[[nodiscard]] bool is_index(const std::string& path);
+/// Files of pieces: what each index among these lists, in its place.
+[[nodiscard]] Result<std::vector<std::string>> listed_pieces(std::span<const std::string> paths);
+
+/// What a file is, as its contents say; what is cut off or damaged counts, too.
+enum class Part : std::uint8_t { none, plan, piece };
+[[nodiscard]] Result<Part> part_of(const std::string& path);
 
 }  // namespace tetloft::internal::pieces

@@ -10,7 +10,7 @@ namespace tetloft::internal::pieces {
 
 namespace {
 
-constexpr RecordKind kPiece{"piec", 1, "a piece"};
+constexpr RecordKind kPiece{"piec", kPieceVersion, "a piece"};
 constexpr std::size_t kCluster = 2 * sizeof(std::uint64_t) + 3;
 
 void put_report(const ReconstructReport& report, RecordWriter& out) {
@@ -21,7 +21,6 @@ void put_report(const ReconstructReport& report, RecordWriter& out) {
   out.put(report.smallest_lift);
   out.put(report.work);
   out.put_all(report.rules);
-  out.put_all(report.seconds);
 }
 
 void get_report(RecordReader& in, ReconstructReport& report) {
@@ -32,13 +31,10 @@ void get_report(RecordReader& in, ReconstructReport& report) {
   report.smallest_lift = in.get<double>();
   report.work = in.get<std::uint64_t>();
   const std::vector<std::uint64_t> rules = in.get_all<std::uint64_t>();
-  const std::vector<double> seconds = in.get_all<double>();
-  in.require(rules.size() == report.rules.size() && seconds.size() == report.seconds.size(),
-             "counts rules or steps that there are not");
+  in.require(rules.size() == report.rules.size(), "counts rules that there are not");
   if (in.refused()) return;
   in.require(std::isfinite(report.smallest_lift), "has a number that is not finite");
   std::copy(rules.begin(), rules.end(), report.rules.begin());
-  std::copy(seconds.begin(), seconds.end(), report.seconds.begin());
 }
 
 }  // namespace
@@ -60,6 +56,7 @@ std::string to_record(const PieceRecord& piece) {
   }
   out.put_count(piece.names.size());
   for (const std::string& name : piece.names) out.put_text(name);
+  out.put(piece.digest);
   put_report(piece.report, out);
   return out.take();
 }
@@ -91,6 +88,7 @@ Result<PieceRecord> piece_from_record(std::string_view bytes, const std::string&
     }
     piece.names.resize(in.get_count(sizeof(std::uint64_t)));
     for (std::string& text : piece.names) text = in.get_text();
+    piece.digest = in.get<std::uint64_t>();
     in.require(piece.names.empty() || piece.names.size() == piece.components,
                "names other components than it counts");
     get_report(in, piece.report);

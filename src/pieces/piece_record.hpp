@@ -12,6 +12,8 @@
 
 namespace tetloft::internal::pieces {
 
+inline constexpr std::uint32_t kPieceVersion = 1;
+
 struct PieceRecord {
   std::uint64_t plan = 0;    ///< identity
   std::size_t sections = 0;  ///< of the whole stack
@@ -19,7 +21,9 @@ struct PieceRecord {
   SlabRange slabs;
   std::vector<ClusterSpan> clusters;
   IdVector<ComponentId, std::string> names;  ///< Model::component_names of the whole
-  /// Of its parts; what is told of a whole model is 0.
+  std::uint64_t digest = 0;                  ///< of its solid: model/digest.hpp
+  /// Of its parts; what is told of a whole model is 0, and so are seconds: a piece that is built
+  /// twice has the same bytes.
   ReconstructReport report;
 };
 

@@ -13,7 +13,7 @@ namespace tetloft::internal::pieces {
 
 namespace {
 
-constexpr RecordKind kHead{"plan", 1, "a plan"};
+constexpr RecordKind kHead{"plan", kPlanVersion, "a plan"};
 constexpr std::size_t kLabel = 3 * sizeof(std::uint32_t);
 constexpr std::size_t kDecision = 3 * sizeof(std::uint32_t) + 1;
 
@@ -165,6 +165,8 @@ std::string to_record(const PlanHead& head) {
   for (const std::string& name : head.component_names) out.put_text(name);
   return out.take();
 }
+
+bool begins_as_plan(std::string_view bytes) { return begins_as(bytes, kHead); }
 
 Result<PlanHead> plan_head_from_record(std::string_view bytes, const std::string& name) {
   return guard_internal([&]() -> Result<PlanHead> {

@@ -12,6 +12,8 @@
 
 namespace tetloft::internal::pieces {
 
+inline constexpr std::uint32_t kPlanVersion = 1;
+
 struct PlanHead {
   StackFacts facts;
   /// As they were given; what is decided by them, labels and decisions, is in the plan.
@@ -28,6 +30,8 @@ struct PlanHead {
 };
 
 [[nodiscard]] std::string to_record(const PlanHead& head);
+/// Whether a file that begins so is a plan.
+[[nodiscard]] bool begins_as_plan(std::string_view bytes);
 /// What was written. Refused (invalid_input; `name` stands for the file) as records are, and where
 /// options are none.
 [[nodiscard]] Result<PlanHead> plan_head_from_record(std::string_view bytes,

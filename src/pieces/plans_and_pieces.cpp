@@ -13,6 +13,7 @@
 #include "io/bytes/checksum.hpp"
 #include "io/files.hpp"
 #include "io/vtu_piece.hpp"
+#include "model/digest.hpp"
 #include "pieces/piece_file.hpp"
 #include "pieces/plan_file.hpp"
 #include "reconstruct/component_names.hpp"
@@ -103,7 +104,8 @@ Result<StagedPiece> stage_piece(const std::string& path, const std::string& plan
     }
     Result<PlannedRange> made = build_range(*plan, slabs, own.execution);
     if (!made) return made.error();
-    PieceRecord record;
+    WholePiece whole;
+    PieceRecord& record = whole.record;
     record.plan = plan->identity();
     record.sections = plan->head().facts.sections;
     record.components = plan->head().facts.components;
@@ -117,8 +119,8 @@ Result<StagedPiece> stage_piece(const std::string& path, const std::string& plan
     piece.report.slices = slabs.end - slabs.first + 1;
     describe(made->built.model, own.execution.threads, piece.report);
     piece.warnings = std::move(made->warnings);
-    Result<io::Staged> staged =
-        io::stage_piece(path, made->built.model, to_record(record), own.encoding, watcher);
+    whole.model = std::move(made->built.model);
+    Result<io::Staged> staged = stage_whole_piece(path, whole, own.encoding, watcher);
     if (!staged) return staged.error();
     piece.files = std::move(staged->files);
     return piece;
@@ -141,6 +143,54 @@ Result<PieceRecord> piece_record_of(std::string_view file, const std::string& na
   const Result<std::string> bytes = io::piece_bytes(file, name);
   if (!bytes) return bytes.error();
   return piece_from_record(*bytes, name);
+}
+
+Result<Model> piece_model(const std::string& path, const PieceRecord& record) {
+  Result<Model> model = read_vtu(path);
+  if (!model) return model.error();
+  if (digest_of(*model) != record.digest) {
+    Error error{ErrorCode::invalid_input,
+                "the piece is damaged: its solid is not the one that was written",
+                {}};
+    error.where.file = path;
+    return error;
+  }
+  model->component_count = record.components;
+  model->component_names = record.names;
+  return model;
+}
+
+Result<io::Staged> stage_whole_piece(const std::string& path, WholePiece& piece, Encoding encoding,
+                                     io::TemporaryWatcher* watcher) {
+  piece.record.digest = digest_of(piece.model);
+  return io::stage_piece(path, piece.model, to_record(piece.record), encoding, watcher);
+}
+
+Result<WholePiece> read_whole_piece(const std::string& path) {
+  return guard_internal([&]() -> Result<WholePiece> {
+    const Result<std::string> bytes = io::read_file(path);
+    if (!bytes) return bytes.error();
+    Result<PieceRecord> record = piece_record_of(*bytes, path);
+    if (!record) return record.error();
+    Result<Model> model = piece_model(path, *record);
+    if (!model) return model.error();
+    return WholePiece{std::move(*record), std::move(*model)};
+  });
+}
+
+Result<Part> part_of(const std::string& path) {
+  return guard_internal([&]() -> Result<Part> {
+    std::ifstream file(path, std::ios::binary);
+    std::string first(64, '\0');
+    file.read(first.data(), static_cast<std::streamsize>(first.size()));
+    first.resize(static_cast<std::size_t>(file.gcount()));
+    if (begins_as_plan(first)) return Part::plan;
+    // Of a large file of another kind no more is read.
+    if (first.find('<') == std::string::npos) return Part::none;
+    const Result<std::string> bytes = io::read_file(path);
+    if (!bytes) return bytes.error();
+    return io::names_piece(*bytes) ? Part::piece : Part::none;
+  });
 }
 
 }  // namespace internal::pieces
@@ -239,6 +289,12 @@ Result<PieceSummary> read_piece(const std::string& path) {
     if (!record) return record.error();
     return pieces::summary_of(*record);
   });
+}
+
+Result<PieceSummary> check_piece(const std::string& path) {
+  const Result<pieces::WholePiece> piece = pieces::read_whole_piece(path);
+  if (!piece) return piece.error();
+  return pieces::summary_of(piece->record);
 }
 
 }  // namespace tetloft

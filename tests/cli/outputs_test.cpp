@@ -21,6 +21,15 @@ class Outputs : public ::testing::Test {
     test::put(in_, test::kFork);
     test::put(points_, "0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
     EXPECT_EQ(run({"reconstruct", in_, "-o", model_, "--quiet"}).code, 0);
+    EXPECT_EQ(run({"plan", in_, "-o", plan_, "--quiet"}).code, 0);
+    EXPECT_EQ(run(with({"-o", piece_, "--quiet"})).code, 0);
+  }
+
+  // A piece that is all of the stack.
+  [[nodiscard]] std::vector<std::string> with(const std::vector<std::string>& more) const {
+    std::vector<std::string> words{"reconstruct", in_, "--plan", plan_, "--slabs", "0:1"};
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
   }
 
   // Every command that writes files, with the files it writes.
@@ -40,6 +49,9 @@ class Outputs : public ::testing::Test {
             {{"between", in_, "-o", folder_.file("o.cnt")}, {folder_.file("o.cnt")}},
             {{"between", in_, "-o", folder_.file("o.cnt"), "--labels-out", folder_.file("o.txt")},
              {folder_.file("o.cnt"), folder_.file("o.txt")}},
+            {{"plan", in_, "-o", folder_.file("o.plan")}, {folder_.file("o.plan")}},
+            {with({"-o", solid}), {solid}},
+            {{"join", piece_, "-o", solid, "--surface", surface}, {solid, surface}},
             {{"skeleton", in_, "-o", lines}, {lines}},
             {{"render", model_, "-o", page}, {page}}};
   }
@@ -56,6 +68,8 @@ class Outputs : public ::testing::Test {
   std::string in_ = folder_.file("in.cnt");
   std::string points_ = folder_.file("points.txt");
   std::string model_ = folder_.file("model.vtu");
+  std::string plan_ = folder_.file("in.plan");
+  std::string piece_ = folder_.file("piece.vtu");
 };
 
 TEST_F(Outputs, AppearOnlyWhereTheResultReachedItsReader) {

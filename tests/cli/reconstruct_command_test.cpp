@@ -225,7 +225,7 @@ TEST_F(ReconstructCommand, TellsTheErrorsPlaceInJson) {
 TEST_F(ReconstructCommand, TellsOfFilesThatCannotBeReadOrWritten) {
   expect_failure({"reconstruct", folder_.file("none.cnt"), "-o", out_}, 4, "io", "none.cnt",
                  {out_});
-  expect_failure({"reconstruct", folder_.file(""), "-o", out_}, 4, "io", "", {out_});
+  expect_failure({"reconstruct", folder_.file(""), "-o", out_}, 2, "usage", "many stacks", {out_});
   expect_failure({"reconstruct", in_, "-o", folder_.file("none/o.vtu")}, 4, "io", "none/o.vtu");
   std::filesystem::create_directory(folder_.file("f.vtu"));
   expect_failure({"reconstruct", in_, "-o", folder_.file("f.vtu")}, 4, "io", "f.vtu");

@@ -25,6 +25,8 @@ TEST(Help, IsPrintedByEveryCommand) {
                                                 {"between", "--help"},
                                                 {"delaunay", "--help"},
                                                 {"info", "--help"},
+                                                {"plan", "--help"},
+                                                {"join", "--help"},
                                                 {"reconstruct", "x.cnt", "--help"}}) {
     const Outcome outcome = run(words);
     EXPECT_EQ(outcome.code, 0) << words.back();
@@ -36,13 +38,16 @@ TEST(Help, IsPrintedByEveryCommand) {
 TEST(Help, NamesEveryOption) {
   const std::string help = run({"reconstruct", "--help"}).out;
   for (const char* option :
-       {"-o", "--surface", "--correspondence", "--overlap", "--no-chain", "--no-lone", "--voids",
-        "--labels", "--ends", "--thickness", "--repair", "--repair-distance", "--snap", "--threads",
-        "--verify", "--ascii", "--json", "--quiet", "--help"}) {
+       {"-o",        "--surface",         "--correspondence", "--overlap", "--no-chain",
+        "--no-lone", "--voids",           "--labels",         "--ends",    "--thickness",
+        "--repair",  "--repair-distance", "--snap",           "--threads", "--verify",
+        "--plan",    "--slabs",           "--ascii",          "--json",    "--quiet",
+        "--help"}) {
     EXPECT_NE(help.find(option), std::string::npos) << option;
   }
   const std::string general = run({"--help"}).out;
-  for (const char* command : {"reconstruct", "check", "links", "between", "delaunay", "info"}) {
+  for (const char* command :
+       {"reconstruct", "check", "links", "between", "delaunay", "info", "plan", "join"}) {
     EXPECT_NE(general.find(command), std::string::npos) << command;
   }
 }
@@ -67,8 +72,8 @@ TEST(Usage, ShowsTheHelpWhereNothingIsAsked) {
 }
 
 TEST(Help, OfACommandByItsName) {
-  for (const char* command :
-       {"reconstruct", "check", "links", "between", "delaunay", "skeleton", "render", "info"}) {
+  for (const char* command : {"reconstruct", "check", "links", "between", "delaunay", "skeleton",
+                              "render", "info", "plan", "join"}) {
     const std::string help = run({command, "--help"}).out;
     EXPECT_EQ(run({"help", command}).out, help);
     EXPECT_EQ(run({command, "-h"}).out, help);
@@ -102,6 +107,8 @@ TEST(Usage, NeedsOperands) {
   expect_failure({"check", "a.vtu"}, 2, "usage", "missing IN");
   expect_failure({"delaunay"}, 2, "usage", "POINTS");
   expect_failure({"info"}, 2, "usage", "missing IN");
+  expect_failure({"plan"}, 2, "usage", "missing STACK");
+  expect_failure({"join"}, 2, "usage", "missing PIECE");
   expect_failure({"info", "a.cnt", "b.cnt"}, 2, "usage", "'b.cnt'");
   // Behind "--" nothing is an option.
   const Outcome outcome = run({"info", "--", "a.cnt", "--json"});

@@ -236,7 +236,7 @@ SectionStack lattice_stack(Prng& prng) {
 }
 
 TEST(Correspondence, IsTheSameOnLattices) {
-  constexpr std::uint64_t kStacks = 400;
+  constexpr std::uint64_t kStacks = 50 * TETLOFT_STACKS_IN_EIGHT;
   for (std::uint64_t seed = 1; seed <= kStacks; ++seed) {
     Prng prng(seed);
     Tried tried{lattice_stack(prng), 1, prng};
@@ -249,7 +249,7 @@ TEST(Correspondence, IsTheSameOnLattices) {
 }
 
 TEST(Correspondence, IsTheSameWhenItIsComputedAnew) {
-  constexpr std::uint64_t kSeeds = 8;
+  constexpr std::uint64_t kSeeds = TETLOFT_STACKS_IN_EIGHT;
   std::size_t answers[3] = {};
   std::size_t with_oracle = 0;
   for (const StackKind kind : all_kinds()) {
@@ -268,10 +268,10 @@ TEST(Correspondence, IsTheSameWhenItIsComputedAnew) {
       }
     }
   }
-  EXPECT_GT(answers[0], 1000U);
-  EXPECT_GT(answers[1], 15U);
-  EXPECT_GT(answers[2], 40U);
-  EXPECT_GT(with_oracle, 100U);
+  EXPECT_GT(answers[0], 125 * kSeeds);
+  EXPECT_GT(answers[1], kSeeds);
+  EXPECT_GT(answers[2], 5 * kSeeds);
+  EXPECT_GT(with_oracle, 12 * kSeeds);
 }
 
 }  // namespace

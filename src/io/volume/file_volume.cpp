@@ -28,6 +28,15 @@ FileVolume::FileVolume(VolumeHeader header, VoxelData data, std::uint64_t block)
   header_ = std::move(header);
 }
 
+std::vector<std::string> FileVolume::data_files() const {
+  std::vector<std::string> files;
+  for (const DataPart& part : data_.parts) {
+    const bool known = std::find(files.begin(), files.end(), part.path) != files.end();
+    if (!part.path.empty() && !known) files.push_back(part.path);
+  }
+  return files;
+}
+
 Result<void> FileVolume::for_each_piece(std::size_t layer, const TakeValues& take) {
   if (block_ < kValuesAtOnce && header_.layers > 1) return take_mixed(layer, take);
   SampleStream samples(data_);

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "io/volume/data_stream.hpp"
 #include "io/volume/volume.hpp"
@@ -29,6 +30,7 @@ class FileVolume final : public Volume {
   FileVolume(VolumeHeader header, VoxelData data, std::uint64_t block);
 
   Result<void> for_each_piece(std::size_t layer, const TakeValues& take) override;
+  [[nodiscard]] std::vector<std::string> data_files() const override;
 
  private:
   Result<void> take_run(SampleStream& samples, std::uint64_t count, const TakeValues& take);

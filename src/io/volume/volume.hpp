@@ -48,6 +48,9 @@ class Volume {
   /// error of `take`.
   virtual Result<void> for_each_piece(std::size_t layer, const TakeValues& take) = 0;
 
+  /// The files that the values are read from, beside that of the header; each once.
+  [[nodiscard]] virtual std::vector<std::string> data_files() const { return {}; }
+
  protected:
   VolumeHeader header_;
 };

@@ -13,6 +13,7 @@
 
 #include <tetloft/check.hpp>
 
+#include "pieces/piece_file.hpp"
 #include "property/same_model.hpp"
 #include "support/slabs/cases.hpp"
 #include "support/stacks/generate.hpp"
@@ -374,6 +375,91 @@ TEST(Pieces, DamagedPlansAreRefused) {
     std::ofstream(path, std::ios::binary) << bytes.substr(0, size);
     EXPECT_FALSE(read_plan(path).ok()) << size;
   }
+}
+
+// What of a piece's bytes has no meaning may be anything; all else is missed.
+TEST(Pieces, DamagedPiecesAreRefused) {
+  const Folder folder;
+  const SectionStack stack =
+      stack_of_boxes({{box(0, 0, 4, 2)}, {box(0, 0, 3, 2), box(5, 0, 6, 2)}, {box(1, 0, 2, 2)}});
+  ASSERT_TRUE(write_plan(folder / "plan", stack).ok());
+  const auto paths = write_pieces(folder, {0, 1, 2});
+  const auto whole = join_pieces(paths);
+  ASSERT_TRUE(whole.ok()) << to_string(whole.error());
+  std::ifstream file(paths[1], std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  const std::size_t data = bytes.find("<AppendedData");
+  ASSERT_LT(data, bytes.size());
+  std::size_t refused = 0;
+  std::size_t tried = 0;
+  for (std::size_t at = 0; at < bytes.size(); at += 37) {
+    std::string damaged = bytes;
+    damaged[at] = static_cast<char>(damaged[at] ^ (1 << at % 8));
+    std::ofstream(paths[1], std::ios::binary) << damaged;
+    const auto joined = join_pieces(paths);
+    if (at >= data) ++tried;
+    if (joined.ok()) {
+      EXPECT_TRUE(same_bits(joined->model, whole->model)) << at;
+      continue;
+    }
+    EXPECT_EQ(joined.error().where.file, paths[1]) << at;
+    if (at >= data) ++refused;
+  }
+  EXPECT_GT(refused, tried * 9 / 10);
+}
+
+TEST(Pieces, AreListedAndAnIndexStandsForThem) {
+  const Folder folder;
+  const SectionStack stack = sample("torus.cnt");
+  ASSERT_TRUE(write_plan(folder / "plan", stack).ok());
+  const auto paths = write_pieces(folder, {0, 7, 12, 19});
+  const auto written = write_index(folder / "all.pvtu", paths);
+  ASSERT_TRUE(written.ok()) << to_string(written.error());
+  EXPECT_EQ(written->pieces, paths);
+  EXPECT_TRUE(written->written.empty());
+  const std::vector<std::string> index{folder / "all.pvtu"};
+  const auto joined = join_pieces(index);
+  ASSERT_TRUE(joined.ok()) << to_string(joined.error());
+  EXPECT_TRUE(same_bits(joined->model, reconstruct(stack)->model));
+  EXPECT_EQ(written->tets, joined->model.tets.size());
+  EXPECT_EQ(write_index(folder / "all.vtu", paths).error().code, ErrorCode::usage);
+  EXPECT_EQ(check_piece(paths[2])->end, 19U);
+
+  std::ifstream file(index[0], std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  for (std::size_t size = 0; size + 1 < bytes.size(); size += 5) {
+    std::ofstream(index[0], std::ios::binary) << bytes.substr(0, size);
+    EXPECT_FALSE(join_pieces(index).ok()) << size;
+  }
+}
+
+// No sample drops a link, so a piece is made to say that it did: all of the stack is built.
+TEST(Pieces, WhereLinksHaveToBeDecidedAnewAllIsBuilt) {
+  const Folder folder;
+  const SectionStack stack = sample("torus.cnt");
+  ASSERT_TRUE(write_plan(folder / "plan", stack).ok());
+  const auto paths = write_pieces(folder, {0, 7, 12, 19});
+  auto piece = internal::pieces::read_whole_piece(paths[1]);
+  ASSERT_TRUE(piece.ok());
+  internal::ClusterSpan cluster{{8, 9}, {}};
+  cluster.beyond.decides = true;
+  piece->record.clusters = {cluster};
+  auto files = internal::pieces::stage_whole_piece(paths[1], *piece, Encoding::compressed, nullptr);
+  ASSERT_TRUE(files.ok() && internal::io::commit_all(files->files).ok());
+  const Model direct = reconstruct(stack)->model;
+  JoinOptions options;
+  EXPECT_EQ(join_pieces(paths, options).error().code, ErrorCode::usage);
+  options.plan = folder / "plan";
+  const auto joined = join_pieces(paths, options);
+  ASSERT_TRUE(joined.ok()) << to_string(joined.error());
+  EXPECT_EQ(joined->settled, 19U);
+  EXPECT_TRUE(same_bits(joined->model, direct));
+  const auto index = write_index(folder / "all.pvtu", paths, options);
+  ASSERT_TRUE(index.ok()) << to_string(index.error());
+  EXPECT_EQ(index->written.size(), 3U);
+  const auto again = join_pieces(index->pieces);
+  ASSERT_TRUE(again.ok()) << to_string(again.error());
+  EXPECT_TRUE(same_bits(again->model, direct));
 }
 
 TEST(Pieces, SlabsThatThereAreNotAreRefused) {

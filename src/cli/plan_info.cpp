@@ -1,0 +1,173 @@
+#include "cli/plan_info.hpp"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include <tetloft/model.hpp>
+#include <tetloft/pieces.hpp>
+
+#include "cli/reconstruct_piece.hpp"
+#include "io/numbers.hpp"
+#include "pieces/piece_file.hpp"
+#include "pieces/plan_head.hpp"
+
+namespace tetloft::cli {
+
+using namespace internal;
+
+namespace {
+
+std::string number(double value) {
+  std::string text;
+  io::append_number(text, value);
+  return text;
+}
+
+// The options that a plan was made with, as they were given to it; those that are as without.
+std::vector<std::string> option_words(const ReconstructOptions& options) {
+  const CorrespondenceOptions& rule = options.correspondence;
+  std::vector<std::string> words;
+  const auto add = [&](const std::string& option, const std::string& value) {
+    words.push_back(option);
+    if (!value.empty()) words.push_back(value);
+  };
+  constexpr std::array<const char*, 3> kCriteria{"overlap", "reverse", "moved"};
+  if (rule.criterion != Criterion::moved) {
+    add("--correspondence", kCriteria[static_cast<std::size_t>(rule.criterion)]);
+  }
+  if (rule.tau) add("--overlap", number(*rule.tau));
+  if (!rule.chain) add("--no-chain", {});
+  if (!rule.lone) add("--no-lone", {});
+  if (rule.voids.rule == VoidRule::free) add("--voids", "free");
+  if (rule.voids.rule == VoidRule::near) add("--voids", "near=" + number(rule.voids.reach));
+  if (options.ends == Ends::half) add("--ends", "half");
+  if (options.between) {
+    add("--between", *options.between == 0 ? "none" : std::to_string(*options.between));
+  }
+  if (options.delaunay != DelaunayEngine::automatic) add("--delaunay", name_of(options.delaunay));
+  if (!options.divide_coarse) add("--no-divide", {});
+  if (options.thickness) add("--thickness", number(*options.thickness));
+  if (options.work_limit != kDefaultWorkLimit) {
+    add("--work-limit", number(options.work_limit));
+  }
+  return words;
+}
+
+std::size_t label_count(const ReconstructOptions& options) {
+  return options.correspondence.labels.size() + options.correspondence.voids.labels.size();
+}
+
+std::size_t decision_count(const ReconstructOptions& options) {
+  return options.correspondence.decisions.size() + options.correspondence.voids.decisions.size();
+}
+
+std::string json_of(const PlanSummary& plan, const Console& console) {
+  JsonWriter json;
+  json.begin_object();
+  json.member("format", "plan");
+  json.member("version", internal::pieces::kPlanVersion);
+  json.member("identity", identity_text(plan.identity));
+  json.key("source");
+  json.begin_object();
+  json.member("name", plan.source.name);
+  json.member("bytes", plan.source.bytes);
+  json.member("checksum", identity_text(plan.source.checksum));
+  json.end_object();
+  json.member("sections", plan.sections);
+  json.member("slabs", plan.sections - 1);
+  json.member("contours", plan.contours);
+  json.member("vertices", plan.vertices);
+  json.member("z", std::array{plan.lowest, plan.highest});
+  json.member("components", plan.components);
+  json.member("cavities", plan.cavities);
+  json.member("sections_between", plan.sections_between);
+  json.member("options", option_words(plan.options));
+  json.member("labels", label_count(plan.options));
+  json.member("decisions", decision_count(plan.options));
+  write_warnings(json, console.warnings());
+  json.end_object();
+  return json.text();
+}
+
+std::string text_of(const PlanSummary& plan) {
+  std::string text = "a plan, version " + std::to_string(internal::pieces::kPlanVersion) +
+                     ", identity " + identity_text(plan.identity) + "; all of it is whole\n";
+  if (plan.source != PlanSource{}) {
+    text += "of " + io::in_quotes(plan.source.name) + ", " + std::to_string(plan.source.bytes) +
+            " bytes\n";
+  }
+  text += counted(plan.sections, "section") + ", slabs 0:" + std::to_string(plan.sections - 1) +
+          ", " + counted(plan.contours, "contour") + ", " + std::to_string(plan.vertices) +
+          " vertices, z " + readable(plan.lowest) + " to " + readable(plan.highest) + '\n' +
+          counted(plan.components, "component") + ", cavities: " + std::to_string(plan.cavities) +
+          ", " + counted(plan.sections_between, "section") + " to be put between\n";
+  text += "options:";
+  const std::vector<std::string> words = option_words(plan.options);
+  for (const std::string& word : words) text += ' ' + word;
+  if (words.empty()) text += " none";
+  const std::size_t wishes = label_count(plan.options) + decision_count(plan.options);
+  if (wishes > 0) {
+    text += ", " + counted(label_count(plan.options), "label") + " and " +
+            counted(decision_count(plan.options), "decision");
+  }
+  return text + '\n';
+}
+
+std::string json_of(const PieceSummary& piece, const Model& model, const Console& console) {
+  JsonWriter json;
+  json.begin_object();
+  json.member("format", "piece");
+  json.member("version", internal::pieces::kPieceVersion);
+  json.member("plan", identity_text(piece.plan));
+  json.member("slabs", std::array{piece.first, piece.end});
+  json.member("of", piece.sections - 1);
+  json.member("open", piece.open);
+  json.member("vertices", model.points.size());
+  json.member("tets", model.tets.size());
+  json.member("components", model.component_count);
+  json.member("volume", volume(model));
+  write_warnings(json, console.warnings());
+  json.end_object();
+  return json.text();
+}
+
+std::string text_of(const PieceSummary& piece, const Model& model) {
+  std::string text =
+      "a piece, version " + std::to_string(internal::pieces::kPieceVersion) + ", of the plan " +
+      identity_text(piece.plan) + "; all of it is whole\n" + "slabs " +
+      std::to_string(piece.first) + ':' + std::to_string(piece.end) + " of " +
+      std::to_string(piece.sections - 1) + ": " + counted(model.tets.size(), "tet") + ", " +
+      std::to_string(model.points.size()) + " vertices, volume " + readable(volume(model)) +
+      ", of a stack of " + counted(model.component_count, "component") + '\n';
+  if (!piece.open.empty()) {
+    text += "left open, to be built from the plan by joining:";
+    for (const std::size_t slab : piece.open) text += ' ' + std::to_string(slab);
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace
+
+Result<std::optional<std::string>> plan_or_piece_info(const std::string& path,
+                                                      const Console& console) {
+  using Told = std::optional<std::string>;
+  const Result<internal::pieces::Part> part = internal::pieces::part_of(path);
+  if (!part) return part.error();
+  if (*part == internal::pieces::Part::plan) {
+    const Result<PlanSummary> plan = check_plan(path);
+    if (!plan) return plan.error();
+    return Told(console.json() ? json_of(*plan, console) : text_of(*plan));
+  }
+  if (*part == internal::pieces::Part::piece) {
+    const Result<internal::pieces::WholePiece> piece = internal::pieces::read_whole_piece(path);
+    if (!piece) return piece.error();
+    const PieceSummary summary = internal::pieces::summary_of(piece->record);
+    return Told(console.json() ? json_of(summary, piece->model, console)
+                               : text_of(summary, piece->model));
+  }
+  return Told();
+}
+
+}  // namespace tetloft::cli

@@ -1,0 +1,265 @@
+// tetloft join --index, and info of plans and pieces.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <tetloft/tetloft.hpp>
+
+#include "cli/pieces_fixture.hpp"
+
+namespace tetloft {
+namespace {
+
+using test::Cuts;
+using test::data;
+using test::expect_failure;
+using test::JsonValue;
+using test::Outcome;
+using test::run;
+using test::run_json;
+using test::Words;
+
+class PieceIndex : public test::PiecesCommand {
+ protected:
+  // The files that an index lists, as it calls them.
+  static Words sources_of(const std::string& index) {
+    Words sources;
+    const std::string mark = "<Piece Source=\"";
+    const std::string text = test::get(index);
+    for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + 1)) {
+      const std::size_t from = at + mark.size();
+      sources.push_back(text.substr(from, text.find('"', from) - from));
+    }
+    return sources;
+  }
+
+  std::string index_ = folder_.file("solid.pvtu");
+};
+
+class OpenPieceIndex : public test::OpenSlabs {
+ protected:
+  std::string index_ = folder_.file("solid.pvtu");
+};
+
+TEST_F(PieceIndex, ListsThePiecesFromBelow) {
+  make_plan(data("torus.cnt"));
+  const Words pieces = make_pieces({0, 7, 12, 19});
+  const JsonValue made = run_json(test::with({"join", "--index", "-o", index_}, pieces));
+  EXPECT_EQ(made.at("pieces").number, 3);
+  EXPECT_EQ(made.at("settled").number, 0);
+  EXPECT_EQ(made.at("components").number, 1);
+  ASSERT_EQ(made.at("written").array.size(), 1U);
+  EXPECT_EQ(made.at("written").array[0].string, index_);
+  EXPECT_EQ(made.at("listed").array[2].string, piece(2));
+  EXPECT_EQ(sources_of(index_), (Words{"piece0.vtu", "piece1.vtu", "piece2.vtu"}));
+  const std::string joined = folder_.file("joined.vtu");
+  EXPECT_EQ(made.at("tets").number,
+            run_json(test::with({"join", "-o", joined}, pieces)).at("tets").number);
+  const std::string told = run(test::with({"join", "--index", "-o", index_}, pieces)).out;
+  EXPECT_NE(told.find("3 pieces: "), std::string::npos) << told;
+}
+
+TEST_F(PieceIndex, CallsThePiecesFromItsFolder) {
+  make_plan(data("torus.cnt"));
+  const Words pieces = make_pieces({0, 7, 19});
+  std::filesystem::create_directory(folder_.file("out"));
+  const std::string odd = folder_.file("a & \"b\".vtu");
+  std::filesystem::rename(piece(1), odd);
+  const std::string index = folder_.file("out/solid.pvtu");
+  ASSERT_EQ(run({"join", "--index", "-o", index, piece(0), odd}).code, 0);
+  const Words sources = sources_of(index);
+  ASSERT_EQ(sources.size(), 2U);
+  EXPECT_EQ(sources[0], "../piece0.vtu");
+  EXPECT_EQ(sources[1], "../a &amp; &quot;b&quot;.vtu");
+}
+
+// The pieces of an index are pieces like others: joined they are the single run's solid.
+TEST_F(OpenPieceIndex, WritesAnewWhatWasLeftOpen) {
+  const std::string whole = folder_.file("whole.vtu");
+  ASSERT_EQ(run(test::with({"reconstruct", stack_, "-o", whole}, options_)).code, 0);
+  for (const Cuts& cuts : {Cuts{0, 2, 7, 9}, Cuts{0, 4, 9}, Cuts{0, 2, 4, 5, 7, 9},
+                           Cuts{0, 1, 2, 3, 4, 5, 6, 7, 8, 9}}) {
+    const Words pieces = make_pieces(cuts);
+    std::vector<std::string> bytes;
+    for (const std::string& path : pieces) bytes.push_back(test::get(path));
+    const JsonValue made =
+        run_json(test::with({"join", "--index", "-o", index_, "--plan", plan_}, pieces));
+    const bool open = cuts.size() != 4;
+    EXPECT_EQ(made.at("settled").number, open ? 3 : 0);
+    EXPECT_EQ(made.at("written").array.size() > 1, open);
+    for (std::size_t k = 0; k < pieces.size(); ++k) EXPECT_EQ(test::get(pieces[k]), bytes[k]);
+    Words listed;
+    for (const JsonValue& path : made.at("listed").array) listed.push_back(path.string);
+    ASSERT_EQ(listed.size(), pieces.size());
+    const std::string joined = folder_.file("joined.vtu");
+    ASSERT_EQ(run(test::with({"join", "-o", joined}, listed)).code, 0);
+    EXPECT_TRUE(test::get(joined) == test::get(whole));
+  }
+}
+
+TEST_F(OpenPieceIndex, AppearsWithAllItsPiecesOrNotAtAll) {
+  const Words pieces = make_pieces({0, 4, 9});
+  const std::string beside = folder_.file("solid_0.vtu");
+  expect_failure(test::with({"join", "--index", "-o", index_}, pieces), 2, "usage", "--plan",
+                 {index_, beside});
+  // A piece cannot appear.
+  std::filesystem::create_directory(folder_.file("solid_1.vtu"));
+  expect_failure(test::with({"join", "--index", "-o", index_, "--plan", plan_}, pieces), 4, "io",
+                 "solid_1.vtu", {index_, beside});
+  std::filesystem::remove(folder_.file("solid_1.vtu"));
+  // It would overwrite what was given.
+  const std::string index = folder_.file("piece.pvtu");
+  std::filesystem::rename(piece(0), folder_.file("piece_0.vtu"));
+  const std::string before = test::get(folder_.file("piece_0.vtu"));
+  const Words words{"join",  "--index", "-o", index, "--plan", plan_, folder_.file("piece_0.vtu"),
+                    piece(1)};
+  const Outcome refused = run(words);
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_NE(refused.err.find("overwrite"), std::string::npos) << refused.err;
+  EXPECT_FALSE(std::filesystem::exists(index));
+  EXPECT_EQ(test::get(folder_.file("piece_0.vtu")), before);
+}
+
+// It stands for its pieces wherever a model is read, and in joining.
+TEST_F(PieceIndex, IsReadAsTheSolidOfItsPieces) {
+  make_plan(data("torus.cnt"), {"--ends", "half"});
+  const Words pieces = make_pieces({0, 7, 19});
+  std::filesystem::create_directory(folder_.file("out"));
+  const std::string index = folder_.file("out/a & b.pvtu");
+  std::filesystem::rename(piece(1), folder_.file("<1>.vtu"));
+  ASSERT_EQ(run({"join", "--index", "-o", index, piece(0), folder_.file("<1>.vtu")}).code, 0);
+  const std::string whole = folder_.file("whole.vtu"), joined = folder_.file("joined.vtu");
+  ASSERT_EQ(run({"reconstruct", stack_, "-o", whole, "--ends", "half"}).code, 0);
+  ASSERT_EQ(run({"join", index, "-o", joined}).code, 0);
+  EXPECT_TRUE(test::get(joined) == test::get(whole));
+  ASSERT_EQ(run({"convert", index, "-o", joined}).code, 0);
+  EXPECT_TRUE(test::get(joined) == test::get(whole));
+  EXPECT_EQ(run({"check", index, stack_}).out, run({"check", whole, stack_}).out);
+  EXPECT_EQ(run({"check", index, data("bifurcation.cnt")}).code, 1);
+  // One of its pieces is not overwritten, and it may be listed anew.
+  const std::string before = test::get(piece(0));
+  expect_failure({"join", index, "-o", piece(0), "--quiet"}, 2, "usage", "overwrite");
+  EXPECT_EQ(test::get(piece(0)), before);
+  ASSERT_EQ(run({"join", "--index", index, "-o", index_}).code, 0);
+  EXPECT_EQ(sources_of(index_), (Words{"piece0.vtu", "&lt;1&gt;.vtu"}));
+}
+
+TEST_F(PieceIndex, ThatIsDamagedIsRefused) {
+  make_plan(data("torus.cnt"));
+  const Words pieces = make_pieces({0, 7, 19});
+  ASSERT_EQ(run(test::with({"join", "--index", "-o", index_}, pieces)).code, 0);
+  const std::string whole = test::get(index_);
+  const auto refused = [&](const std::string& text, int code, const std::string& name,
+                           const std::string& word) {
+    test::put(index_, text);
+    expect_failure({"check", index_, stack_}, code, name, word);
+  };
+  const auto without = [&](const std::string& from, const std::string& to) {
+    std::string text = whole;
+    text.replace(text.find(from), from.size(), to);
+    return text;
+  };
+  refused(whole.substr(0, whole.size() - 11), 3, "invalid_input", "cut off");
+  refused(without("Source=", "Sauce="), 3, "invalid_input", "no Source");
+  refused(without("    <Piece Source=\"piece1.vtu\"/>\n", ""), 3, "invalid_input", "slabs 7:19");
+  refused(without("piece1", "piece7"), 4, "io", "piece7.vtu");
+  refused(without("piece1", "piece0"), 3, "invalid_input", "is twice");
+  refused(without("</PUnstructuredGrid>", "</Grid>"), 3, "invalid_input", "Grid");
+  refused("<VTKFile type=\"PUnstructuredGrid\"></VTKFile>", 3, "invalid_input", "lists no piece");
+}
+
+TEST_F(PieceIndex, RefusesWhatMakesNoSense) {
+  make_plan(data("torus.cnt"));
+  const Words pieces = make_pieces({0, 7, 19});
+  expect_failure({"join", "--index", piece(0), piece(1)}, 2, "usage", "OUT.pvtu");
+  expect_failure({"join", "--index", piece(0), piece(1), "-o", folder_.file("o.vtu")}, 2, "usage",
+                 ".pvtu", {folder_.file("o.vtu")});
+  expect_failure(
+      {"join", "--index", piece(0), piece(1), "-o", index_, "--surface", folder_.file("o.ply")}, 2,
+      "usage", "--surface", {index_, folder_.file("o.ply")});
+  expect_failure({"join", "--index", piece(1), "-o", index_}, 3, "invalid_input", "slabs 0:7",
+                 {index_});
+  std::string bytes = test::get(piece(0));
+  bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
+  test::put(piece(0), bytes);
+  expect_failure({"join", "--index", piece(0), piece(1), "-o", index_}, 3, "invalid_input",
+                 "piece0.vtu", {index_});
+}
+
+TEST_F(PieceIndex, InfoTellsOfPlans) {
+  const std::string labels = folder_.file("torus.labels");
+  test::put(labels, "3 0 5\npart 12 0 0\n");
+  make_plan(data("torus.cnt"), {"--ends", "half", "--between=2", "--overlap", "0.25", "--no-lone",
+                                "--voids", "near=0.75", "--labels", labels});
+  const JsonValue told = run_json({"info", plan_});
+  EXPECT_EQ(told.at("format").string, "plan");
+  EXPECT_EQ(told.at("version").number, 1);
+  EXPECT_EQ(told.at("identity").string.size(), 16U);
+  EXPECT_EQ(told.at("source").at("name").string, "torus.cnt");
+  EXPECT_EQ(told.at("source").at("bytes").number,
+            static_cast<double>(std::filesystem::file_size(stack_)));
+  EXPECT_EQ(told.at("sections").number, 20);
+  EXPECT_EQ(told.at("slabs").number, 19);
+  EXPECT_EQ(told.at("contours").number, run_json({"info", stack_}).at("contours").number);
+  EXPECT_EQ(told.at("vertices").number, run_json({"info", stack_}).at("vertices").number);
+  EXPECT_EQ(told.at("z").array[1].number,
+            run_json({"info", stack_}).at("extents").at("z").array[1].number);
+  EXPECT_EQ(told.at("labels").number, 1);
+  EXPECT_EQ(told.at("decisions").number, 1);
+  Words words;
+  for (const JsonValue& word : told.at("options").array) words.push_back(word.string);
+  EXPECT_EQ(words, (Words{"--overlap", "0.25", "--no-lone", "--voids", "near=0.75", "--ends",
+                          "half", "--between", "2"}));
+  // They make the plan that they tell of.
+  const std::string again = folder_.file("again.plan");
+  ASSERT_EQ(run(test::with({"plan", stack_, "-o", again, "--labels", labels}, words)).code, 0);
+  EXPECT_EQ(run_json({"info", again}).at("identity").string, told.at("identity").string);
+  const std::string text = run({"info", plan_}).out;
+  EXPECT_NE(text.find("20 sections, slabs 0:19"), std::string::npos) << text;
+  EXPECT_NE(text.find("--ends half --between 2, 1 label and 1 decision"), std::string::npos)
+      << text;
+  EXPECT_TRUE(run({"info", plan_, "--quiet"}).out.empty());
+}
+
+TEST_F(OpenPieceIndex, InfoTellsOfPieces) {
+  const Words pieces = make_pieces({0, 4, 9});
+  const JsonValue told = run_json({"info", piece(1)});
+  EXPECT_EQ(told.at("format").string, "piece");
+  EXPECT_EQ(told.at("plan").string, run_json({"info", plan_}).at("identity").string);
+  EXPECT_EQ(told.at("slabs").array[0].number, 4);
+  EXPECT_EQ(told.at("slabs").array[1].number, 9);
+  EXPECT_EQ(told.at("of").number, 9);
+  ASSERT_EQ(told.at("open").array.size(), 2U);
+  EXPECT_EQ(told.at("open").array[1].number, 5);
+  const auto model = read_vtu(piece(1));
+  EXPECT_EQ(told.at("tets").number, static_cast<double>(model->tets.size()));
+  EXPECT_EQ(told.at("volume").number, volume(*model));
+  const std::string text = run({"info", piece(1)}).out;
+  EXPECT_NE(text.find("slabs 4:9 of 9: "), std::string::npos) << text;
+  EXPECT_NE(text.find("left open, to be built from the plan by joining: 4 5"), std::string::npos)
+      << text;
+}
+
+TEST_F(PieceIndex, InfoRefusesWhatIsDamaged) {
+  make_plan(data("torus.cnt"));
+  make_pieces({0, 19});
+  for (const std::string& path : {plan_, piece(0)}) {
+    const std::string whole = test::get(path);
+    std::string bytes = whole;
+    bytes[whole.size() / 2] = static_cast<char>(bytes[whole.size() / 2] ^ 1);
+    test::put(path, bytes);
+    expect_failure({"info", path}, 3, "invalid_input", path);
+    test::put(path, whole.substr(0, whole.size() - 40));
+    expect_failure({"info", path}, 3, "invalid_input", path);
+  }
+  // A solid that is no piece is still no stack.
+  const std::string solid = folder_.file("solid.vtu");
+  ASSERT_EQ(run({"reconstruct", stack_, "-o", solid}).code, 0);
+  EXPECT_NE(run({"info", solid}).code, 0);
+}
+
+}  // namespace
+}  // namespace tetloft
