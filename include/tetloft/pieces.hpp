@@ -24,6 +24,7 @@
 
 #include <tetloft/execution.hpp>
 #include <tetloft/export.hpp>
+#include <tetloft/formats.hpp>
 #include <tetloft/io.hpp>
 #include <tetloft/reconstruct.hpp>
 #include <tetloft/result.hpp>
@@ -132,6 +133,38 @@ struct Joined {
 /// plan is given, or one that is not theirs.
 [[nodiscard]] TETLOFT_API Result<Joined> join_pieces(std::span<const std::string> pieces,
                                                      const JoinOptions& options = {});
+
+struct WrittenJoin {
+  ReconstructReport report;  ///< as Joined::report
+  std::size_t settled = 0;
+  std::vector<Warning> warnings;
+};
+/// As join_pieces() and write_model(), the same bytes. A .vtu of pieces that lie where their stack
+/// does (Model::frame) takes memory of about one piece, what is built from the plan, and the tables
+/// of the whole; compressed, its packed arrays too. What it is put together from stands meanwhile
+/// in unnamed temporaries beside it, as large as the file. Else the whole model is in memory.
+[[nodiscard]] TETLOFT_API Result<WrittenJoin> write_joined(const std::string& path,
+                                                           std::span<const std::string> pieces,
+                                                           const JoinOptions& options = {},
+                                                           const WriteOptions& writing = {});
+
+struct WrittenStream {
+  /// Seconds, work and rules are sums over all that was built, some slabs twice.
+  ReconstructReport report;
+  std::vector<Warning> warnings;
+};
+/// As reconstruct() and write_vtu(), the same bytes, in one process; the solid is never in memory:
+/// slabs are built from the plan, some tens at a time for each thread, and wait in unnamed
+/// temporaries beside the file, as large as it. In memory are the stack, what is decided about it
+/// while that is done, and the tables of the whole. All of the solid is, too, where the stack's
+/// frame is not Frame{}, or links have to be decided anew, which is rare. Refused (usage) is a path
+/// without ".vtu".
+[[nodiscard]] TETLOFT_API Result<WrittenStream> write_streamed(
+    const std::string& path, const SectionStack& stack, const ReconstructOptions& options = {},
+    Encoding encoding = Encoding::binary);
+[[nodiscard]] TETLOFT_API Result<WrittenStream> write_streamed(
+    const std::string& path, const ValidStack& stack, const ReconstructOptions& options = {},
+    Encoding encoding = Encoding::binary);
 
 struct WrittenIndex {
   std::vector<std::string> pieces;   ///< the files that are listed, from the lowest slabs up

@@ -18,6 +18,8 @@ using namespace internal;
 
 namespace {
 
+using internal::pieces::StagedJoin;
+
 Usage join_usage() {
   Usage usage{
       "join",
@@ -49,7 +51,7 @@ Usage join_usage() {
   return usage;
 }
 
-std::string to_json(const Joined& joined, const ModelOutputs& outputs, std::size_t pieces,
+std::string to_json(const StagedJoin& joined, const ModelOutputs& outputs, std::size_t pieces,
                     const Console& console) {
   JsonWriter json;
   json.begin_object();
@@ -71,7 +73,7 @@ std::string settled_text(std::size_t slabs) {
   return ", " + counted(slabs, "slab") + " built from the plan";
 }
 
-std::string to_text(const Joined& joined, const ModelOutputs& outputs, std::size_t pieces) {
+std::string to_text(const StagedJoin& joined, const ModelOutputs& outputs, std::size_t pieces) {
   return counted(pieces, "piece") + settled_text(joined.settled) + ": " +
          counted(joined.report.tets, "tet") + ", " + std::to_string(joined.report.vertices) +
          " vertices, " + counted(joined.report.components, "component") + ", volume " +
@@ -158,6 +160,23 @@ Result<int> run_index(const Arguments& arguments, Console& console) {
   return 0;
 }
 
+// A solid alone need not be in memory; its boundary is found in memory.
+Result<StagedJoin> staged_join(const std::vector<std::string>& pieces, const JoinOptions& options,
+                               const ModelOutputs& outputs, Console& console) {
+  if (!outputs.surface) {
+    Result<StagedJoin> joined = internal::pieces::stage_joined(
+        *outputs.solid, pieces, options, {outputs.encoding, outputs.format}, temporary_watcher());
+    if (joined) console.warn_of({}, joined->warnings);
+    return joined;
+  }
+  Result<Joined> joined = join_pieces(pieces, options);
+  if (!joined) return joined.error();
+  console.warn_of({}, joined->warnings);
+  auto files = stage_model(joined->model, outputs, console, Tets::proven);
+  if (!files) return files.error();
+  return StagedJoin{joined->report, joined->settled, {}, std::move(*files)};
+}
+
 Result<int> run_join(const Arguments& arguments, Console& console) {
   if (arguments.has("--index")) return run_index(arguments, console);
   const auto outputs = model_outputs(arguments);
@@ -167,18 +186,15 @@ Result<int> run_join(const Arguments& arguments, Console& console) {
   const Result<std::vector<std::string>> pieces = pieces_of(arguments);
   if (!pieces) return pieces.error();
   if (Result<void> fine = check_against(*pieces, *outputs); !fine) return fine.error();
-  const Result<Joined> joined = join_pieces(*pieces, *options);
+  Result<StagedJoin> joined = staged_join(*pieces, *options, *outputs, console);
   if (!joined) return joined.error();
-  console.warn_of({}, joined->warnings);
-  auto files = stage_model(joined->model, *outputs, console, Tets::proven);
-  if (!files) return files.error();
   std::string told;
   if (console.json()) {
     told = to_json(*joined, *outputs, pieces->size(), console);
   } else if (!console.quiet()) {
     told = to_text(*joined, *outputs, pieces->size());
   }
-  const Result<void> done = deliver_with(*files, told, console);
+  const Result<void> done = deliver_with(joined->files, told, console);
   if (!done) return done.error();
   return 0;
 }

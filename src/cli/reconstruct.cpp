@@ -15,6 +15,10 @@
 #include "cli/reconstruct_piece.hpp"
 #include "cli/reconstruct_request.hpp"
 #include "cli/repaired_output.hpp"
+#include "cli/signals.hpp"
+#include "io/files.hpp"
+#include "io/numbers.hpp"
+#include "pieces/piece_file.hpp"
 
 namespace tetloft::cli {
 
@@ -55,6 +59,9 @@ Usage reconstruct_usage() {
         Option{
             "--slabs", "A:B",
             "with --plan: the piece's slabs, A to B - 1; slab k is between sections k and k + 1"},
+        Option{"--stream", "",
+               "for solids that are too large for memory: slabs are built, written and forgotten, "
+               "some at a time; the same file, a .vtu"},
         Option{"--verify", "", "check the result; write nothing and exit with 70 if it fails"},
         kAsciiOption, kCompressOption, kJsonOption, kQuietOption, kHelpOption}) {
     usage.options.push_back(option);
@@ -82,9 +89,9 @@ std::string to_json(const Reconstruction& result, const StackInput& input, const
   json.member("input_vertices", report.input_vertices);
   json.member("split_vertices", report.split_vertices);
   json.member("dividing_vertices", report.dividing_vertices);
-  json.member("vertices", result.model.points.size());
-  json.member("tets", result.model.tets.size());
-  json.member("components", result.model.component_count);
+  json.member("vertices", report.vertices);
+  json.member("tets", report.tets);
+  json.member("components", report.components);
   json.member("volume", report.volume);
   json.member("smallest_lift", report.smallest_lift);
   json.member("work", report.work);
@@ -131,10 +138,8 @@ std::string to_text(const Reconstruction& result, const StackInput& input, const
                ? ", " + std::to_string(report.dividing_vertices) + " of them to divide coarse ones"
                : "") +
           '\n';
-  text += counted(result.model.tets.size(), "tet") + ", " +
-          std::to_string(result.model.points.size()) + " vertices, " +
-          counted(result.model.component_count, "component") + ", volume " +
-          readable(report.volume) + '\n';
+  text += counted(report.tets, "tet") + ", " + std::to_string(report.vertices) + " vertices, " +
+          counted(report.components, "component") + ", volume " + readable(report.volume) + '\n';
   text += describe_links(result.model.links, result.model.void_links);
   text += "smallest lift " + readable(report.smallest_lift) + '\n';
   std::string rules;
@@ -157,6 +162,78 @@ std::string to_text(const Reconstruction& result, const StackInput& input, const
   return text + written_line(paths_of(request.outputs));
 }
 
+// What needs the whole solid at once.
+Result<void> check_stream(const Arguments& arguments, const ReconstructRequest& request) {
+  for (const std::string_view option : {"--surface", "--verify"}) {
+    if (arguments.has(option)) {
+      return usage_error("option " + std::string(option) +
+                         " does not go with --stream: it needs all of the solid in memory");
+    }
+  }
+  if (request.preparation.read.structure == kAllStructures) {
+    return usage_error("a stream is of one structure: choose it");
+  }
+  const std::string& path = *request.outputs.solid;
+  const std::string& format = request.outputs.format;
+  if (io::extension_of(path) != ".vtu" || !(format.empty() || format == "vtu")) {
+    return usage_error("option --stream writes .vtu alone, not " + io::in_quotes(path));
+  }
+  return {};
+}
+
+// make(stack), while its progress is shown.
+template <class Make>
+auto with_progress(const StackInput& input, ReconstructRequest& request, const Console& console,
+                   const Make& make) {
+  Progress progress(!console.quiet());
+  request.options.execution.progress = progress.callback();
+  return std::visit(make, input.given);
+}
+
+// The solid and its files, which have not appeared. Of a stream the model has its tables alone.
+struct Made {
+  Reconstruction solid;
+  StagedFiles files;
+};
+
+Result<Made> make_streamed(const StackInput& input, ReconstructRequest& request, Seconds& seconds,
+                           Console& console) {
+  const Stopwatch making;
+  Result<internal::pieces::StagedStream> made =
+      with_progress(input, request, console, [&](const auto& stack) {
+        return internal::pieces::stage_streamed(*request.outputs.solid, stack, request.options,
+                                                request.outputs.encoding, temporary_watcher());
+      });
+  if (!made) return in_file(made.error(), request.input);
+  console.warn_of(request.input, made->warnings);
+  seconds.write = making.seconds() - made->report.seconds_total;
+  Made all;
+  all.solid.model = std::move(made->rest);
+  all.solid.report = made->report;
+  all.files = std::move(made->files);
+  return all;
+}
+
+Result<Made> make_whole(const StackInput& input, ReconstructRequest& request, Seconds& seconds,
+                        Console& console) {
+  Result<Reconstruction> result = with_progress(input, request, console, [&](const auto& stack) {
+    return reconstruct(stack, request.options);
+  });
+  if (!result) return in_file(result.error(), request.input);
+  console.warn_of(request.input, result->warnings);
+  if (request.verify) {
+    const Stopwatch verifying;
+    Result<void> verified = verify(result->model, input.stack(), request.options);
+    if (!verified) return verified.error();
+    seconds.verify = verifying.seconds();
+  }
+  const Stopwatch writing;
+  auto files = stage_model(result->model, request.outputs, console, Tets::proven);
+  if (!files) return files.error();
+  seconds.write = writing.seconds();
+  return Made{std::move(*result), std::move(*files)};
+}
+
 Result<int> run_reconstruct(const Arguments& arguments, Console& console) {
   if (names_many(arguments)) {
     return reconstruct_batch(arguments, reconstruct_usage().options, console);
@@ -167,10 +244,17 @@ Result<int> run_reconstruct(const Arguments& arguments, Console& console) {
   }
   const auto method = arguments.choice("--method");
   if (!method) return method.error();
+  const bool stream = arguments.has("--stream");
+  if (method->value_or(0) == 1 && stream) {
+    return usage_error("option --stream does not go with --method geiger");
+  }
   if (method->value_or(0) == 1) return reconstruct_by_geiger(arguments, console);
   const Stopwatch all;
   Result<ReconstructRequest> request = reconstruct_request_of(arguments, console);
   if (!request) return request.error();
+  if (stream) {
+    if (Result<void> fine = check_stream(arguments, *request); !fine) return fine.error();
+  }
   if (request->preparation.read.structure == kAllStructures) {
     return reconstruct_all(arguments, *request, console);
   }
@@ -186,35 +270,20 @@ Result<int> run_reconstruct(const Arguments& arguments, Console& console) {
     console.warn({"--thickness has no effect on more than one section", {}});
   }
 
-  Result<Reconstruction> result = [&] {
-    Progress progress(!console.quiet());
-    request->options.execution.progress = progress.callback();
-    return std::visit([&](const auto& stack) { return reconstruct(stack, request->options); },
-                      input->given);
-  }();
-  if (!result) return in_file(result.error(), request->input);
-  console.warn_of(request->input, result->warnings);
-  if (request->verify) {
-    const Stopwatch verifying;
-    Result<void> verified = verify(result->model, input->stack(), request->options);
-    if (!verified) return verified.error();
-    seconds.verify = verifying.seconds();
-  }
-  const Stopwatch writing;
-  auto files = stage_model(result->model, request->outputs, console, Tets::proven);
-  if (!files) return files.error();
+  Result<Made> made = stream ? make_streamed(*input, *request, seconds, console)
+                             : make_whole(*input, *request, seconds, console);
+  if (!made) return made.error();
   const Result<void> staged =
-      stage_repaired(request->outputs.repaired, input->stack(), *files, console);
+      stage_repaired(request->outputs.repaired, input->stack(), made->files, console);
   if (!staged) return staged.error();
-  seconds.write = writing.seconds();
   seconds.total = all.seconds();
   std::string told;
   if (console.json()) {
-    told = to_json(*result, *input, seconds, console);
+    told = to_json(made->solid, *input, seconds, console);
   } else if (!console.quiet()) {
-    told = to_text(*result, *input, seconds, *request);
+    told = to_text(made->solid, *input, seconds, *request);
   }
-  const Result<void> done = deliver_with(*files, told, console);
+  const Result<void> done = deliver_with(made->files, told, console);
   if (!done) return done.error();
   return 0;
 }

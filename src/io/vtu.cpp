@@ -1,4 +1,5 @@
 // Tetrahedral meshes as VTK XML unstructured grids (.vtu).
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <type_traits>
@@ -16,6 +17,7 @@
 #include "io/vtk_text.hpp"
 #include "io/vtk_write.hpp"
 #include "io/vtu_frame.hpp"
+#include "io/vtu_grid.hpp"
 #include "io/vtu_piece.hpp"
 #include "io/vtu_read.hpp"
 #include "model/fields.hpp"
@@ -25,19 +27,6 @@
 namespace tetloft::internal::io {
 
 namespace {
-
-VtkGroup cell_group(const std::vector<TetVertices>& tets) {
-  VtkGroup group{"Cells", {}};
-  group.arrays.push_back(vtk_array<std::int64_t>(
-      "connectivity", 1, 4 * tets.size(),
-      [&tets](std::size_t i) { return static_cast<std::int64_t>(tets[i / 4][i % 4].value()); }));
-  group.arrays.push_back(vtk_array<std::int64_t>("offsets", 1, tets.size(), [](std::size_t i) {
-    return static_cast<std::int64_t>(4 * (i + 1));
-  }));
-  group.arrays.push_back(
-      vtk_array<std::uint8_t>("types", 1, tets.size(), [](std::size_t) { return kVtkTetra; }));
-  return group;
-}
 
 // The fields of points or of tets; without values they are left out: a model need not have
 // provenance. Pieces have them always: those of a solid have the same arrays, also where one is
@@ -52,22 +41,6 @@ VtkGroup field_group(const char* element, const Model& model, bool of_points, bo
     group.arrays.push_back(vtk_array<typename Field::Stored::Type>(
         std::string(field.name), 1, values.size(),
         [&values](std::size_t i) { return Field::Stored::store(values[i]); }));
-  });
-  return group;
-}
-
-// The tables, each left out where the model's is empty.
-VtkGroup table_group(const Model& model) {
-  VtkGroup group{"FieldData", {}};
-  for_each_table([&](const auto& table) {
-    const auto& rows = model.*table.rows;
-    if (rows.empty()) return;
-    for_each_column(table, [&](const auto& column) {
-      using Stored = typename std::remove_cvref_t<decltype(column)>::Stored;
-      group.arrays.push_back(vtk_array<typename Stored::Type>(
-          std::string(column.name), 1, rows.size(),
-          [&rows, get = column.get](std::size_t i) { return Stored::store(get(rows[i])); }));
-    });
   });
   return group;
 }
@@ -91,37 +64,33 @@ VtkArray stack_point_array(const IdVector<VertexId, Point3>& points) {
                            });
 }
 
-// `groups` are those of the data.
-std::vector<Warning> append_grid(Sink& sink, VtkGroup tables, std::vector<VtkGroup> groups,
+// `fields`: of points, of tets.
+std::vector<Warning> append_mesh(Sink& sink, VtkGroup tables, std::vector<VtkGroup> fields,
                                  const std::vector<Point3>& points,
                                  const std::vector<TetVertices>& tets, Encoding encoding) {
-  groups.push_back(
-      vtk_points(points.size(), [&points](std::size_t i) -> const Point3& { return points[i]; }));
-  groups.push_back(cell_group(tets));
-  return append_vtk_file(sink,
-                         {.grid_type = "UnstructuredGrid",
-                          .counts = "NumberOfPoints=\"" + std::to_string(points.size()) +
-                                    "\" NumberOfCells=\"" + std::to_string(tets.size()) + '"',
-                          .field_data = std::move(tables),
-                          .groups = std::move(groups),
-                          .most_unpacked = kGridUnpacked},
-                         encoding);
+  return append_vtu(
+      sink,
+      {std::move(tables), std::move(fields),
+       vtk_points(points.size(), [&points](std::size_t i) -> const Point3& { return points[i]; }),
+       vtu_cells(tets.size(),
+                 [&tets](std::size_t i) {
+                   return static_cast<std::int64_t>(tets[i / 4][i % 4].value());
+                 })},
+      encoding);
 }
 
 Written write_grid(Sink& sink, const Model& model, const Target& target) {
   const bool of_piece = !target.piece.empty();
   std::vector<VtkGroup> fields{field_group("PointData", model, true, of_piece),
                                field_group("CellData", model, false, of_piece)};
-  VtkGroup tables = table_group(model);
+  VtkGroup tables = vtu_tables(model);
   if (target.stack_points != nullptr) {
     tables.arrays.push_back(frame_array(model.frame));
     if (!is_exact(model.frame)) fields[0].arrays.push_back(stack_point_array(*target.stack_points));
   }
   add_texts(model, tables);
   if (of_piece) tables.arrays.push_back(piece_array(target.piece));
-  // A mesh without any provenance has no element for it.
-  if (fields[0].arrays.empty() && fields[1].arrays.empty()) fields.clear();
-  return append_grid(sink, std::move(tables), std::move(fields), model.points.raw(),
+  return append_mesh(sink, std::move(tables), std::move(fields), model.points.raw(),
                      model.tets.raw(), target.options.encoding);
 }
 
@@ -130,7 +99,7 @@ Written write_mesh(Sink& sink, const std::vector<Point3>& points,
                    const std::vector<TetVertices>& tets, Encoding encoding) {
   if (Result<void> known = check_encoding(encoding); !known) return known.error();
   if (Result<void> formed = check_tets(points.size(), tets); !formed) return formed.error();
-  return append_grid(sink, {}, {}, points, tets, encoding);
+  return append_mesh(sink, {}, {}, points, tets, encoding);
 }
 
 bool is_grid(std::string_view bytes) { return is_vtk_file(bytes, "UnstructuredGrid"); }
@@ -139,6 +108,42 @@ bool is_grid(std::string_view bytes) { return is_vtk_file(bytes, "UnstructuredGr
 
 bool names_piece(std::string_view file) {
   return is_grid(file) && file.find(kPieceArray) != std::string_view::npos;
+}
+
+VtkGroup vtu_tables(const Model& model) {
+  VtkGroup group{"FieldData", {}};
+  for_each_table([&](const auto& table) {
+    const auto& rows = model.*table.rows;
+    if (rows.empty()) return;
+    for_each_column(table, [&](const auto& column) {
+      using Stored = typename std::remove_cvref_t<decltype(column)>::Stored;
+      group.arrays.push_back(vtk_array<typename Stored::Type>(
+          std::string(column.name), 1, rows.size(),
+          [&rows, get = column.get](std::size_t i) { return Stored::store(get(rows[i])); }));
+    });
+  });
+  return group;
+}
+
+std::vector<Warning> append_vtu(Sink& sink, VtuGrid grid, Encoding encoding) {
+  std::vector<VtkGroup> groups = std::move(grid.fields);
+  // A mesh without any provenance has no element for it.
+  if (std::all_of(groups.begin(), groups.end(),
+                  [](const VtkGroup& group) { return group.arrays.empty(); })) {
+    groups.clear();
+  }
+  const std::size_t points = grid.points.arrays.front().tuples;
+  const std::size_t tets = grid.cells.arrays.back().tuples;
+  groups.push_back(std::move(grid.points));
+  groups.push_back(std::move(grid.cells));
+  return append_vtk_file(sink,
+                         {.grid_type = "UnstructuredGrid",
+                          .counts = "NumberOfPoints=\"" + std::to_string(points) +
+                                    "\" NumberOfCells=\"" + std::to_string(tets) + '"',
+                          .field_data = std::move(grid.tables),
+                          .groups = std::move(groups),
+                          .most_unpacked = kGridUnpacked},
+                         encoding);
 }
 
 extern constinit const Format vtu_format{.name = "vtu",

@@ -30,10 +30,12 @@ int exponent_to_one(const Model& model) {
   return unit.largest_to_one();
 }
 
-double scaled_volume(const Model& model, const TetVertices& tet, int exponent) {
-  const Point3 d = scaled(model.points[tet[3]], exponent);
-  const auto from_d = [&](int i) {
-    const Point3 p = scaled(model.points[tet[static_cast<std::size_t>(i)]], exponent);
+}  // namespace
+
+double internal::scaled_volume(const std::array<Point3, 4>& corners, int exponent) {
+  const Point3 d = scaled(corners[3], exponent);
+  const auto from_d = [&](std::size_t i) {
+    const Point3 p = scaled(corners[i], exponent);
     return Point3{p.x - d.x, p.y - d.y, p.z - d.z};
   };
   const Point3 a = from_d(0);
@@ -45,20 +47,6 @@ double scaled_volume(const Model& model, const TetVertices& tet, int exponent) {
          6;
 }
 
-// Neumaier's compensated sum: a stack has many tets far smaller than the whole.
-double compensated_sum(const std::vector<double>& terms) {
-  double sum = 0;
-  double lost = 0;
-  for (const double term : terms) {
-    const double next = sum + term;
-    lost += std::fabs(sum) >= std::fabs(term) ? (sum - next) + term : (term - next) + sum;
-    sum = next;
-  }
-  return sum + lost;
-}
-
-}  // namespace
-
 double internal::volume_of(const Model& model, unsigned threads) {
   constexpr std::size_t kTets = std::size_t{1} << 14;  // of a step: far more work than to start it
   const int exponent = exponent_to_one(model);
@@ -67,10 +55,15 @@ double internal::volume_of(const Model& model, unsigned threads) {
   parallel_for((tets.size() + kTets - 1) / kTets, threads, [&](std::size_t step) {
     const std::size_t end = std::min(tets.size(), (step + 1) * kTets);
     for (std::size_t t = step * kTets; t < end; ++t) {
-      if (is_sound(model, tets[t])) terms[t] = scaled_volume(model, tets[t], exponent);
+      if (!is_sound(model, tets[t])) continue;
+      const auto& [p, q, r, u] = tets[t];
+      terms[t] = scaled_volume({model.points[p], model.points[q], model.points[r], model.points[u]},
+                               exponent);
     }
   });
-  return std::ldexp(compensated_sum(terms), -3 * exponent) * volume_factor(model.frame);
+  CompensatedSum sum;
+  for (const double term : terms) sum.add(term);
+  return std::ldexp(sum.value(), -3 * exponent) * volume_factor(model.frame);
 }
 
 double volume(const Model& model) { return volume_of(model, 1); }

@@ -52,11 +52,9 @@ std::uint64_t ArchiveWriter::finish() {
 }
 
 Result<ArchiveReader> ArchiveReader::open(const std::string& path) {
-  ArchiveReader reader;
-  reader.path_ = path;
-  reader.file_ = std::make_unique<File>();
+  auto file = std::make_unique<File>();
   errno = 0;
-  std::ifstream& stream = reader.file_->stream;
+  std::ifstream& stream = file->stream;
   stream.open(path, std::ios::binary);
   if (!stream) {
     const int reason = errno != 0 ? errno : ENOENT;
@@ -68,7 +66,21 @@ Result<ArchiveReader> ArchiveReader::open(const std::string& path) {
   if (size < 0 || !stream) {
     return archive_error(path, ErrorCode::io, "cannot be read from where one likes");
   }
-  const auto length = static_cast<std::uint64_t>(size);
+  return of(std::move(file), static_cast<std::uint64_t>(size), path);
+}
+
+Result<ArchiveReader> ArchiveReader::of(io::ScratchFile archive, const std::string& path) {
+  auto file = std::make_unique<File>();
+  const std::uint64_t size = archive.size();
+  file->scratch = std::move(archive);
+  return of(std::move(file), size, path);
+}
+
+Result<ArchiveReader> ArchiveReader::of(std::unique_ptr<File> file, std::uint64_t length,
+                                        const std::string& path) {
+  ArchiveReader reader;
+  reader.path_ = path;
+  reader.file_ = std::move(file);
   const auto no_archive = [&] {
     return archive_error(path, ErrorCode::invalid_input, "is no plan of tetloft, or is cut off");
   };
@@ -103,10 +115,15 @@ Result<std::string> ArchiveReader::record(std::size_t k) const {
 
 Result<std::string> ArchiveReader::bytes(std::uint64_t at, std::uint64_t length) const {
   const std::scoped_lock lock(file_->mutex);
+  std::string bytes(static_cast<std::size_t>(length), '\0');
+  if (file_->scratch) {
+    file_->scratch->read(at, bytes);
+    if (file_->scratch->failure()) return *file_->scratch->failure();
+    return bytes;
+  }
   std::ifstream& stream = file_->stream;
   stream.clear();
   stream.seekg(static_cast<std::streamoff>(at));
-  std::string bytes(static_cast<std::size_t>(length), '\0');
   stream.read(bytes.data(), static_cast<std::streamsize>(length));
   if (!stream) return archive_error(path_, ErrorCode::io, "cannot be read to its end");
   return bytes;

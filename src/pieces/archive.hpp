@@ -10,12 +10,14 @@
 #include <fstream>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <tetloft/result.hpp>
 
+#include "io/scratch_file.hpp"
 #include "io/sink.hpp"
 
 namespace tetloft::internal::pieces {
@@ -43,6 +45,9 @@ class ArchiveReader {
   /// Error io where it cannot be read; invalid_input where it is no archive, or cut off.
   [[nodiscard]] static Result<ArchiveReader> open(const std::string& path);
 
+  /// Of an archive that was just written to a scratch file; `path` stands for it.
+  [[nodiscard]] static Result<ArchiveReader> of(io::ScratchFile archive, const std::string& path);
+
   [[nodiscard]] const std::string& path() const { return path_; }
   /// Of two archives with the same records the same, of others, with near certainty, another one.
   [[nodiscard]] std::uint64_t identity() const { return identity_; }
@@ -56,8 +61,11 @@ class ArchiveReader {
   };
   struct File {
     std::ifstream stream;
+    std::optional<io::ScratchFile> scratch;  // instead
     std::mutex mutex;
   };
+  [[nodiscard]] static Result<ArchiveReader> of(std::unique_ptr<File> file, std::uint64_t length,
+                                                const std::string& path);
   [[nodiscard]] Result<std::string> bytes(std::uint64_t at, std::uint64_t length) const;
 
   std::string path_;

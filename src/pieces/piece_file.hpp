@@ -11,6 +11,7 @@
 #include <tetloft/pieces.hpp>
 
 #include "io/stage.hpp"
+#include "io/vtu_stream.hpp"
 #include "pieces/piece_record.hpp"
 #include "pieces/plan_head.hpp"
 #include "reconstruct/prepare.hpp"
@@ -39,6 +40,37 @@ struct StagedPiece {
                                               const SlabRange& slabs, const PieceOptions& options,
                                               io::TemporaryWatcher* watcher = nullptr);
 
+struct StagedJoin {
+  ReconstructReport report;
+  std::size_t settled = 0;
+  std::vector<Warning> warnings;
+  std::vector<io::PendingFile> files;
+};
+/// As write_joined().
+[[nodiscard]] Result<StagedJoin> stage_joined(const std::string& path,
+                                              std::span<const std::string> paths,
+                                              const JoinOptions& options,
+                                              const WriteOptions& writing,
+                                              io::TemporaryWatcher* watcher = nullptr);
+
+/// What is told of a whole model, as internal::describe(); and its input vertices.
+[[nodiscard]] Result<void> describe_streamed(io::VtuStream& stream, ReconstructReport& report);
+
+struct StagedStream {
+  ReconstructReport report;
+  Model rest;  ///< without points and tets
+  std::vector<Warning> warnings;
+  std::vector<io::PendingFile> files;
+};
+/// As write_streamed().
+[[nodiscard]] Result<StagedStream> stage_streamed(const std::string& path, const GivenStack& given,
+                                                  const ReconstructOptions& options,
+                                                  Encoding encoding,
+                                                  io::TemporaryWatcher* watcher = nullptr);
+
+/// Of a stack planned.
+[[nodiscard]] PlanHead head_of(const BuiltStack& planned, const SectionStack& stack,
+                               const ReconstructOptions& options, const PlanSource& source);
 [[nodiscard]] PlanSummary summary_of(const PlanHead& head, std::uint64_t identity);
 [[nodiscard]] PieceSummary summary_of(const PieceRecord& record);
 /// Of the bytes of a file.

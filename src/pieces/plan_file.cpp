@@ -17,7 +17,10 @@ std::uint64_t append_plan(io::Sink& sink, const PlanHead& head, const BuiltStack
 }
 
 Result<PlanFile> PlanFile::open(const std::string& path) {
-  Result<ArchiveReader> archive = ArchiveReader::open(path);
+  return of(ArchiveReader::open(path), path);
+}
+
+Result<PlanFile> PlanFile::of(Result<ArchiveReader> archive, const std::string& path) {
   if (!archive) return archive.error();
   PlanFile file;
   file.archive_ = std::move(*archive);
@@ -88,8 +91,8 @@ Result<SectionStack> PlanFile::stack() const {
   return sections::scaled(stack, -head_.facts.exponent);
 }
 
-Result<PlannedRange> build_range(const PlanFile& plan, const SlabRange& slabs,
-                                 const Execution& execution) {
+Result<std::optional<PlannedRange>> try_range(const PlanFile& plan, const SlabRange& slabs,
+                                              const Execution& execution) {
   Result<BuiltStack> window = plan.window(slabs);
   if (!window) return window.error();
   ReconstructOptions options = plan.head().options;
@@ -102,16 +105,30 @@ Result<PlannedRange> build_range(const PlanFile& plan, const SlabRange& slabs,
   }
   PlannedRange made;
   made.report = report_of_parts(*window);
-  Result<BuiltRange> built = take_range(plan.head().facts, slabs, *window, execution.threads);
-  if (!built) return built.error();
-  made.built = std::move(*built);
+  std::optional<BuiltRange> built =
+      take_range(plan.head().facts, slabs, *window, execution.threads);
+  if (!built) return std::optional<PlannedRange>();
+  made.built = *std::move(built);
   made.warnings = std::move(window->warnings);
   Model& model = made.built.model;
   model.frame = plan.head().frame;
   model.about = plan.head().about;
   model.component_names = plan.head().component_names;
   for (Warning& warning : made.warnings) warning.where = in_whole(warning.where, slabs);
-  return made;
+  return std::optional(std::move(made));
+}
+
+Result<PlannedRange> build_range(const PlanFile& plan, const SlabRange& slabs,
+                                 const Execution& execution) {
+  Result<std::optional<PlannedRange>> made = try_range(plan, slabs, execution);
+  if (!made) return made.error();
+  if (*made) return std::move(**made);
+  Error error{ErrorCode::unrepresentable,
+              "a coordinate would lose bits in the unit of the stack, unless all of it is made in "
+              "one run",
+              {}};
+  error.where.slab = slabs.first;
+  return error;
 }
 
 }  // namespace tetloft::internal::pieces

@@ -17,6 +17,8 @@ std::uint64_t append_plan(io::Sink& sink, const PlanHead& head, const BuiltStack
 class PlanFile {
  public:
   [[nodiscard]] static Result<PlanFile> open(const std::string& path);
+  /// Of an archive that could be opened; `path` stands for it.
+  [[nodiscard]] static Result<PlanFile> of(Result<ArchiveReader> archive, const std::string& path);
 
   [[nodiscard]] const PlanHead& head() const { return head_; }
   [[nodiscard]] std::uint64_t identity() const { return archive_.identity(); }
@@ -34,12 +36,19 @@ class PlanFile {
   PlanHead head_;
 };
 
-/// Builds these slabs of a plan. Errors name slabs and sections of the whole.
+/// Slabs of a plan, built.
 struct PlannedRange {
   BuiltRange built;
   ReconstructReport report;
   std::vector<Warning> warnings;
 };
+/// Builds these slabs. Errors name slabs and sections of the whole. Nothing where a coordinate
+/// would lose bits in the unit given: then the whole stack has to be planned in that
+/// (Unit::as_given).
+[[nodiscard]] Result<std::optional<PlannedRange>> try_range(const PlanFile& plan,
+                                                            const SlabRange& slabs,
+                                                            const Execution& execution);
+/// The same; refused (unrepresentable) instead of nothing.
 [[nodiscard]] Result<PlannedRange> build_range(const PlanFile& plan, const SlabRange& slabs,
                                                const Execution& execution);
 

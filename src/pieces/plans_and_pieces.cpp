@@ -26,8 +26,6 @@ using namespace internal;
 
 namespace internal::pieces {
 
-namespace {
-
 PlanHead head_of(const BuiltStack& planned, const SectionStack& stack,
                  const ReconstructOptions& options, const PlanSource& source) {
   PlanHead head;
@@ -48,8 +46,6 @@ PlanHead head_of(const BuiltStack& planned, const SectionStack& stack,
                                          head.facts.components, options.correspondence.labels);
   return head;
 }
-
-}  // namespace
 
 PlanSummary summary_of(const PlanHead& head, std::uint64_t identity) {
   return {identity,

@@ -220,8 +220,8 @@ ClusterSpan span_of(const std::vector<SlabId>& slabs, const Beyond& beyond, std:
 
 }  // namespace
 
-Result<BuiltRange> take_range(const StackFacts& facts, const SlabRange& slabs, BuiltStack& window,
-                              unsigned threads) {
+std::optional<BuiltRange> take_range(const StackFacts& facts, const SlabRange& slabs,
+                                     BuiltStack& window, unsigned threads) {
   BuiltRange built;
   built.slabs = slabs;
   for (const OpenCluster& open : window.open) {
@@ -231,15 +231,7 @@ Result<BuiltRange> take_range(const StackFacts& facts, const SlabRange& slabs, B
     built.clusters.push_back(span_of(mended, {}, slabs.first));
   }
   std::optional<Model> model = take_model(window, threads);
-  if (!model) {
-    Error error{
-        ErrorCode::unrepresentable,
-        "a coordinate would lose bits in the unit of the stack, unless all of it is made in "
-        "one run",
-        {}};
-    error.where.slab = slabs.first;
-    return error;
-  }
+  if (!model) return std::nullopt;
   if (auto hint = hint_of_many_tets(window.prepared, *model)) {
     window.warnings.push_back(*std::move(hint));
   }

@@ -37,10 +37,10 @@ struct StackFacts {
                                            std::optional<Section> above);
 
 /// The window's model, clusters and warnings, with ids of slabs and sections of the whole; the
-/// window is given up. Refused (unrepresentable) where a coordinate would lose bits in the unit
+/// window is given up. Nothing where a coordinate would lose bits in the unit
 /// given: then the whole stack has to be planned in that (Unit::as_given).
-[[nodiscard]] Result<BuiltRange> take_range(const StackFacts& facts, const SlabRange& slabs,
-                                            BuiltStack& window, unsigned threads);
+[[nodiscard]] std::optional<BuiltRange> take_range(const StackFacts& facts, const SlabRange& slabs,
+                                                   BuiltStack& window, unsigned threads);
 /// Places of slabs and sections in a window become those in the whole.
 [[nodiscard]] Place in_whole(Place place, const SlabRange& slabs);
 

@@ -16,6 +16,7 @@
 #include "pieces/piece_file.hpp"
 #include "property/same_model.hpp"
 #include "support/slabs/cases.hpp"
+#include "support/stacks/generate.hpp"
 #include "support/stacks/shapes.hpp"
 
 namespace tetloft::testing {
@@ -52,6 +53,11 @@ std::vector<std::string> write_pieces(const Folder& folder, const Cuts& cuts) {
   return paths;
 }
 
+std::string bytes_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
 void expect_joined(const SectionStack& stack, const ReconstructOptions& options, const Cuts& cuts,
                    std::size_t settled) {
   const Folder folder;
@@ -68,6 +74,20 @@ void expect_joined(const SectionStack& stack, const ReconstructOptions& options,
   EXPECT_TRUE(same_bits(joined->model, direct->model));
   EXPECT_EQ(*format_vtu(joined->model), *format_vtu(direct->model));
   EXPECT_EQ(joined->settled, settled);
+  for (const Encoding encoding : {Encoding::binary, Encoding::ascii, Encoding::compressed}) {
+    const auto written = write_joined(folder / "joined.vtu", paths, joining, {encoding, {}});
+    ASSERT_TRUE(written.ok()) << to_string(written.error());
+    EXPECT_EQ(bytes_of(folder / "joined.vtu"), *format_vtu(direct->model, encoding));
+    EXPECT_EQ(written->settled, settled);
+    EXPECT_EQ(written->report.volume, direct->report.volume);
+    EXPECT_EQ(written->report.rules, joined->report.rules);
+    EXPECT_EQ(written->report.work, joined->report.work);
+    EXPECT_EQ(written->report.vertices, direct->report.vertices);
+    EXPECT_EQ(written->report.tets, direct->report.tets);
+    EXPECT_EQ(written->report.components, direct->report.components);
+    EXPECT_EQ(written->report.input_vertices, direct->report.input_vertices);
+    EXPECT_EQ(written->report.split_vertices, direct->report.split_vertices);
+  }
   // What was built twice counts twice.
   if (settled == 0) {
     EXPECT_EQ(joined->report.rules, direct->report.rules);
@@ -77,6 +97,116 @@ void expect_joined(const SectionStack& stack, const ReconstructOptions& options,
   EXPECT_EQ(joined->report.slices, direct->report.slices);
   EXPECT_EQ(joined->report.input_vertices, direct->report.input_vertices);
   EXPECT_EQ(joined->report.sections_between, direct->report.sections_between);
+}
+
+struct Case {
+  SectionStack stack;
+  ReconstructOptions options;
+};
+
+// So many plates, sections of which each slab between needs refined contours, and plates.
+Case chain_of_mends(std::size_t before, std::size_t chain, std::size_t after) {
+  const SectionStack slab = sample("cases/shielded.cnt");
+  const Section plate = stack_of_boxes({{box(-1000, 0, 200, 100)}}).sections[SectionId(0)];
+  Case made;
+  made.options.divide_coarse = false;
+  made.options.correspondence.criterion = Criterion::overlap;
+  for (std::size_t s = 0; s <= before + chain + after; ++s) {
+    const bool shielded = s >= before && s <= before + chain;
+    made.stack.sections.push_back(shielded ? slab.sections[SectionId((s - before) % 2)] : plate);
+    made.stack.sections[SectionId(s)].z = static_cast<double>(s);
+    if (!shielded) continue;
+    auto& labels = made.options.correspondence.labels;
+    labels.push_back({SectionId(s), ContourId(0), 1});
+    labels.push_back({SectionId(s), ContourId(1), static_cast<std::uint32_t>(100 + s)});
+  }
+  return made;
+}
+
+// A random stack over itself, four times.
+SectionStack tall_stack(StackKind kind, std::uint64_t seed) {
+  const SectionStack once = generate(kind, seed).stack;
+  SectionStack stack;
+  for (int k = 0; k < 4; ++k) {
+    for (Section section : once.sections) {
+      section.z = static_cast<double>(stack.sections.size());
+      stack.sections.push_back(std::move(section));
+    }
+  }
+  return stack;
+}
+
+void expect_streamed(const SectionStack& stack, const ReconstructOptions& options,
+                     const std::vector<unsigned>& thread_counts = {1, 3}) {
+  const Folder folder;
+  const auto direct = reconstruct(stack, options);
+  for (const unsigned threads : thread_counts) {
+    ReconstructOptions with = options;
+    with.execution.threads = threads;
+    const auto made = write_streamed(folder / "streamed.vtu", stack, with);
+    ASSERT_EQ(made.ok(), direct.ok());
+    if (!direct) {
+      EXPECT_EQ(made.error().code, direct.error().code);
+      EXPECT_EQ(made.error().message, direct.error().message);
+      EXPECT_FALSE(std::filesystem::exists(folder / "streamed.vtu"));
+      continue;
+    }
+    EXPECT_EQ(bytes_of(folder / "streamed.vtu"), *format_vtu(direct->model));
+    EXPECT_EQ(made->report.volume, direct->report.volume);
+    EXPECT_EQ(made->report.vertices, direct->report.vertices);
+    EXPECT_EQ(made->report.tets, direct->report.tets);
+    EXPECT_EQ(made->report.components, direct->report.components);
+    EXPECT_EQ(made->report.contours, direct->report.contours);
+    EXPECT_EQ(made->report.slices, direct->report.slices);
+    EXPECT_EQ(made->report.split_vertices, direct->report.split_vertices);
+    EXPECT_EQ(made->report.sections_between, direct->report.sections_between);
+  }
+  std::size_t files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "")) {
+    EXPECT_EQ(entry.path().filename(), "streamed.vtu");
+    ++files;
+  }
+  EXPECT_LE(files, 1U);
+}
+
+TEST(Streams, AreTheFileOfTheSingleRun) {
+  expect_streamed(sample("torus.cnt"), {});
+  ReconstructOptions options;
+  options.ends = Ends::half;
+  options.between = 0;
+  options.correspondence.labels = {{SectionId(3), ContourId(0), 5}};
+  expect_streamed(sample("torus.cnt"), options);
+  expect_streamed(stack_of_boxes({{box(0, 0, 4, 2)}}), {});
+  expect_streamed({}, {});
+  SectionStack elsewhere = sample("torus.cnt");
+  elsewhere.frame.origin = {1, 2, 3};
+  expect_streamed(elsewhere, {});
+}
+
+// Mended slabs in all places of windows, chains longer than a window.
+TEST(Streams, GoBackWhereMendingReachesBelow) {
+  for (std::size_t before = 0; before < 9; ++before) {
+    for (const std::size_t chain : {1U, 2U, 12U}) {
+      const Case mended = chain_of_mends(before, chain, 5);
+      expect_streamed(mended.stack, mended.options);
+    }
+  }
+}
+
+TEST(Streams, OfRandomStacksAreTheFileOfTheSingleRun) {
+  constexpr std::uint64_t kSeed = 25;
+  for (const StackKind kind : all_kinds()) {
+    if (is_near_coincident(kind) || has_large_triangulations(kind)) continue;
+    SCOPED_TRACE(std::string(name_of(kind)) + ", seed " + std::to_string(kSeed));
+    expect_streamed(tall_stack(kind, kSeed), {}, {2});
+  }
+}
+
+TEST(Streams, AreVtuAlone) {
+  const Folder folder;
+  const auto made = write_streamed(folder / "streamed.vtk", sample("torus.cnt"));
+  ASSERT_FALSE(made.ok());
+  EXPECT_EQ(made.error().code, ErrorCode::usage);
 }
 
 TEST(Pieces, JoinedAreTheModelOfTheSingleRun) {
@@ -91,6 +221,20 @@ TEST(Pieces, JoinedAreTheModelOfTheSingleRun) {
     options.correspondence.labels = {{SectionId(3), ContourId(0), 5}};
     expect_joined(stack, options, cuts, 0);
   }
+}
+
+TEST(Pieces, OfAStackThatLiesElsewhereAndOtherFormatsAreWritten) {
+  const Folder folder;
+  SectionStack stack = sample("torus.cnt");
+  stack.frame.origin = {1, 2, 3};
+  ASSERT_TRUE(write_plan(folder / "plan", stack).ok());
+  const auto paths = write_pieces(folder, {0, 7, 19});
+  const Model model = reconstruct(stack)->model;
+  ASSERT_TRUE(write_joined(folder / "joined.vtu", paths).ok());
+  EXPECT_EQ(bytes_of(folder / "joined.vtu"), *format_vtu(model));
+  ASSERT_TRUE(write_joined(folder / "joined.vtk", paths).ok());
+  ASSERT_TRUE(write_model(folder / "direct.vtk", model).ok());
+  EXPECT_EQ(bytes_of(folder / "joined.vtk"), bytes_of(folder / "direct.vtk"));
 }
 
 TEST(Pieces, ASingleSectionIsOnePiece) {
@@ -219,8 +363,7 @@ TEST(Pieces, DamagedPlansAreRefused) {
   const auto written = write_plan(folder / "plan", stack);
   ASSERT_TRUE(written.ok());
   EXPECT_EQ(check_plan(folder / "plan")->identity, written->summary.identity);
-  std::ifstream file(folder / "plan", std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  const std::string bytes = bytes_of(folder / "plan");
   const std::string path = folder / "damaged";
   for (std::size_t at = 0; at < bytes.size(); ++at) {
     std::string damaged = bytes;

@@ -58,7 +58,7 @@ class Builder {
     if (!window) return window.error();
     WatchedWork work(options_.execution, 0);
     if (auto error = build_window(*window, options_, work)) return *error;
-    return take_range(planned_.facts, slabs, *window, 1);
+    return take_range(planned_.facts, slabs, *window, 1).value();
   }
 
   std::size_t built = 0;

@@ -1,0 +1,309 @@
+// A stack built in one process, its solid never in memory: windows of the plan in turn, some at
+// once, each appended to the stream below the next. What a window leaves open is settled at once,
+// over its ends; where that reaches below what was appended already, the stream goes back.
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <tetloft/pieces.hpp>
+
+#include "core/guard.hpp"
+#include "core/pages.hpp"
+#include "core/parallel.hpp"
+#include "core/watched_work.hpp"
+#include "io/files.hpp"
+#include "io/vtu_stream.hpp"
+#include "pieces/piece_file.hpp"
+#include "pieces/plan_file.hpp"
+#include "reconstruct/report_of.hpp"
+
+namespace tetloft {
+
+using namespace internal;
+
+namespace {
+
+using pieces::PlanFile;
+using pieces::PlannedRange;
+using pieces::StagedStream;
+
+// More make each chunk's memory larger, fewer conform more sections twice, at both ends of windows.
+constexpr std::size_t kWindowSlabs = 16;
+constexpr std::size_t kLeastWindow = 4;
+constexpr std::size_t kWindowsOfThread = 2;
+
+class Streaming {
+ public:
+  Streaming(const PlanFile& plan, io::VtuStream& stream, const Execution& execution)
+      : plan_(plan),
+        stream_(stream),
+        threads_(thread_count(execution.threads)),
+        work_(execution, plan.slabs() + 1),
+        alone_(untold(execution)) {
+    const std::size_t windows = kWindowsOfThread * threads_;
+    window_ = std::clamp((plan.slabs() + windows - 1) / windows, kLeastWindow, kWindowSlabs);
+    alone_.threads = 1;
+  }
+
+  // False: not so, but with all of the stack at once, or in another unit (loses_bits()).
+  Result<bool> run() {
+    if (plan_.slabs() == 0) return settle_and_append({{0, 0}});
+    while (stream_.slabs() < plan_.slabs()) {
+      std::vector<SlabRange> windows;
+      std::size_t next = stream_.slabs();
+      for (std::size_t k = 0; k < kWindowsOfThread * threads_ && next < plan_.slabs(); ++k) {
+        windows.push_back({next, std::min(next + window_, plan_.slabs())});
+        next = windows.back().end;
+      }
+      Result<bool> appended = settle_and_append(windows);
+      if (!appended || !*appended) return appended;
+    }
+    return true;
+  }
+
+  [[nodiscard]] bool loses_bits() const { return loses_bits_; }
+  [[nodiscard]] const ReconstructReport& report() const { return report_; }
+  [[nodiscard]] const std::vector<Warning>& warnings() const { return warnings_; }
+
+ private:
+  Result<bool> settle_and_append(const std::vector<SlabRange>& windows) {
+    Result<std::vector<BuiltRange>> built = build(windows);
+    if (!built) return or_false(built.error());
+    bool any_open = false;
+    for (const BuiltRange& window : *built) {
+      for (const ClusterSpan& cluster : window.clusters) {
+        any_open = any_open || cluster.beyond.any();
+        clusters_.push_back(cluster);
+      }
+    }
+    Settled settled;
+    if (any_open) {
+      Result<Settled> all = settle(plan_.slabs(), clusters_,
+                                   [&](const SlabRange& slabs) { return build_one(slabs); });
+      if (!all) return or_false(all.error());
+      if (all->whole) return false;
+      settled = std::move(*all);
+      adopt(settled.ranges);
+    }
+    const Result<void> appended = append(*built, settled.ranges, windows.back().end);
+    if (!appended) return or_false(appended.error());
+    return true;
+  }
+
+  Result<bool> or_false(const Error& error) const {
+    if (loses_bits_) return false;
+    return error;
+  }
+
+  // Each on one thread.
+  Result<std::vector<BuiltRange>> build(const std::vector<SlabRange>& windows) {
+    std::vector<std::optional<Result<std::optional<PlannedRange>>>> made(windows.size());
+    parallel_for(windows.size(), threads_, [&](std::size_t k) {
+      made[k].emplace(pieces::try_range(plan_, windows[k], alone_));
+      for (std::size_t slab = windows[k].first; slab < windows[k].end; ++slab) {
+        if (told_ <= slab) work_.step_done();
+      }
+      work_.go_on();
+    });
+    told_ = std::max(told_, windows.back().end);
+    std::vector<BuiltRange> built;
+    for (auto& window : made) {
+      Result<BuiltRange> one = take(*std::move(window));
+      if (!one) return one.error();
+      built.push_back(std::move(*one));
+    }
+    return built;
+  }
+
+  Result<BuiltRange> build_one(const SlabRange& slabs) {
+    work_.go_on();
+    return take(pieces::try_range(plan_, slabs, alone_));
+  }
+
+  Result<BuiltRange> take(Result<std::optional<PlannedRange>> made) {
+    if (!made) return made.error();
+    if (!*made) {
+      loses_bits_ = true;
+      return Error{ErrorCode::unrepresentable, "", {}};  // which nobody hears of
+    }
+    PlannedRange& range = **made;
+    add_up(range.report, report_);
+    warnings_.insert(warnings_.end(), range.warnings.begin(), range.warnings.end());
+    return std::move(range.built);
+  }
+
+  // What is known of clusters is what these found out.
+  void adopt(const std::vector<BuiltRange>& ranges) {
+    for (const BuiltRange& range : ranges) {
+      std::erase_if(clusters_, [&](const ClusterSpan& cluster) {
+        return cluster.slabs.first < range.slabs.end && range.slabs.first < cluster.slabs.end;
+      });
+      clusters_.insert(clusters_.end(), range.clusters.begin(), range.clusters.end());
+    }
+  }
+
+  // The windows up to slab `end`, but for what is in ranges, which may reach over both ends.
+  Result<void> append(const std::vector<BuiltRange>& windows, const std::vector<BuiltRange>& ranges,
+                      std::size_t end) {
+    if (!ranges.empty()) stream_.back_to(ranges.front().slabs.first);
+    for (const BuiltRange& range : ranges) {
+      Result<void> done = append_up_to(range.slabs.first, windows);
+      if (done) done = stream_.add(range.model, range.slabs);
+      if (!done) return done;
+    }
+    if (plan_.slabs() == 0) return stream_.add(windows.front().model, {0, 0});
+    return append_up_to(end, windows);
+  }
+
+  // What is in no window was appended before the stream went back: it is built again.
+  Result<void> append_up_to(std::size_t end, const std::vector<BuiltRange>& windows) {
+    for (const BuiltRange& window : windows) {
+      Result<void> done = append_again(std::min(end, window.slabs.first));
+      const SlabRange rest{stream_.slabs(), std::min(end, window.slabs.end)};
+      if (done && rest.first < rest.end) done = stream_.add(window.model, rest);
+      if (!done) return done;
+    }
+    return append_again(end);
+  }
+
+  Result<void> append_again(std::size_t end) {
+    while (stream_.slabs() < end) {
+      const SlabRange slabs{stream_.slabs(), end};
+      const Result<BuiltRange> again = build_one(slabs);
+      if (!again) return again.error();
+      if (Result<void> done = stream_.add(again->model, slabs); !done) return done;
+    }
+    return {};
+  }
+
+  const PlanFile& plan_;
+  io::VtuStream& stream_;
+  unsigned threads_;
+  WatchedWork work_;
+  Execution alone_;
+  std::size_t window_ = 0;  // slabs
+  std::size_t told_ = 0;    // slabs whose steps were told
+  bool loses_bits_ = false;
+  std::vector<ClusterSpan> clusters_;
+  ReconstructReport report_;
+  std::vector<Warning> warnings_;
+};
+
+using Clock = std::chrono::steady_clock;
+
+void finish_report(const Clock::time_point& start, ReconstructReport& report) {
+  report.seconds_total = std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+// The plan in a scratch file; what it was made from is given up.
+Result<PlanFile> planned_file(const std::string& path, const pieces::PlanHead& head,
+                              BuiltStack planned) {
+  io::ScratchFile scratch(path);
+  pieces::append_plan(scratch, head, planned);
+  if (scratch.failure()) return *scratch.failure();
+  return PlanFile::of(pieces::ArchiveReader::of(std::move(scratch), path), path);
+}
+
+class StreamedStack {
+ public:
+  StreamedStack(const std::string& path, const GivenStack& given, Encoding encoding,
+                io::TemporaryWatcher* watcher)
+      : path_(path), given_(given), encoding_(encoding), watcher_(watcher) {}
+
+  // Nothing where the model, made in this unit, is none in the one given.
+  Result<std::optional<StagedStream>> stage_in(Unit unit, const ReconstructOptions& options) {
+    const auto start = Clock::now();
+    const Execution quiet = untold(options.execution);
+    WatchedWork planning(quiet, 0);
+    Result<BuiltStack> planned = plan_stack(unit, given_, options, planning);
+    if (!planned) return planned.error();
+    StagedStream made;
+    made.warnings = planned->warnings;
+    made.report.seconds = planned->seconds;
+    const pieces::PlanHead head = pieces::head_of(*planned, *given_.stack, options, {});
+    const Result<PlanFile> plan = planned_file(path_, head, std::move(*planned));
+    if (!plan) return plan.error();
+    core::give_back_freed();
+    io::VtuStream stream(path_);
+    Streaming streaming(*plan, stream, options.execution);
+    Result<bool> streamed = streaming.run();
+    if (!streamed) return streamed.error();
+    if (!*streamed && streaming.loses_bits()) return std::optional<StagedStream>();
+    if (!*streamed) return in_memory(options);
+    add_up(streaming.report(), made.report);
+    made.report.slices = head.facts.sections;
+    made.report.contours = head.contours;
+    made.warnings.insert(made.warnings.end(), streaming.warnings().begin(),
+                         streaming.warnings().end());
+    if (Result<void> told = pieces::describe_streamed(stream, made.report); !told) {
+      return told.error();
+    }
+    finish_report(start, made.report);
+    Result<io::Staged> file = stream.stage(encoding_, watcher_);
+    if (!file) return file.error();
+    take(std::move(*file), made);
+    made.rest = std::move(stream.rest());
+    return std::optional(std::move(made));
+  }
+
+  Result<std::optional<StagedStream>> in_memory(const ReconstructOptions& options) {
+    Result<Reconstruction> whole = reconstruct(*given_.stack, options);
+    if (!whole) return whole.error();
+    Result<io::Staged> file = io::stage_model(path_, whole->model, {encoding_, {}}, watcher_);
+    if (!file) return file.error();
+    StagedStream made{whole->report, std::move(whole->model), std::move(whole->warnings), {}};
+    take(std::move(*file), made);
+    return std::optional(std::move(made));
+  }
+
+ private:
+  static void take(io::Staged file, StagedStream& made) {
+    made.warnings.insert(made.warnings.end(), file.warnings.begin(), file.warnings.end());
+    made.files = std::move(file.files);
+  }
+
+  const std::string& path_;
+  const GivenStack& given_;
+  Encoding encoding_;
+  io::TemporaryWatcher* watcher_;
+};
+
+template <class Stack>
+Result<WrittenStream> write_streamed_of(const std::string& path, const Stack& stack,
+                                        const ReconstructOptions& options, Encoding encoding) {
+  Result<StagedStream> made = pieces::stage_streamed(path, stack, options, encoding);
+  if (!made) return made.error();
+  return guard_internal([&]() -> Result<WrittenStream> {
+    if (Result<void> done = io::commit_all(made->files); !done) return done.error();
+    return WrittenStream{made->report, std::move(made->warnings)};
+  });
+}
+
+}  // namespace
+
+Result<StagedStream> pieces::stage_streamed(const std::string& path, const GivenStack& given,
+                                            const ReconstructOptions& options, Encoding encoding,
+                                            io::TemporaryWatcher* watcher) {
+  if (io::extension_of(path) != ".vtu") {
+    Error error{ErrorCode::usage, "a stream is written as .vtu", {}};
+    error.where.file = path;
+    return error;
+  }
+  return in_either_unit(options, [&](Unit unit, const ReconstructOptions& in_unit) {
+    StreamedStack stack(path, given, encoding, watcher);
+    return given.stack->frame == Frame{} ? stack.stage_in(unit, in_unit) : stack.in_memory(in_unit);
+  });
+}
+
+Result<WrittenStream> write_streamed(const std::string& path, const SectionStack& stack,
+                                     const ReconstructOptions& options, Encoding encoding) {
+  return write_streamed_of(path, stack, options, encoding);
+}
+Result<WrittenStream> write_streamed(const std::string& path, const ValidStack& stack,
+                                     const ReconstructOptions& options, Encoding encoding) {
+  return write_streamed_of(path, stack, options, encoding);
+}
+
+}  // namespace tetloft
