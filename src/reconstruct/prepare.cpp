@@ -134,7 +134,10 @@ Result<PreparedStack> prepare(const GivenStack& given, Unit unit, const Reconstr
   prepared.nestings = *std::move(nestings);  // scaling by a power of two changes no order
   if (divides_coarse(options)) prepared.least_long = sections::least_long_edge(prepared.stack);
   prepared.sections.resize(prepared.section_count());
-  if (conform == Conform::none) return prepared;
+  if (conform == Conform::none) {
+    for (std::size_t s = 0; s < prepared.section_count(); ++s) work.step_done_go_on();
+    return prepared;
+  }
   auto error = conform_all(prepared, options.execution.threads, work);
   if (!error) return prepared;
   if (error->where.point) error->where.point = scaled(*error->where.point, -prepared.exponent);

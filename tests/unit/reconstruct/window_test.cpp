@@ -58,7 +58,9 @@ class Builder {
     if (!window) return window.error();
     WatchedWork work(options_.execution, 0);
     if (auto error = build_window(*window, options_, work)) return *error;
-    return take_range(planned_.facts, slabs, *window, 1).value();
+    std::optional<BuiltRange> made = take_range(planned_.facts, slabs, *window, 1);
+    if (!made) return Error{ErrorCode::unrepresentable, "another unit", {}};
+    return *std::move(made);
   }
 
   std::size_t built = 0;
