@@ -55,7 +55,8 @@ TEST(Archive, RecordsReadBackInAnyOrder) {
   EXPECT_EQ(reader->identity(), archive.identity);
   ASSERT_EQ(reader->size(), 5U);
   for (const std::size_t k : std::vector<std::size_t>{4, 0, 2, 3, 1}) {
-    RecordReader in(*reader->record(k), kTest, "name");
+    const std::string bytes = reader->record(k).value();
+    RecordReader in(bytes, kTest, "name");
     EXPECT_EQ(in.get<std::uint64_t>(), (std::vector<std::uint64_t>{3, 1, 4, 1, 5}[k]));
     EXPECT_TRUE(in.end().ok());
   }
