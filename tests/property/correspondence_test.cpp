@@ -268,7 +268,7 @@ TEST(Correspondence, IsTheSameWhenItIsComputedAnew) {
       }
     }
   }
-  EXPECT_GT(answers[0], 125 * kSeeds);
+  EXPECT_GT(answers[0], 100 * kSeeds);
   EXPECT_GT(answers[1], kSeeds);
   EXPECT_GT(answers[2], 5 * kSeeds);
   EXPECT_GT(with_oracle, 12 * kSeeds);
