@@ -13,6 +13,7 @@
 #include <tetloft/predicates.hpp>
 
 #include "core/enums.hpp"
+#include "core/finite_points.hpp"
 #include "core/guard.hpp"
 #include "core/pages.hpp"
 #include "core/parallel.hpp"
@@ -32,20 +33,11 @@ namespace {
 // 32-bit ids hold many more; the limit of 2^30 tets comes first for all but degenerate input.
 constexpr std::size_t kMaxPoints = std::size_t{1} << 30;
 
-bool has_finite_coordinates(const Point3& p) {
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
-
 Result<void> check_points(std::span<const Point3> points) {
   if (points.size() >= kMaxPoints) {
     return Error{ErrorCode::invalid_input, "more than 2^30 points", {}};
   }
-  const auto bad = std::find_if_not(points.begin(), points.end(), has_finite_coordinates);
-  if (bad == points.end()) return {};
-  Error error{ErrorCode::invalid_input, "a coordinate is not finite", {}};
-  error.where.vertex = static_cast<std::size_t>(bad - points.begin());
-  error.where.point = *bad;
-  return error;
+  return check_all_finite(points);
 }
 
 IdVector<VertexId, VertexId> own_representatives(std::size_t n) {

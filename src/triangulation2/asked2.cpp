@@ -9,6 +9,7 @@
 #include <tetloft/delaunay_triangulation2.hpp>
 #include <tetloft/predicates.hpp>
 
+#include "core/finite_points.hpp"
 #include "core/guard.hpp"
 #include "predicates/by_distance.hpp"
 #include "triangulation2/behind_walls.hpp"
@@ -88,7 +89,7 @@ template <class Answer, class Ask>
 Result<Answer> asked_of_plane(const Point2& p, std::size_t vertices, const Answer& nothing,
                               const Ask& ask) {
   return guard_internal([&]() -> Result<Answer> {
-    if (Result<void> fine = triangulation2::check_point(p); !fine) return fine.error();
+    if (Result<void> fine = check_finite(p); !fine) return fine.error();
     if (vertices == 0) return nothing;
     return ask();
   });

@@ -8,6 +8,7 @@
 
 #include <tetloft/predicates.hpp>
 
+#include "core/finite_points.hpp"
 #include "core/guard.hpp"
 #include "core/parallel.hpp"
 #include "core/watched_work.hpp"
@@ -79,7 +80,7 @@ Result<DelaunayTriangulation2> DelaunayTriangulation2::of(std::span<const Point2
 Result<DelaunayTriangulation2::Insertion> DelaunayTriangulation2::insert(const Point2& point,
                                                                          DelaunayVertex near) {
   return guard_internal([&]() -> Result<Insertion> {
-    if (Result<void> fine = triangulation2::check_point(point); !fine) return fine.error();
+    if (Result<void> fine = check_finite(point); !fine) return fine.error();
     Impl& impl = own();
     return impl.insert(point, impl.hint(near));
   });
@@ -148,7 +149,7 @@ Result<void> DelaunayTriangulation2::remove(DelaunayVertex v) {
 Result<void> DelaunayTriangulation2::move(DelaunayVertex v, const Point2& to) {
   return guard_internal([&]() -> Result<void> {
     if (!is_live(v)) return no_such_vertex(v);
-    if (Result<void> fine = triangulation2::check_point(to); !fine) return fine.error();
+    if (Result<void> fine = check_finite(to); !fine) return fine.error();
     const VertexId id = impl_->id(v);
     if (impl_->plane.point(id) == to) return {};
     if (Result<void> free = impl_->check_free(id); !free) return free;

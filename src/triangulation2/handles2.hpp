@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -12,32 +11,19 @@
 
 #include <tetloft/delaunay_triangulation2.hpp>
 
+#include "core/finite_points.hpp"
 #include "core/provide_room.hpp"
 #include "core/vertex_places.hpp"
 #include "triangulation2/live_plane.hpp"
 
 namespace tetloft::internal::triangulation2 {
 
-[[nodiscard]] inline Result<void> check_point(const Point2& p) {
-  if (std::isfinite(p.x) && std::isfinite(p.y)) return {};
-  Error error{ErrorCode::invalid_input, "a coordinate is not finite", {}};
-  error.where.point = Point3{p.x, p.y, 0};
-  return error;
-}
-
-/// Of many at once, 2^29 at most; the error names the first one that is not finite.
+/// Of many at once, fewer than 2^29; the error names the first one that is not finite.
 [[nodiscard]] inline Result<void> check_points(std::span<const Point2> points) {
   if (points.size() >= Incremental2::kMostVertices) {
     return Error{ErrorCode::invalid_input, "2^29 points or more", {}};
   }
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (Result<void> fine = check_point(points[i]); !fine) {
-      Error error = fine.error();
-      error.where.vertex = i;
-      return error;
-    }
-  }
-  return {};
+  return check_all_finite(points);
 }
 
 }  // namespace tetloft::internal::triangulation2

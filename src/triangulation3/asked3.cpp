@@ -8,6 +8,7 @@
 #include <tetloft/delaunay3.hpp>
 #include <tetloft/delaunay_triangulation3.hpp>
 
+#include "core/finite_points.hpp"
 #include "core/guard.hpp"
 #include "core/parallel.hpp"
 #include "triangulation3/handles3.hpp"
@@ -33,7 +34,7 @@ template <class Answer, class Ask>
 Result<Answer> asked_of(const Point3& p, std::size_t vertices, const Answer& nothing,
                         const Ask& ask) {
   return guard_internal([&]() -> Result<Answer> {
-    if (Result<void> fine = triangulation3::check_point(p); !fine) return fine.error();
+    if (Result<void> fine = check_finite(p); !fine) return fine.error();
     if (vertices == 0) return nothing;
     return ask();
   });

@@ -9,6 +9,7 @@
 
 #include <tetloft/predicates.hpp>
 
+#include "core/finite_points.hpp"
 #include "core/guard.hpp"
 #include "core/parallel.hpp"
 #include "triangulation3/handles3.hpp"
@@ -59,7 +60,7 @@ Result<DelaunayTriangulation3> DelaunayTriangulation3::of(std::span<const Point3
 Result<DelaunayTriangulation3::Insertion> DelaunayTriangulation3::insert(const Point3& point,
                                                                          DelaunayVertex near) {
   return guard_internal([&]() -> Result<Insertion> {
-    if (Result<void> fine = triangulation3::check_point(point); !fine) return fine.error();
+    if (Result<void> fine = check_finite(point); !fine) return fine.error();
     Impl& impl = own();
     return impl.insert(point, impl.hint(near));
   });
@@ -91,7 +92,7 @@ Result<void> DelaunayTriangulation3::remove(DelaunayVertex v) {
 Result<void> DelaunayTriangulation3::move(DelaunayVertex v, const Point3& to) {
   return guard_internal([&]() -> Result<void> {
     if (!is_live(v)) return no_such_vertex(v);
-    if (Result<void> fine = triangulation3::check_point(to); !fine) return fine.error();
+    if (Result<void> fine = check_finite(to); !fine) return fine.error();
     const VertexId id = impl_->id(v);
     if (impl_->tets.point(id) == to) return {};
     const VertexId moved = impl_->provide(to);

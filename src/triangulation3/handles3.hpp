@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -12,6 +11,7 @@
 
 #include <tetloft/delaunay_triangulation3.hpp>
 
+#include "core/finite_points.hpp"
 #include "core/pages.hpp"
 #include "core/provide_room.hpp"
 #include "core/vertex_places.hpp"
@@ -27,26 +27,12 @@ inline constexpr std::size_t kMostVertices = std::size_t{1} << 30;
   return VertexId(place + LiveTets::kAuxiliaries);
 }
 
-[[nodiscard]] inline Result<void> check_point(const Point3& p) {
-  if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) return {};
-  Error error{ErrorCode::invalid_input, "a coordinate is not finite", {}};
-  error.where.point = p;
-  return error;
-}
-
-/// Of many at once, 2^30 at most; the error names the first one that is not finite.
+/// Of many at once, fewer than 2^30; the error names the first one that is not finite.
 [[nodiscard]] inline Result<void> check_points(std::span<const Point3> points) {
   if (points.size() >= kMostVertices) {
     return Error{ErrorCode::invalid_input, "2^30 points or more", {}};
   }
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (Result<void> fine = check_point(points[i]); !fine) {
-      Error error = fine.error();
-      error.where.vertex = i;
-      return error;
-    }
-  }
-  return {};
+  return check_all_finite(points);
 }
 
 }  // namespace tetloft::internal::triangulation3
