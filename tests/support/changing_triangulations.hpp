@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -97,6 +99,33 @@ void come_and_go(const SourceOf<Point>& source, const EqualsBatch& equals_batch)
   }
   EXPECT_EQ(t.vertex_count(), 0U);
   EXPECT_EQ(t.dimension(), -1);
+}
+
+/// Many questions at once have the answers of each alone on any number of threads, and a point that
+/// is not finite refuses all; `simplex_of(location)` is the triangle or tet.
+template <class Triangulation, class Point, class SimplexOf>
+void expect_answers_of_each(const Triangulation& t, std::vector<Point> queries,
+                            const SimplexOf& simplex_of) {
+  const auto by_one_thread = value_of(t.locate(queries, {.threads = 1}));
+  for (const unsigned threads : {1U, 2U, 5U}) {
+    const auto nearest = value_of(t.nearest_vertex(queries, {.threads = threads}));
+    const auto located = value_of(t.locate(queries, {.threads = threads}));
+    ASSERT_EQ(nearest.size(), queries.size());
+    ASSERT_EQ(located.size(), queries.size());
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+      EXPECT_EQ(nearest[i], value_of(t.nearest_vertex(queries[i])));
+      const auto one = value_of(t.locate(queries[i]));
+      EXPECT_EQ(located[i].kind, one.kind);
+      EXPECT_EQ(located[i].vertices, one.vertices);
+      EXPECT_EQ(simplex_of(located[i]), simplex_of(by_one_thread[i]));
+    }
+  }
+  EXPECT_TRUE(value_of(t.locate(std::span<const Point>())).empty());
+  queries[7].y = std::numeric_limits<double>::infinity();
+  const auto refused = t.nearest_vertex(queries);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().code, ErrorCode::invalid_input);
+  EXPECT_EQ(refused.error().where.vertex, 7U);
 }
 
 /// A vertex by distance, which points with few bits have exactly, then by index.

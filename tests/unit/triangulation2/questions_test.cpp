@@ -52,38 +52,17 @@ std::vector<std::vector<Point2>> sets_of_few_bits() {
 
 // With constraints and without.
 TEST(Questions, ManyAtOnceHaveTheAnswersOfEachAlone) {
+  const auto simplex_of = [](const Location2& at) { return at.triangle; };
   for (const std::vector<Point2>& points : sets_of_few_bits()) {
     SCOPED_TRACE(testing::Message() << points.size() << " points");
     DelaunayTriangulation2 t = value_of(DelaunayTriangulation2::of(points));
     Prng prng(16);
     std::vector<Point2> queries;
     for (int i = 0; i < 2600; ++i) queries.push_back(few_bits(prng));
-    for (const bool constrained : {false, true}) {
-      if (constrained && t.vertex_count() > 1) {
-        ASSERT_TRUE(t.insert_constraint(t.hull().front(), t.hull().back()).ok());
-      }
-      std::vector<Location2> alone;
-      for (const unsigned threads : {1U, 2U, 5U}) {
-        const auto nearest = value_of(t.nearest_vertex(queries, {.threads = threads}));
-        const auto located = value_of(t.locate(queries, {.threads = threads}));
-        ASSERT_EQ(nearest.size(), queries.size());
-        ASSERT_EQ(located.size(), queries.size());
-        if (threads == 1) alone = located;
-        for (std::size_t i = 0; i < queries.size(); ++i) {
-          EXPECT_EQ(nearest[i], value_of(t.nearest_vertex(queries[i])));
-          const Location2 one = value_of(t.locate(queries[i]));
-          EXPECT_EQ(located[i].kind, one.kind);
-          EXPECT_EQ(located[i].vertices, one.vertices);
-          EXPECT_EQ(located[i].triangle, alone[i].triangle);
-        }
-      }
-    }
-    EXPECT_TRUE(value_of(t.locate(std::span<const Point2>())).empty());
-    queries[7].y = std::numeric_limits<double>::infinity();
-    const auto refused = t.nearest_vertex(queries);
-    ASSERT_FALSE(refused.ok());
-    EXPECT_EQ(refused.error().code, ErrorCode::invalid_input);
-    EXPECT_EQ(refused.error().where.vertex, 7U);
+    expect_answers_of_each(t, queries, simplex_of);
+    if (t.vertex_count() < 2) continue;
+    ASSERT_TRUE(t.insert_constraint(t.hull().front(), t.hull().back()).ok());
+    expect_answers_of_each(t, queries, simplex_of);
   }
 }
 
