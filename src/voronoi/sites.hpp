@@ -17,12 +17,6 @@
 
 namespace tetloft::internal::voronoi {
 
-[[nodiscard]] inline Error no_such_site(DelaunayVertex v) {
-  Error error{ErrorCode::invalid_input, "there is no such vertex, or no longer", {}};
-  if (v.valid()) error.where.vertex = v.index;
-  return error;
-}
-
 [[nodiscard]] inline Error immoderate_site(DelaunayVertex v) {
   Error error{ErrorCode::invalid_input, "a coordinate is beyond 2^300", {}};
   error.where.vertex = v.index;

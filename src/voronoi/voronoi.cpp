@@ -10,6 +10,7 @@
 
 #include "core/guard.hpp"
 #include "core/vector.hpp"
+#include "core/vertex_places.hpp"
 #include "voronoi/cut_polyhedron.hpp"
 #include "voronoi/dual_cell.hpp"
 #include "voronoi/moderate.hpp"
@@ -130,7 +131,7 @@ const char* name_of(BoxSide side) {
 Result<VoronoiCell3> voronoi_cell(const DelaunayTriangulation3& triangulation,
                                   DelaunayVertex site) {
   return guard_internal([&]() -> Result<VoronoiCell3> {
-    if (!triangulation.is_live(site)) return voronoi::no_such_site(site);
+    if (!triangulation.is_live(site)) return no_such_vertex(site);
     return whole_cell(triangulation, site);
   });
 }
@@ -138,7 +139,7 @@ Result<VoronoiCell3> voronoi_cell(const DelaunayTriangulation3& triangulation,
 Result<VoronoiCell3> voronoi_cell(const DelaunayTriangulation3& triangulation, DelaunayVertex site,
                                   const ClippingBox& box) {
   return guard_internal([&]() -> Result<VoronoiCell3> {
-    if (!triangulation.is_live(site)) return voronoi::no_such_site(site);
+    if (!triangulation.is_live(site)) return no_such_vertex(site);
     if (Result<void> fine = check_clipping(box); !fine) return fine.error();
     return clipped_cell(triangulation, site, box);
   });

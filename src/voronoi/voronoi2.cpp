@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/guard.hpp"
+#include "core/vertex_places.hpp"
 #include "voronoi/cut_polygon.hpp"
 #include "voronoi/dual_cell2.hpp"
 #include "voronoi/moderate.hpp"
@@ -125,7 +126,7 @@ constexpr std::size_t kPlaneCellsAtOnce = 1024;
 Result<VoronoiCell2> voronoi_cell(const DelaunayTriangulation2& triangulation,
                                   DelaunayVertex site) {
   return guard_internal([&]() -> Result<VoronoiCell2> {
-    if (!triangulation.is_live(site)) return voronoi::no_such_site(site);
+    if (!triangulation.is_live(site)) return no_such_vertex(site);
     if (Result<void> fine = check_cells(triangulation); !fine) return fine.error();
     return whole_cell_of_plane(triangulation, site);
   });
@@ -144,7 +145,7 @@ Result<std::vector<VoronoiCell2>> voronoi_cells(const DelaunayTriangulation2& tr
 Result<VoronoiCell2> voronoi_cell(const DelaunayTriangulation2& triangulation, DelaunayVertex site,
                                   const ClippingRectangle& rectangle) {
   return guard_internal([&]() -> Result<VoronoiCell2> {
-    if (!triangulation.is_live(site)) return voronoi::no_such_site(site);
+    if (!triangulation.is_live(site)) return no_such_vertex(site);
     if (Result<void> fine = check_cells(triangulation, rectangle); !fine) return fine.error();
     return cell_in_rectangle(triangulation, site, rectangle);
   });
