@@ -26,21 +26,37 @@ struct CornerOfTet {
   Point3 centre;
 };
 
+/// A facet of the tet at the vertex, by two edges p and q.
+struct FacetAtCorner {
+  Point3 normal;           ///< p × q: as long as twice the area
+  double lengths = 0;      ///< |p|² |q|²
+  double of_p = 0;         ///< |p|² q · (q − p)
+  double of_q = 0;         ///< |q|² p · (p − q)
+  bool is_turned = false;  ///< does the normal point away from the fourth vertex?
+};
+
+[[nodiscard]] inline FacetAtCorner facet_at(const CornerOfTet& at, std::size_t k) {
+  using namespace vectors;
+  const Point3& p = at.edge[k];
+  const Point3& q = at.edge[(k + 1) % 3];
+  const double p_squared = dot(p, p), q_squared = dot(q, q);
+  const Point3 normal = cross(p, q);
+  return {normal, p_squared * q_squared, p_squared * dot(q, q - p), q_squared * dot(p, p - q),
+          dot(at.edge[(k + 2) % 3], normal) < 0};
+}
+
 /// The part of the vertex's cell.
 [[nodiscard]] inline double flag_volume(const CornerOfTet& at) {
   using namespace vectors;
   double sum = 0;
   for (std::size_t k = 0; k < 3; ++k) {
-    const Point3& p = at.edge[k];
-    const Point3& q = at.edge[(k + 1) % 3];
-    const Point3 normal = cross(p, q);
+    const FacetAtCorner facet = facet_at(at, k);
     // Distance to the facet's plane times twice its area: positive on the fourth vertex' side.
-    const bool turned = dot(at.edge[(k + 2) % 3], normal) < 0;
-    const double height = turned ? -dot(at.centre, normal) : dot(at.centre, normal);
+    const double height =
+        facet.is_turned ? -dot(at.centre, facet.normal) : dot(at.centre, facet.normal);
     // In the facet the distance of its centre from p is half |p| times the cotangent of the angle
     // opposite, that of its inner product and twice the area; from q likewise.
-    const double of_edges = dot(p, p) * dot(q, q - p) + dot(q, q) * dot(p, p - q);
-    sum += height * of_edges / (24 * dot(normal, normal));
+    sum += height * (facet.of_p + facet.of_q) / (24 * dot(facet.normal, facet.normal));
   }
   return sum;
 }
@@ -51,13 +67,10 @@ struct CornerOfTet {
   using namespace vectors;
   double sum = 0;
   for (std::size_t k = 0; k < 3; ++k) {
-    const Point3& p = at.edge[k];
-    const Point3& q = at.edge[(k + 1) % 3];
-    const Point3 normal = cross(p, q);
-    const double of_edges =
-        std::abs(dot(p, p) * dot(q, q - p)) + std::abs(dot(q, q) * dot(p, p - q));
-    const double lengths = std::sqrt(dot(p, p) * dot(q, q) * dot(at.centre, at.centre));
-    sum += lengths * of_edges / (24 * dot(normal, normal));
+    const FacetAtCorner facet = facet_at(at, k);
+    const double lengths = std::sqrt(facet.lengths * dot(at.centre, at.centre));
+    sum += lengths * (std::abs(facet.of_p) + std::abs(facet.of_q)) /
+           (24 * dot(facet.normal, facet.normal));
   }
   return sum;
 }
