@@ -53,7 +53,6 @@ class PlaneOracle {
       for (const Edge& e : t.edges(c)) walls_[e].push_back(c);
     }
   }
-  [[nodiscard]] const WallsOf& walls() const { return walls_; }
   [[nodiscard]] bool is_held(DelaunayVertex v) const {
     return std::any_of(walls_.begin(), walls_.end(), [&](const WallsOf::value_type& wall) {
       return wall.first[0] == v || wall.first[1] == v;

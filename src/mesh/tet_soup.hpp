@@ -11,9 +11,9 @@
 
 namespace tetloft::internal::mesh_detail {
 
-/// The half-face 4 t + i must stay below HalfFaceId::kInvalid = 2^32 − 1.
 /// Ids are 32 bits, one of them the invalid one.
 inline constexpr std::size_t kMostVertices = VertexId::kInvalid;
+/// The half-face 4 t + i must stay below HalfFaceId::kInvalid = 2^32 − 1.
 inline constexpr std::size_t kMostTetSlots = (std::size_t{1} << 30) - 1;
 
 /// Why `tet`, slot `name`, cannot be in any mesh over `vertex_count`
