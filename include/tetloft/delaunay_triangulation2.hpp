@@ -118,11 +118,12 @@ class TETLOFT_API DelaunayTriangulation2 {
   // they share edges.
 
   /// Makes the segment u v a union of edges. Where it crosses a constraint it is refused
-  /// (invalid_input, naming the other one, where.point about where), or the crossing point, rounded
-  /// once, is inserted, if it is no vertex yet, and both go over it: that bends them by ulps. Bent
-  /// pieces that cross others are divided in turn, at most 2^16 times (work_limit; nothing has
-  /// happened then). Splitting takes a copy of everything, once for each constraint that crosses:
-  /// for many there is insert_constraints().
+  /// (invalid_input, naming the other one, where.point about where), or the crossing point,
+  /// rounded, is inserted, if it is no vertex yet, and both go over it: that bends them by ulps. An
+  /// end that the other one passes within rounding is taken for it. Bent pieces that cross others
+  /// are divided in turn, at most 2^16 times (work_limit; nothing has happened then). Splitting
+  /// takes a copy of everything, once for each constraint that crosses: for many there is
+  /// insert_constraints().
   [[nodiscard]] Result<ConstraintId> insert_constraint(DelaunayVertex u, DelaunayVertex v,
                                                        Crossing crossing = Crossing::refuse);
   /// Many, one after the other, on one copy of everything; result[i] is that of segments[i]. If one
