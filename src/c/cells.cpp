@@ -218,23 +218,16 @@ tetloft_status tetloft_cells_free(tetloft_cells* cells) { return free_handle(cel
 tetloft_status tetloft_delaunay_volumes(const tetloft_delaunay* delaunay,
                                         const tetloft_execution* execution, double* volumes,
                                         size_t capacity, size_t* count) {
-  clear(count);
-  return answer([&] {
-    const auto value = value_of_handle(delaunay, "delaunay");
-    const tetloft::Execution how = execution_of(execution);
-    const CallerArray<double> array{volumes, capacity, count, "volumes"};
-    value->ask([&](const DelaunayTriangulation3& t) {
-      fill_by(t.vertex_slots(), array, [&](double* to) {
-        const std::vector<double> found = value_of(tetloft::voronoi_volumes(t, how));
-        std::copy(found.begin(), found.end(), to);
+  return ChangingSpace::measured(
+      delaunay, execution, volumes, capacity, count, "volumes",
+      [](const DelaunayTriangulation3& t, const tetloft::Execution& how) {
+        return tetloft::voronoi_volumes(t, how);
       });
-    });
-  });
 }
 
 tetloft_status tetloft_delaunay_circumspheres(const tetloft_delaunay* delaunay, double* spheres,
                                               size_t capacity, size_t* count) {
-  return Changing<tetloft_delaunay>::counted(
+  return ChangingSpace::counted(
       delaunay, spheres, capacity, count, "spheres",
       [](const DelaunayTriangulation3& t) { return t.tet_count(); },
       [](const DelaunayTriangulation3& t, double* to) {

@@ -1,7 +1,6 @@
 // Voronoi cells in the plane.
 #include <tetloft/voronoi2.hpp>
 
-#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -148,16 +147,9 @@ tetloft_status tetloft_plane_cells_free(tetloft_plane_cells* cells) { return fre
 tetloft_status tetloft_delaunay_plane_areas(const tetloft_delaunay_plane* delaunay,
                                             const tetloft_execution* execution, double* areas,
                                             size_t capacity, size_t* count) {
-  clear(count);
-  return answer([&] {
-    const auto value = value_of_handle(delaunay, "delaunay");
-    const tetloft::Execution how = execution_of(execution);
-    const CallerArray<double> array{areas, capacity, count, "areas"};
-    value->ask([&](const DelaunayTriangulation2& t) {
-      fill_by(t.vertex_slots(), array, [&](double* to) {
-        const std::vector<double> found = value_of(tetloft::voronoi_areas(t, how));
-        std::copy(found.begin(), found.end(), to);
+  return ChangingPlane::measured(
+      delaunay, execution, areas, capacity, count, "areas",
+      [](const DelaunayTriangulation2& t, const tetloft::Execution& how) {
+        return tetloft::voronoi_areas(t, how);
       });
-    });
-  });
 }
