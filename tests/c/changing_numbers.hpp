@@ -71,6 +71,9 @@ void expect_found(const std::function<tetloft_status(Element*, std::size_t, std:
   }
   ASSERT_OK(query(array, count, &count));
   EXPECT_EQ(found, expected);
+  if (count > 0) {
+    EXPECT_TRUE(same_array(found.data(), count, expected)) << "bit for bit";
+  }
 }
 
 /// The three arrays of a conflict zone: `query(cells, capacity, count, horizon, …)` of a capacity

@@ -94,13 +94,11 @@ TEST_F(PlaneCellsOfC, AreThoseOfCpp) {
     ASSERT_OK(tetloft_delaunay_plane_cell(c_, number(v), rectangle.data(), cells.out()));
     expect_plane_cells(cells, {voronoi_cell(plane_, v, same).value()});
   }
-  const std::vector<double> expected = voronoi_areas(plane_).value();
-  std::vector<double> areas(expected.size());
-  std::size_t count = 0;
-  EXPECT_EQ(tetloft_delaunay_plane_areas(c_, nullptr, areas.data(), areas.size() - 1, &count),
-            TETLOFT_TOO_SMALL);
-  ASSERT_OK(tetloft_delaunay_plane_areas(c_, nullptr, areas.data(), areas.size(), &count));
-  EXPECT_TRUE(same_array(areas.data(), count, expected));
+  expect_found<double, double>(
+      [&](auto* a, auto n, auto* count) {
+        return tetloft_delaunay_plane_areas(c_, nullptr, a, n, count);
+      },
+      voronoi_areas(plane_).value());
 }
 
 TEST_F(PlaneCellsOfC, AreRefusedAsInCpp) {
