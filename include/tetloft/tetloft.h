@@ -1152,8 +1152,7 @@ TETLOFT_C_API tetloft_status tetloft_natural_neighbours_weights(
 TETLOFT_C_API tetloft_status
 tetloft_natural_neighbours_free(tetloft_natural_neighbours* neighbours);
 
-/* --- Voronoi cells and natural neighbours in the plane (tetloft/voronoi2.hpp) ------------------
- */
+/* --- Voronoi cells and natural neighbours in the plane (tetloft/voronoi2.hpp) ----------------- */
 
 /* As in space; TETLOFT_INVALID_INPUT where there are constraints, whose triangulation is another
  * one than that of the cells. */

@@ -17,6 +17,7 @@
 #include <tetloft/point.hpp>
 
 #include "c/call.hpp"
+#include "c/handles.hpp"
 
 namespace tetloft::internal::c {
 
@@ -77,6 +78,20 @@ template <class T>
 void put_array(const std::vector<T>& values, const typename Flat<T>::Number** numbers,
                std::size_t* count) {
   put_array(std::span<const T>(values), numbers, count);
+}
+
+/// The body of a function that answers with an array of what a handle names.
+template <class Handle, class Value, class T>
+[[nodiscard]] tetloft_status answer_array(const Handle* handle, const char* argument,
+                                          std::vector<T> Value::*array,
+                                          const typename Flat<T>::Number** numbers,
+                                          std::size_t* count) noexcept {
+  clear(numbers);
+  clear(count);
+  return answer([&] {
+    const auto value = value_of_handle(handle, argument);
+    put_array((*value).*array, numbers, count);
+  });
 }
 
 /// Ends a body with TETLOFT_TOO_SMALL where a caller's array does not take `needed` elements.

@@ -92,18 +92,6 @@ SphereNumbers sphere_through(const std::array<Point3, 4>& p) {
   return {sphere.centre.x, sphere.centre.y, sphere.centre.z, sphere.radius};
 }
 
-// Answers with an array of the cells.
-template <class T>
-tetloft_status put_of_cells(const tetloft_cells* cells, std::vector<T> CellsValue::*array,
-                            const typename Flat<T>::Number** numbers, std::size_t* count) {
-  clear(numbers);
-  clear(count);
-  return answer([&] {
-    const auto value = value_of_handle(cells, "cells");
-    put_array((*value).*array, numbers, count);
-  });
-}
-
 }  // namespace
 
 }  // namespace tetloft::internal::c
@@ -157,72 +145,72 @@ tetloft_status tetloft_periodic_voronoi(const double* xyz, size_t point_count, c
 
 tetloft_status tetloft_cells_sites(const tetloft_cells* cells, const uint64_t** sites,
                                    size_t* count) {
-  return put_of_cells(cells, &CellsValue::sites, sites, count);
+  return answer_array(cells, "cells", &CellsValue::sites, sites, count);
 }
 
 tetloft_status tetloft_cells_bounded(const tetloft_cells* cells, const uint8_t** bounded,
                                      size_t* count) {
-  return put_of_cells(cells, &CellsValue::bounded, bounded, count);
+  return answer_array(cells, "cells", &CellsValue::bounded, bounded, count);
 }
 
 tetloft_status tetloft_cells_volumes(const tetloft_cells* cells, const double** volumes,
                                      size_t* count) {
-  return put_of_cells(cells, &CellsValue::volumes, volumes, count);
+  return answer_array(cells, "cells", &CellsValue::volumes, volumes, count);
 }
 
 tetloft_status tetloft_cells_corner_begin(const tetloft_cells* cells, const size_t** begin,
                                           size_t* count) {
-  return put_of_cells(cells, &CellsValue::corner_begin, begin, count);
+  return answer_array(cells, "cells", &CellsValue::corner_begin, begin, count);
 }
 
 tetloft_status tetloft_cells_corners(const tetloft_cells* cells, const double** xyz,
                                      size_t* count) {
-  return put_of_cells(cells, &CellsValue::corners, xyz, count);
+  return answer_array(cells, "cells", &CellsValue::corners, xyz, count);
 }
 
 tetloft_status tetloft_cells_face_begin(const tetloft_cells* cells, const size_t** begin,
                                         size_t* count) {
-  return put_of_cells(cells, &CellsValue::face_begin, begin, count);
+  return answer_array(cells, "cells", &CellsValue::face_begin, begin, count);
 }
 
 tetloft_status tetloft_cells_neighbours(const tetloft_cells* cells, const uint64_t** neighbours,
                                         size_t* count) {
-  return put_of_cells(cells, &CellsValue::neighbours, neighbours, count);
+  return answer_array(cells, "cells", &CellsValue::neighbours, neighbours, count);
 }
 
 tetloft_status tetloft_cells_sides(const tetloft_cells* cells, const uint8_t** sides,
                                    size_t* count) {
-  return put_of_cells(cells, &CellsValue::sides, sides, count);
+  return answer_array(cells, "cells", &CellsValue::sides, sides, count);
 }
 
 tetloft_status tetloft_cells_faces_bounded(const tetloft_cells* cells, const uint8_t** bounded,
                                            size_t* count) {
-  return put_of_cells(cells, &CellsValue::faces_bounded, bounded, count);
+  return answer_array(cells, "cells", &CellsValue::faces_bounded, bounded, count);
 }
 
 tetloft_status tetloft_cells_areas(const tetloft_cells* cells, const double** areas,
                                    size_t* count) {
-  return put_of_cells(cells, &CellsValue::areas, areas, count);
+  return answer_array(cells, "cells", &CellsValue::areas, areas, count);
 }
 
 tetloft_status tetloft_cells_face_corner_begin(const tetloft_cells* cells, const size_t** begin,
                                                size_t* count) {
-  return put_of_cells(cells, &CellsValue::face_corner_begin, begin, count);
+  return answer_array(cells, "cells", &CellsValue::face_corner_begin, begin, count);
 }
 
 tetloft_status tetloft_cells_face_corners(const tetloft_cells* cells, const uint32_t** corners,
                                           size_t* count) {
-  return put_of_cells(cells, &CellsValue::face_corners, corners, count);
+  return answer_array(cells, "cells", &CellsValue::face_corners, corners, count);
 }
 
 tetloft_status tetloft_cells_shifts(const tetloft_cells* cells, const int32_t** shifts,
                                     size_t* count) {
-  return put_of_cells(cells, &CellsValue::shifts, shifts, count);
+  return answer_array(cells, "cells", &CellsValue::shifts, shifts, count);
 }
 
 tetloft_status tetloft_cells_normals(const tetloft_cells* cells, const double** normals,
                                      size_t* count) {
-  return put_of_cells(cells, &CellsValue::normals, normals, count);
+  return answer_array(cells, "cells", &CellsValue::normals, normals, count);
 }
 
 tetloft_status tetloft_cells_free(tetloft_cells* cells) { return free_handle(cells); }
@@ -230,23 +218,16 @@ tetloft_status tetloft_cells_free(tetloft_cells* cells) { return free_handle(cel
 tetloft_status tetloft_delaunay_volumes(const tetloft_delaunay* delaunay,
                                         const tetloft_execution* execution, double* volumes,
                                         size_t capacity, size_t* count) {
-  clear(count);
-  return answer([&] {
-    const auto value = value_of_handle(delaunay, "delaunay");
-    const tetloft::Execution how = execution_of(execution);
-    const CallerArray<double> array{volumes, capacity, count, "volumes"};
-    value->ask([&](const DelaunayTriangulation3& t) {
-      fill_by(t.vertex_slots(), array, [&](double* to) {
-        const std::vector<double> found = value_of(tetloft::voronoi_volumes(t, how));
-        std::copy(found.begin(), found.end(), to);
+  return ChangingSpace::measured(
+      delaunay, execution, volumes, capacity, count, "volumes",
+      [](const DelaunayTriangulation3& t, const tetloft::Execution& how) {
+        return tetloft::voronoi_volumes(t, how);
       });
-    });
-  });
 }
 
 tetloft_status tetloft_delaunay_circumspheres(const tetloft_delaunay* delaunay, double* spheres,
                                               size_t capacity, size_t* count) {
-  return Changing<tetloft_delaunay>::counted(
+  return ChangingSpace::counted(
       delaunay, spheres, capacity, count, "spheres",
       [](const DelaunayTriangulation3& t) { return t.tet_count(); },
       [](const DelaunayTriangulation3& t, double* to) {

@@ -289,6 +289,25 @@ class Changing {
     });
   }
 
+  /// What `measure(t, execution)` finds of the cell of each vertex, by index.
+  template <class Measure>
+  static tetloft_status measured(const Handle* delaunay, const tetloft_execution* execution,
+                                 double* values, std::size_t capacity, std::size_t* count,
+                                 const char* name, Measure&& measure) {
+    clear(count);
+    return answer([&] {
+      const auto value = value_of_handle(delaunay, "delaunay");
+      const Execution how = execution_of(execution);
+      value->ask([&](const Triangulation& t) {
+        fill_by(t.vertex_slots(), CallerArray<double>{values, capacity, count, name},
+                [&](double* to) {
+                  const std::vector<double> found = value_of(measure(t, how));
+                  std::copy(found.begin(), found.end(), to);
+                });
+      });
+    });
+  }
+
   static tetloft_status serialise(const Handle* delaunay, tetloft_bytes** bytes) {
     clear(bytes);
     return answer([&] {
@@ -318,5 +337,8 @@ class Changing {
     return std::copy_n(numbers_of(std::span(&point, 1)), kCorners - 1, coordinates);
   }
 };
+
+using ChangingSpace = Changing<tetloft_delaunay>;
+using ChangingPlane = Changing<tetloft_delaunay_plane>;
 
 }  // namespace tetloft::internal::c

@@ -13,8 +13,6 @@ namespace tetloft::internal::c {
 
 namespace {
 
-using ConstrainedPlane = Changing<tetloft_delaunay_plane>;
-
 static_assert(TETLOFT_CROSSING_REFUSE == static_cast<int>(Crossing::refuse) &&
               TETLOFT_CROSSING_SPLIT == static_cast<int>(Crossing::split));
 
@@ -105,7 +103,7 @@ tetloft_status tetloft_delaunay_plane_has_constraint(const tetloft_delaunay_plan
 tetloft_status tetloft_delaunay_plane_constraints(const tetloft_delaunay_plane* delaunay,
                                                   uint32_t* constraints, size_t capacity,
                                                   size_t* count) {
-  return ConstrainedPlane::counted(
+  return ChangingPlane::counted(
       delaunay, constraints, capacity, count, "constraints",
       [](const DelaunayTriangulation2& t) { return t.constraint_count(); },
       [](const DelaunayTriangulation2& t, uint32_t* to) {
@@ -129,26 +127,26 @@ tetloft_status tetloft_delaunay_plane_constraint_ends(const tetloft_delaunay_pla
 tetloft_status tetloft_delaunay_plane_constraint_edges(const tetloft_delaunay_plane* delaunay,
                                                        uint32_t constraint, uint64_t* edges,
                                                        size_t capacity, size_t* count) {
-  return ConstrainedPlane::found(delaunay, edges, capacity, count, "edges",
-                                 [&](const DelaunayTriangulation2& t) {
-                                   return vertex_numbers(t.edges(live_constraint(t, constraint)));
-                                 });
+  return ChangingPlane::found(delaunay, edges, capacity, count, "edges",
+                              [&](const DelaunayTriangulation2& t) {
+                                return vertex_numbers(t.edges(live_constraint(t, constraint)));
+                              });
 }
 
 tetloft_status tetloft_delaunay_plane_edge_constraints(const tetloft_delaunay_plane* delaunay,
                                                        uint64_t u, uint64_t v,
                                                        uint32_t* constraints, size_t capacity,
                                                        size_t* count) {
-  return ConstrainedPlane::found(delaunay, constraints, capacity, count, "constraints",
-                                 [&](const DelaunayTriangulation2& t) {
-                                   return t.constraints(live_vertex(t, u), live_vertex(t, v));
-                                 });
+  return ChangingPlane::found(delaunay, constraints, capacity, count, "constraints",
+                              [&](const DelaunayTriangulation2& t) {
+                                return t.constraints(live_vertex(t, u), live_vertex(t, v));
+                              });
 }
 
 tetloft_status tetloft_delaunay_plane_inside(const tetloft_delaunay_plane* delaunay,
                                              uint64_t* triangles, size_t capacity, size_t* count) {
-  return ConstrainedPlane::found(delaunay, triangles, capacity, count, "triangles",
-                                 [](const DelaunayTriangulation2& t) {
-                                   return ConstrainedPlane::corners(t, value_of(t.inside()));
-                                 });
+  return ChangingPlane::found(delaunay, triangles, capacity, count, "triangles",
+                              [](const DelaunayTriangulation2& t) {
+                                return ChangingPlane::corners(t, value_of(t.inside()));
+                              });
 }

@@ -3,16 +3,6 @@
 
 #include "c/changing.hpp"
 
-namespace tetloft::internal::c {
-
-namespace {
-
-using ChangingPlane = Changing<tetloft_delaunay_plane>;
-
-}  // namespace
-
-}  // namespace tetloft::internal::c
-
 using namespace tetloft::internal::c;
 using tetloft::DelaunayTriangulation2;
 

@@ -7,8 +7,6 @@ namespace tetloft::internal::c {
 
 namespace {
 
-using ChangingSpace = Changing<tetloft_delaunay>;
-
 static_assert(TETLOFT_LOCATION_VERTEX == static_cast<int>(LocationKind::vertex) &&
               TETLOFT_LOCATION_EDGE == static_cast<int>(LocationKind::edge) &&
               TETLOFT_LOCATION_FACET == static_cast<int>(LocationKind::facet) &&

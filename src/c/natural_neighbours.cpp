@@ -101,25 +101,17 @@ tetloft_status tetloft_delaunay_plane_natural_neighbours_all(
 
 tetloft_status tetloft_natural_neighbours_begin(const tetloft_natural_neighbours* neighbours,
                                                 const size_t** begin, size_t* count) {
-  clear(begin);
-  clear(count);
-  return answer([&] { put_array(value_of_handle(neighbours, "neighbours")->begin, begin, count); });
+  return answer_array(neighbours, "neighbours", &NaturalNeighboursValue::begin, begin, count);
 }
 
 tetloft_status tetloft_natural_neighbours_vertices(const tetloft_natural_neighbours* neighbours,
                                                    const uint64_t** vertices, size_t* count) {
-  clear(vertices);
-  clear(count);
-  return answer(
-      [&] { put_array(value_of_handle(neighbours, "neighbours")->vertices, vertices, count); });
+  return answer_array(neighbours, "neighbours", &NaturalNeighboursValue::vertices, vertices, count);
 }
 
 tetloft_status tetloft_natural_neighbours_weights(const tetloft_natural_neighbours* neighbours,
                                                   const double** weights, size_t* count) {
-  clear(weights);
-  clear(count);
-  return answer(
-      [&] { put_array(value_of_handle(neighbours, "neighbours")->weights, weights, count); });
+  return answer_array(neighbours, "neighbours", &NaturalNeighboursValue::weights, weights, count);
 }
 
 tetloft_status tetloft_natural_neighbours_free(tetloft_natural_neighbours* neighbours) {

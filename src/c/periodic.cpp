@@ -32,16 +32,12 @@ tetloft_status tetloft_periodic_delaunay(const double* xyz, size_t point_count, 
 
 tetloft_status tetloft_periodic_tets_points(const tetloft_periodic_tets* tets,
                                             const uint32_t** points, size_t* count) {
-  clear(points);
-  clear(count);
-  return answer([&] { put_array(value_of_handle(tets, "tets")->points, points, count); });
+  return answer_array(tets, "tets", &PeriodicTetsValue::points, points, count);
 }
 
 tetloft_status tetloft_periodic_tets_shifts(const tetloft_periodic_tets* tets,
                                             const int32_t** shifts, size_t* count) {
-  clear(shifts);
-  clear(count);
-  return answer([&] { put_array(value_of_handle(tets, "tets")->shifts, shifts, count); });
+  return answer_array(tets, "tets", &PeriodicTetsValue::shifts, shifts, count);
 }
 
 tetloft_status tetloft_periodic_tets_free(tetloft_periodic_tets* tets) { return free_handle(tets); }

@@ -1,7 +1,6 @@
 // Voronoi cells in the plane.
 #include <tetloft/voronoi2.hpp>
 
-#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -40,19 +39,6 @@ void append_plane_cell(const VoronoiCell2& cell, PlaneCellsValue& all) {
   all.areas.push_back(cell.area);
   all.corner_begin.push_back(all.corners.size());
   all.edge_begin.push_back(all.lengths.size());
-}
-
-// Answers with an array of the cells.
-template <class T>
-tetloft_status put_of_plane_cells(const tetloft_plane_cells* cells,
-                                  std::vector<T> PlaneCellsValue::*array,
-                                  const typename Flat<T>::Number** numbers, std::size_t* count) {
-  clear(numbers);
-  clear(count);
-  return answer([&] {
-    const auto value = value_of_handle(cells, "cells");
-    put_array((*value).*array, numbers, count);
-  });
 }
 
 }  // namespace
@@ -103,57 +89,57 @@ tetloft_status tetloft_delaunay_plane_cell(const tetloft_delaunay_plane* delauna
 
 tetloft_status tetloft_plane_cells_sites(const tetloft_plane_cells* cells, const uint64_t** sites,
                                          size_t* count) {
-  return put_of_plane_cells(cells, &PlaneCellsValue::sites, sites, count);
+  return answer_array(cells, "cells", &PlaneCellsValue::sites, sites, count);
 }
 
 tetloft_status tetloft_plane_cells_bounded(const tetloft_plane_cells* cells,
                                            const uint8_t** bounded, size_t* count) {
-  return put_of_plane_cells(cells, &PlaneCellsValue::bounded, bounded, count);
+  return answer_array(cells, "cells", &PlaneCellsValue::bounded, bounded, count);
 }
 
 tetloft_status tetloft_plane_cells_areas(const tetloft_plane_cells* cells, const double** areas,
                                          size_t* count) {
-  return put_of_plane_cells(cells, &PlaneCellsValue::areas, areas, count);
+  return answer_array(cells, "cells", &PlaneCellsValue::areas, areas, count);
 }
 
 tetloft_status tetloft_plane_cells_corner_begin(const tetloft_plane_cells* cells,
                                                 const size_t** begin, size_t* count) {
-  return put_of_plane_cells(cells, &PlaneCellsValue::corner_begin, begin, count);
+  return answer_array(cells, "cells", &PlaneCellsValue::corner_begin, begin, count);
 }
 
 tetloft_status tetloft_plane_cells_corners(const tetloft_plane_cells* cells, const double** xy,
                                            size_t* count) {
-  return put_of_plane_cells(cells, &PlaneCellsValue::corners, xy, count);
+  return answer_array(cells, "cells", &PlaneCellsValue::corners, xy, count);
 }
 
 tetloft_status tetloft_plane_cells_edge_begin(const tetloft_plane_cells* cells,
                                               const size_t** begin, size_t* count) {
-  return put_of_plane_cells(cells, &PlaneCellsValue::edge_begin, begin, count);
+  return answer_array(cells, "cells", &PlaneCellsValue::edge_begin, begin, count);
 }
 
 tetloft_status tetloft_plane_cells_neighbours(const tetloft_plane_cells* cells,
                                               const uint64_t** neighbours, size_t* count) {
-  return put_of_plane_cells(cells, &PlaneCellsValue::neighbours, neighbours, count);
+  return answer_array(cells, "cells", &PlaneCellsValue::neighbours, neighbours, count);
 }
 
 tetloft_status tetloft_plane_cells_sides(const tetloft_plane_cells* cells, const uint8_t** sides,
                                          size_t* count) {
-  return put_of_plane_cells(cells, &PlaneCellsValue::sides, sides, count);
+  return answer_array(cells, "cells", &PlaneCellsValue::sides, sides, count);
 }
 
 tetloft_status tetloft_plane_cells_inside(const tetloft_plane_cells* cells, const uint8_t** inside,
                                           size_t* count) {
-  return put_of_plane_cells(cells, &PlaneCellsValue::inside, inside, count);
+  return answer_array(cells, "cells", &PlaneCellsValue::inside, inside, count);
 }
 
 tetloft_status tetloft_plane_cells_ends(const tetloft_plane_cells* cells, const uint32_t** ends,
                                         size_t* count) {
-  return put_of_plane_cells(cells, &PlaneCellsValue::ends, ends, count);
+  return answer_array(cells, "cells", &PlaneCellsValue::ends, ends, count);
 }
 
 tetloft_status tetloft_plane_cells_lengths(const tetloft_plane_cells* cells, const double** lengths,
                                            size_t* count) {
-  return put_of_plane_cells(cells, &PlaneCellsValue::lengths, lengths, count);
+  return answer_array(cells, "cells", &PlaneCellsValue::lengths, lengths, count);
 }
 
 tetloft_status tetloft_plane_cells_free(tetloft_plane_cells* cells) { return free_handle(cells); }
@@ -161,16 +147,9 @@ tetloft_status tetloft_plane_cells_free(tetloft_plane_cells* cells) { return fre
 tetloft_status tetloft_delaunay_plane_areas(const tetloft_delaunay_plane* delaunay,
                                             const tetloft_execution* execution, double* areas,
                                             size_t capacity, size_t* count) {
-  clear(count);
-  return answer([&] {
-    const auto value = value_of_handle(delaunay, "delaunay");
-    const tetloft::Execution how = execution_of(execution);
-    const CallerArray<double> array{areas, capacity, count, "areas"};
-    value->ask([&](const DelaunayTriangulation2& t) {
-      fill_by(t.vertex_slots(), array, [&](double* to) {
-        const std::vector<double> found = value_of(tetloft::voronoi_areas(t, how));
-        std::copy(found.begin(), found.end(), to);
+  return ChangingPlane::measured(
+      delaunay, execution, areas, capacity, count, "areas",
+      [](const DelaunayTriangulation2& t, const tetloft::Execution& how) {
+        return tetloft::voronoi_areas(t, how);
       });
-    });
-  });
 }

@@ -38,12 +38,8 @@ tetloft_status tetloft_triangulation_neighbours(const tetloft_triangulation* tri
 
 tetloft_status tetloft_triangulation_internal(const tetloft_triangulation* triangulation,
                                               const uint8_t** internal, size_t* count) {
-  clear(internal);
-  clear(count);
-  return answer([&] {
-    const auto value = value_of_handle(triangulation, "triangulation");
-    put_array(value->internal, internal, count);
-  });
+  return answer_array(triangulation, "triangulation", &TriangulationValue::internal, internal,
+                      count);
 }
 
 tetloft_status tetloft_triangulation_chain(const tetloft_triangulation* triangulation,

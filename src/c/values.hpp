@@ -67,7 +67,8 @@ struct TriangulationValue {
 };
 
 /// A triangulation that changes, for several threads: those who ask share it, those who change it
-/// are alone.
+/// are alone. Who comes waits at the door until the one before him is in, so that one who changes
+/// it is not kept waiting by ever more who ask.
 template <class Of>
 class ChangingValue {
  public:

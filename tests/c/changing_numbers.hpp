@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <thread>
 #include <vector>
 
 #include <tetloft/delaunay_vertex.hpp>
@@ -69,10 +71,13 @@ void expect_found(const std::function<tetloft_status(Element*, std::size_t, std:
   }
   ASSERT_OK(query(array, count, &count));
   EXPECT_EQ(found, expected);
+  if (count > 0) {
+    EXPECT_TRUE(same_array(found.data(), count, expected)) << "bit for bit";
+  }
 }
 
 /// The three arrays of a conflict zone: `query(cells, capacity, count, horizon, …)` of a capacity
-/// and a count each; asked for the numbers first, then with one element too few in the last one.
+/// and a count each; asked for the numbers first, then with one element too few in each of them.
 template <std::size_t corners, class Query>
 void expect_zone(const Query& query, const std::vector<std::array<Number, corners>>& cells,
                  const std::vector<std::array<Number, corners - 1>>& horizon,
@@ -81,27 +86,49 @@ void expect_zone(const Query& query, const std::vector<std::array<Number, corner
   std::vector<std::array<Number, corners>> found_cells;
   std::vector<std::array<Number, corners - 1>> found_horizon;
   std::vector<Number> found_neighbours;
-  const auto ask = [&](std::size_t last_capacity) {
-    return query(reinterpret_cast<Number*>(found_cells.data()), found_cells.size(), &counts[0],
-                 reinterpret_cast<Number*>(found_horizon.data()), found_horizon.size(), &counts[1],
-                 found_neighbours.data(), last_capacity, &counts[2]);
+  const auto ask = [&](const std::array<std::size_t, 3>& capacities) {
+    return query(reinterpret_cast<Number*>(found_cells.data()), capacities[0], &counts[0],
+                 reinterpret_cast<Number*>(found_horizon.data()), capacities[1], &counts[1],
+                 found_neighbours.data(), capacities[2], &counts[2]);
   };
-  ASSERT_OK(ask(0));
+  ASSERT_OK(ask({}));
   const std::array expected{cells.size(), horizon.size(), neighbours.size()};
   ASSERT_EQ(counts, expected);
   found_cells.resize(counts[0]);
   found_horizon.resize(counts[1]);
   found_neighbours.resize(counts[2]);
-  if (!neighbours.empty()) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (expected[k] == 0) continue;
+    auto capacities = expected;
+    --capacities[k];
     counts = {};
-    EXPECT_EQ(ask(neighbours.size() - 1), TETLOFT_TOO_SMALL);
+    EXPECT_EQ(ask(capacities), TETLOFT_TOO_SMALL);
     EXPECT_EQ(counts, expected);
     EXPECT_EQ(found_cells, decltype(found_cells)(cells.size())) << "nothing is written";
+    EXPECT_EQ(found_horizon, decltype(found_horizon)(horizon.size()));
+    EXPECT_EQ(found_neighbours, decltype(found_neighbours)(neighbours.size()));
   }
-  ASSERT_OK(ask(neighbours.size()));
+  ASSERT_OK(ask(expected));
   EXPECT_EQ(found_cells, cells);
   EXPECT_EQ(found_horizon, horizon);
   EXPECT_EQ(found_neighbours, neighbours);
+}
+
+/// Calls `change(i)` a hundred times while three threads go on calling `ask()`.
+template <class Ask, class Change>
+void change_while_others_ask(const Ask& ask, const Change& change) {
+  std::atomic<bool> done{false};
+  std::vector<std::thread> threads;
+  for (int k = 0; k < 3; ++k) {
+    threads.emplace_back([&] {
+      do {
+        ask();
+      } while (!done);
+    });
+  }
+  for (int i = 0; i < 100; ++i) change(i);
+  done = true;
+  for (std::thread& thread : threads) thread.join();
 }
 
 }  // namespace tetloft::c_test

@@ -2,9 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <atomic>
 #include <cmath>
-#include <thread>
 
 #include <tetloft/delaunay_triangulation3.hpp>
 
@@ -228,26 +226,19 @@ TEST_F(ChangingDelaunayOfC, IsChangedByOneThreadWhileOthersAsk) {
   Owned<tetloft_delaunay> c;
   const std::vector<Point3> of = points(30);
   ASSERT_OK(tetloft_delaunay_create(coordinates(of), of.size(), nullptr, c.out()));
-  std::atomic<bool> done{false};
-  std::vector<std::thread> threads;
-  for (int k = 0; k < 3; ++k) {
-    threads.emplace_back([&] {
-      do {
+  change_while_others_ask(
+      [&] {
         Number nearest = 0;
         EXPECT_OK(tetloft_delaunay_nearest(c, coordinates(of), 1, nullptr, &nearest));
         EXPECT_NE(nearest, Number{TETLOFT_NO_VERTEX});
-      } while (!done);
-    });
-  }
-  for (int i = 0; i < 100; ++i) {
-    Number made = 0;
-    EXPECT_OK(tetloft_delaunay_insert(c, i, 9, 0.5, TETLOFT_NO_VERTEX, &made, nullptr));
-    if (i % 2 == 0) {
-      EXPECT_OK(tetloft_delaunay_remove(c, made));
-    }
-  }
-  done = true;
-  for (std::thread& thread : threads) thread.join();
+      },
+      [&](int i) {
+        Number made = 0;
+        EXPECT_OK(tetloft_delaunay_insert(c, i, 9, 0.5, TETLOFT_NO_VERTEX, &made, nullptr));
+        if (i % 2 == 0) {
+          EXPECT_OK(tetloft_delaunay_remove(c, made));
+        }
+      });
 }
 
 }  // namespace

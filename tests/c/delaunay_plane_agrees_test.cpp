@@ -2,10 +2,8 @@
 // call, with constraints.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
-#include <atomic>
-#include <cmath>
-#include <thread>
 
 #include <tetloft/delaunay_triangulation2.hpp>
 
@@ -348,30 +346,23 @@ TEST_F(ChangingPlaneOfC, IsChangedByOneThreadWhileOthersAsk) {
   Owned<tetloft_delaunay_plane> c;
   const std::vector<Point2> of = points(30);
   ASSERT_OK(tetloft_delaunay_plane_create(coordinates(of), of.size(), nullptr, c.out()));
-  std::atomic<bool> done{false};
-  std::vector<std::thread> threads;
-  for (int k = 0; k < 3; ++k) {
-    threads.emplace_back([&] {
-      do {
+  change_while_others_ask(
+      [&] {
         Number nearest = 0;
         EXPECT_OK(tetloft_delaunay_plane_nearest(c, coordinates(of), 1, nullptr, &nearest));
         EXPECT_NE(nearest, Number{TETLOFT_NO_VERTEX});
-      } while (!done);
-    });
-  }
-  for (int i = 0; i < 100; ++i) {
-    Number made = 0;
-    std::uint32_t constraint = 0;
-    EXPECT_OK(tetloft_delaunay_plane_insert(c, i, 9.5, TETLOFT_NO_VERTEX, &made, nullptr));
-    EXPECT_OK(
-        tetloft_delaunay_plane_insert_constraint(c, 0, made, TETLOFT_CROSSING_SPLIT, &constraint));
-    EXPECT_OK(tetloft_delaunay_plane_remove_constraint(c, constraint));
-    if (i % 2 == 0) {
-      EXPECT_OK(tetloft_delaunay_plane_remove(c, made));
-    }
-  }
-  done = true;
-  for (std::thread& thread : threads) thread.join();
+      },
+      [&](int i) {
+        Number made = 0;
+        std::uint32_t constraint = 0;
+        EXPECT_OK(tetloft_delaunay_plane_insert(c, i, 9.5, TETLOFT_NO_VERTEX, &made, nullptr));
+        EXPECT_OK(tetloft_delaunay_plane_insert_constraint(c, 0, made, TETLOFT_CROSSING_SPLIT,
+                                                           &constraint));
+        EXPECT_OK(tetloft_delaunay_plane_remove_constraint(c, constraint));
+        if (i % 2 == 0) {
+          EXPECT_OK(tetloft_delaunay_plane_remove(c, made));
+        }
+      });
 }
 
 }  // namespace

@@ -8,7 +8,7 @@ import weakref
 
 import tetloft
 from support import SQUARE, box, numpy, rows
-from tetloft import _handles, _library
+from tetloft import _arrays, _handles, _library
 
 with_numpy = unittest.skipIf(numpy is None, "without NumPy")
 without_numpy = unittest.skipIf(numpy is not None, "with NumPy")
@@ -121,6 +121,18 @@ class ArraysOfTheCaller(unittest.TestCase):
             self.assertEqual(tetloft.Stack([(0, [given]), (5, [given])]).to_bytes(), expected)
         square.flags.writeable = False
         self.assertEqual(tetloft.Stack([(0, [square]), (5, [square])]).to_bytes(), expected)
+
+    @with_numpy
+    def test_that_are_not_aligned_are_copied(self):
+        packed = numpy.zeros(4, dtype=[("tag", "u1"), ("point", "f8", 2)])["point"]
+        file = numpy.frombuffer(bytes(1) + numpy.array(SQUARE, float).tobytes(), float, offset=1)
+        for given in (packed, file.reshape(4, 2)):
+            self.assertFalse(given.flags.aligned)
+            made = _arrays.doubles(given, 2, "points").memory
+            self.assertTrue(made.flags.aligned and made.flags.c_contiguous)
+            self.assertEqual(rows(made), rows(given))
+        aligned = numpy.array(SQUARE, float)
+        self.assertIs(_arrays.doubles(aligned, 2, "points").memory, aligned)
 
     @with_numpy
     def test_stay_the_callers(self):

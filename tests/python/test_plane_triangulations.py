@@ -8,6 +8,7 @@ import threading
 import unittest
 
 import tetloft
+from changing import expect_as_at_once, go_through_changes, simplices, squared
 from support import numpy, rows
 
 GRID = [(x, y) for x in range(5) for y in range(5)]
@@ -20,10 +21,6 @@ def ring(first, count):
     return [(first + k, first + (k + 1) % count) for k in range(count)]
 
 
-def squared(a, b):
-    return sum((s - t) ** 2 for s, t in zip(a, b))
-
-
 def place(numbers):
     return tuple(numbers.randrange(17) / 4 for _ in range(2))
 
@@ -31,12 +28,6 @@ def place(numbers):
 def doubled_area(points, triangle):
     (ax, ay), (bx, by), (cx, cy) = (points[v] for v in triangle)
     return (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
-
-
-def simplices(made):
-    """Triangles as sets of points."""
-    at = {vertex: tuple(point) for vertex, point in zip(rows(made.vertices), rows(made.points))}
-    return {frozenset(at[v] for v in triangle) for triangle in rows(made.triangles)}
 
 
 def with_hole():
@@ -51,24 +42,8 @@ class Changes(unittest.TestCase):
         made = tetloft.DelaunayTriangulation2(GRID)
         self.assertEqual((len(made), made.slots, made.dimension, len(made.triangles)),
                          (25, 25, 2, 32))
-        for step in range(60):
-            vertex = numbers.choice(rows(made.vertices))
-            if step % 3 == 0:
-                made.remove(vertex)
-                self.assertNotIn(vertex, made)
-            elif step % 3 == 1:
-                vertex = made.insert(place(numbers), near=vertex)
-                self.assertIn(vertex, made)
-            else:
-                to = place(numbers)
-                if list(to) not in rows(made.points):
-                    made.move(vertex, to)
-                    self.assertEqual(made.point(vertex), to)
-        self.assertEqual(simplices(made),
-                         simplices(tetloft.DelaunayTriangulation2(made.points)))
-        batch = tetloft.delaunay(made.points)
-        self.assertEqual({frozenset(map(tuple, (rows(made.points)[v] for v in triangle)))
-                          for triangle in rows(batch.triangles)}, simplices(made))
+        go_through_changes(self, made, numbers, place)
+        expect_as_at_once(self, made)
         made.clear()
         self.assertEqual((len(made), made.dimension, len(made.triangles)), (0, -1, 0))
 

@@ -7,23 +7,14 @@ import threading
 import unittest
 
 import tetloft
+from changing import expect_as_at_once, go_through_changes, simplices, squared
 from support import rows
 
 LATTICE = [(x, y, z) for x in range(3) for y in range(3) for z in range(3)]
 
 
-def squared(a, b):
-    return sum((s - t) ** 2 for s, t in zip(a, b))
-
-
 def place(random_numbers):
     return tuple(random_numbers.randrange(9) / 4 for _ in range(3))
-
-
-def simplices(made):
-    """Tets as sets of points."""
-    at = {vertex: tuple(point) for vertex, point in zip(rows(made.vertices), rows(made.points))}
-    return {frozenset(at[v] for v in tet) for tet in rows(made.tets)}
 
 
 class Changes(unittest.TestCase):
@@ -31,28 +22,8 @@ class Changes(unittest.TestCase):
         numbers = random.Random(21)
         made = tetloft.DelaunayTriangulation3(LATTICE)
         self.assertEqual((len(made), made.slots, made.dimension), (27, 27, 3))
-        for step in range(60):
-            vertex = numbers.choice(rows(made.vertices))
-            if step % 3 == 0:
-                made.remove(vertex)
-                self.assertNotIn(vertex, made)
-            elif step % 3 == 1:
-                vertex = made.insert(place(numbers), near=vertex)
-                self.assertIn(vertex, made)
-            else:
-                to = place(numbers)
-                if list(to) in rows(made.points):
-                    to = made.point(next(v for v in made if v != vertex))
-                    with self.assertRaises(tetloft.InvalidInput):
-                        made.move(vertex, to)
-                else:
-                    made.move(vertex, to)
-                    self.assertEqual(made.point(vertex), to)
-        at_once = tetloft.DelaunayTriangulation3(made.points)
-        self.assertEqual(simplices(made), simplices(at_once))
-        batch = tetloft.delaunay(made.points)
-        self.assertEqual({frozenset(map(tuple, (rows(made.points)[v] for v in tet)))
-                          for tet in rows(batch.tets)}, simplices(made))
+        go_through_changes(self, made, numbers, place)
+        expect_as_at_once(self, made)
         made.clear()
         self.assertEqual((len(made), made.dimension, len(made.tets)), (0, -1, 0))
 

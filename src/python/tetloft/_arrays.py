@@ -1,7 +1,7 @@
 """Arrays in and out: NumPy's, where it is there, without copies; else lists.
 
 What goes out is read only, and keeps its owner alive. What comes in may be anything that looks like
-an array of numbers; it is copied only if it is not one of the right type, in one piece.
+an array of numbers; it is copied only if it is not one of the right type, in one piece, aligned.
 """
 
 from __future__ import annotations
@@ -110,7 +110,7 @@ def _of_numpy(value: Any, columns: int, what: str, kind: Any, accepted: str) -> 
     if kind is not numpy.float64 and given.size:
         if given.min() < 0 or given.max() > numpy.iinfo(kind).max:
             raise ValueError(f"{what}: numbers are from 0 to 2^{8 * kind(0).itemsize} - 1")
-    made = numpy.ascontiguousarray(given, kind)
+    made = numpy.require(given, kind, ["C", "ALIGNED"])
     pointer = made.ctypes.data_as(ctypes.POINTER(numpy.ctypeslib.as_ctypes_type(kind)))
     return Input(pointer, len(made), made)
 
