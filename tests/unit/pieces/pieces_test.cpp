@@ -237,6 +237,17 @@ TEST(Streams, OfRandomStacksAreTheFileOfTheSingleRun) {
   }
 }
 
+// Rings of coarse contours that are too many to be divided, in the section of two windows.
+TEST(Streams, TellOnceWhatTwoWindowsFindOut) {
+  Layer rings;
+  for (int k = 1; k <= 80; ++k) rings.push_back(regular_polygon({0, 0}, k, 4, 0));
+  std::vector<Layer> layers(9, Layer{regular_polygon({0, 0}, 100, 4, 0.3)});
+  layers[4] = rings;
+  const SectionStack stack = stack_of(layers, {0, 1, 2, 3, 4, 5, 6, 7, 8});
+  ASSERT_FALSE(reconstruct(stack)->warnings.empty());
+  expect_streamed(stack, {}, {1});
+}
+
 TEST(Streams, AreVtuAlone) {
   const Folder folder;
   const auto made = write_streamed(folder / "streamed.vtk", sample("torus.cnt"));
