@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
@@ -16,30 +15,10 @@
 #include "pieces/piece_file.hpp"
 #include "property/same_model.hpp"
 #include "support/slabs/cases.hpp"
-#include "support/stacks/generate.hpp"
-#include "support/stacks/shapes.hpp"
+#include "unit/pieces/pieces_support.hpp"
 
 namespace tetloft::testing {
 namespace {
-
-class Folder {
- public:
-  Folder()
-      : path_(std::filesystem::path(::testing::TempDir()) /
-              (std::string("tetloft_pieces_") +
-               ::testing::UnitTest::GetInstance()->current_test_info()->name())) {
-    std::filesystem::create_directories(path_);
-  }
-  ~Folder() { std::filesystem::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  [[nodiscard]] std::string operator/(const std::string& name) const {
-    return (path_ / name).string();
-  }
-
- private:
-  std::filesystem::path path_;
-};
 
 using Cuts = std::vector<std::size_t>;  // where pieces begin, and the end
 
@@ -64,11 +43,6 @@ std::vector<std::string> write_pieces_of(const Folder& folder, const SectionStac
                                          const Cuts& cuts, const ReconstructOptions& options = {}) {
   write_planned(folder, stack, options);
   return write_pieces(folder, cuts);
-}
-
-std::string bytes_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 void expect_joined(const SectionStack& stack, const ReconstructOptions& options, const Cuts& cuts,
@@ -110,149 +84,8 @@ void expect_joined(const SectionStack& stack, const ReconstructOptions& options,
   EXPECT_EQ(joined->report.sections_between, direct->report.sections_between);
 }
 
-struct Case {
-  SectionStack stack;
-  ReconstructOptions options;
-};
-
 SectionStack three_sections_of_boxes() {
   return stack_of_boxes({{box(0, 0, 4, 2)}, {box(0, 0, 3, 2), box(5, 0, 6, 2)}, {box(1, 0, 2, 2)}});
-}
-
-ReconstructOptions with_ends_between_and_label() {
-  ReconstructOptions options;
-  options.ends = Ends::half;
-  options.between = 0;
-  options.correspondence.labels = {{SectionId(3), ContourId(0), 5}};
-  return options;
-}
-
-// Sections that are plates, '-', or those of cases/shielded.cnt in turn, 'x': each slab between two
-// of these needs refined contours, so that its neighbours are built again.
-Case stack_of_mends(const std::string& kinds) {
-  const SectionStack slab = sample("cases/shielded.cnt");
-  const Section plate = stack_of_boxes({{box(-1000, 0, 200, 100)}}).sections[SectionId(0)];
-  Case made;
-  made.options.divide_coarse = false;
-  made.options.correspondence.criterion = Criterion::overlap;
-  std::uint32_t body = 0;  // of the 'x' next to each other
-  std::size_t first = 0;   // of these
-  for (std::size_t s = 0; s < kinds.size(); ++s) {
-    const bool shielded = kinds[s] == 'x';
-    if (shielded && (s == 0 || kinds[s - 1] != 'x')) {
-      first = s;
-      ++body;
-    }
-    made.stack.sections.push_back(shielded ? slab.sections[SectionId((s - first) % 2)] : plate);
-    made.stack.sections[SectionId(s)].z = static_cast<double>(s);
-    if (!shielded) continue;
-    auto& labels = made.options.correspondence.labels;
-    labels.push_back({SectionId(s), ContourId(0), body});
-    labels.push_back({SectionId(s), ContourId(1), static_cast<std::uint32_t>(100 + s)});
-  }
-  return made;
-}
-
-// A random stack over itself, four times.
-SectionStack tall_stack(StackKind kind, std::uint64_t seed) {
-  const SectionStack once = generate(kind, seed).stack;
-  SectionStack stack;
-  for (int k = 0; k < 4; ++k) {
-    for (Section section : once.sections) {
-      section.z = static_cast<double>(stack.sections.size());
-      stack.sections.push_back(std::move(section));
-    }
-  }
-  return stack;
-}
-
-std::vector<std::string> sorted_texts(const std::vector<Warning>& warnings) {
-  std::vector<std::string> texts;
-  for (const Warning& warning : warnings) texts.push_back(to_string(warning));
-  std::sort(texts.begin(), texts.end());
-  return texts;
-}
-
-void expect_streamed(const SectionStack& stack, const ReconstructOptions& options,
-                     const std::vector<unsigned>& thread_counts = {1, 3}) {
-  const Folder folder;
-  const auto direct = reconstruct(stack, options);
-  for (const unsigned threads : thread_counts) {
-    ReconstructOptions with = options;
-    with.execution.threads = threads;
-    const auto made = write_streamed(folder / "streamed.vtu", stack, with);
-    ASSERT_EQ(made.ok(), direct.ok());
-    if (!direct) {
-      EXPECT_EQ(made.error().code, direct.error().code);
-      EXPECT_EQ(made.error().message, direct.error().message);
-      EXPECT_FALSE(std::filesystem::exists(folder / "streamed.vtu"));
-      continue;
-    }
-    EXPECT_EQ(bytes_of(folder / "streamed.vtu"), *format_vtu(direct->model));
-    EXPECT_EQ(sorted_texts(made->warnings), sorted_texts(direct->warnings));
-    EXPECT_EQ(made->report.volume, direct->report.volume);
-    EXPECT_EQ(made->report.vertices, direct->report.vertices);
-    EXPECT_EQ(made->report.tets, direct->report.tets);
-    EXPECT_EQ(made->report.components, direct->report.components);
-    EXPECT_EQ(made->report.contours, direct->report.contours);
-    EXPECT_EQ(made->report.slices, direct->report.slices);
-    EXPECT_EQ(made->report.split_vertices, direct->report.split_vertices);
-    EXPECT_EQ(made->report.sections_between, direct->report.sections_between);
-  }
-  std::size_t files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(folder / "")) {
-    EXPECT_EQ(entry.path().filename(), "streamed.vtu");
-    ++files;
-  }
-  EXPECT_LE(files, 1U);
-}
-
-TEST(Streams, AreTheFileOfTheSingleRun) {
-  expect_streamed(sample("torus.cnt"), {});
-  expect_streamed(sample("torus.cnt"), with_ends_between_and_label());
-  expect_streamed(stack_of_boxes({{box(0, 0, 4, 2)}}), {});
-  expect_streamed({}, {});
-  SectionStack elsewhere = sample("torus.cnt");
-  elsewhere.frame.origin = {1, 2, 3};
-  expect_streamed(elsewhere, {});
-}
-
-// Mended slabs in all places of windows, chains longer than a window.
-TEST(Streams, GoBackWhereMendingReachesBelow) {
-  for (std::size_t before = 0; before < 9; ++before) {
-    for (const std::size_t chain : {1U, 2U, 12U}) {
-      const Case mended = stack_of_mends(std::string(before, '-') + std::string(chain + 1, 'x') +
-                                         std::string(5, '-'));
-      expect_streamed(mended.stack, mended.options);
-    }
-  }
-}
-
-TEST(Streams, OfRandomStacksAreTheFileOfTheSingleRun) {
-  constexpr std::uint64_t kSeed = 25;
-  for (const StackKind kind : all_kinds()) {
-    if (is_near_coincident(kind) || has_large_triangulations(kind)) continue;
-    SCOPED_TRACE(std::string(name_of(kind)) + ", seed " + std::to_string(kSeed));
-    expect_streamed(tall_stack(kind, kSeed), {}, {2});
-  }
-}
-
-// Rings of coarse contours that are too many to be divided, in the section of two windows.
-TEST(Streams, TellOnceWhatTwoWindowsFindOut) {
-  Layer rings;
-  for (int k = 1; k <= 80; ++k) rings.push_back(regular_polygon({0, 0}, k, 4, 0));
-  std::vector<Layer> layers(9, Layer{regular_polygon({0, 0}, 100, 4, 0.3)});
-  layers[4] = rings;
-  const SectionStack stack = stack_of(layers, {0, 1, 2, 3, 4, 5, 6, 7, 8});
-  ASSERT_FALSE(reconstruct(stack)->warnings.empty());
-  expect_streamed(stack, {}, {1});
-}
-
-TEST(Streams, AreVtuAlone) {
-  const Folder folder;
-  const auto made = write_streamed(folder / "streamed.vtk", sample("torus.cnt"));
-  ASSERT_FALSE(made.ok());
-  EXPECT_EQ(made.error().code, ErrorCode::usage);
 }
 
 TEST(Pieces, JoinedAreTheModelOfTheSingleRun) {
