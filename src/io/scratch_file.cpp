@@ -62,6 +62,7 @@ struct ScratchFile::State {
       rest.remove_prefix(static_cast<std::size_t>(count));
       written += static_cast<std::uint64_t>(count);
     }
+    written += rest.size();  // which is lost, but counts: what reads back finds zeros in its place
     buffer.clear();
   }
 };

@@ -31,6 +31,7 @@ class ScratchFile final : public Sink {
   /// Error io, naming the path.
   [[nodiscard]] const std::optional<Error>& failure() const;
 
+  /// What could not be written counts, up to the first failure.
   [[nodiscard]] std::uint64_t size() const;
   /// Takes back all that was appended behind the first `size` bytes.
   void cut(std::uint64_t size);

@@ -116,7 +116,6 @@ void VtuStream::append_tet(const Model& model, TetId t, const AddedSegment& adde
 Result<void> VtuStream::add(const Model& model, const SlabRange& slabs) {
   Mark mark{segments_.size(), numbers_};
   Segment segment;
-  segment.slabs = slabs;
   segment.rows = rows();
   segment.constructed.first = numbers_.constructed();
   segment.tets.first = numbers_.tets();

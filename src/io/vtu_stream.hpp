@@ -72,7 +72,6 @@ class VtuStream {
   // What a segment is made of, in all: its sections' vertices, with those of the seam; constructed
   // vertices; tets.
   struct Segment {
-    SlabRange slabs;
     IndexRange section_vertices, constructed, tets;
     std::size_t input_vertices = 0;
     std::size_t split_vertices = 0;

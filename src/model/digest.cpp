@@ -12,11 +12,15 @@ namespace tetloft::internal {
 
 namespace {
 
-// FNV-1a over words. A step is a bijection of the state for each word, and of the word for each
-// state: two streams that differ in one word end differently.
+// FNV-1a over words, whose high bits come down: alone it would leave the highest where it is, and
+// two signs that change cancel. A step is a bijection of the state for each word, and of the word
+// for each state: two streams that differ in one word end differently.
 class Digest {
  public:
-  void add(std::uint64_t word) { state_ = (state_ ^ word) * 0x100000001B3U; }
+  void add(std::uint64_t word) {
+    state_ = (state_ ^ word) * 0x100000001B3U;
+    state_ ^= state_ >> 32;
+  }
   void add(double x) { add(std::bit_cast<std::uint64_t>(x + 0.0)); }
   void add(const Point3& p) {
     add(p.x);

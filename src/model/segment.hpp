@@ -20,6 +20,10 @@ struct SlabRange {
   [[nodiscard]] bool holds(SlabId slab) const {
     return first == end || (slab.index() >= first && slab.index() < end);
   }
+  /// Is a slab in both?
+  [[nodiscard]] bool meets(const SlabRange& other) const {
+    return first < other.end && other.first < end;
+  }
   friend bool operator==(const SlabRange&, const SlabRange&) = default;
 };
 

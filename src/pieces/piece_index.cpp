@@ -162,11 +162,9 @@ class Indexing {
     }
     const std::size_t built = clusters.size();
     for (const ClusterSpan& cluster : piece.clusters) {
-      const bool replaced = std::any_of(
-          clusters.begin(), clusters.begin() + static_cast<std::ptrdiff_t>(built),
-          [&](const ClusterSpan& made) {
-            return cluster.slabs.first < made.slabs.end && made.slabs.first < cluster.slabs.end;
-          });
+      const bool replaced =
+          std::any_of(clusters.begin(), clusters.begin() + static_cast<std::ptrdiff_t>(built),
+                      [&](const ClusterSpan& made) { return cluster.slabs.meets(made.slabs); });
       if (!replaced) clusters.push_back(cluster);
     }
     return clusters;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "io/files.hpp"
+#include "pieces/distinct_warnings.hpp"
 #include "pieces/piece_file.hpp"
 #include "pieces/plan_file.hpp"
 #include "reconstruct/report_of.hpp"
@@ -106,15 +107,16 @@ Result<SettledPieces> settle_pieces(const std::vector<PieceAt>& all, const JoinO
   Result<PlanFile> plan = PlanFile::open(options.plan);
   if (!plan) return plan.error();
   const PieceRecord& any = all.front().record;
-  if (plan->identity() != any.plan) {
+  if (plan->identity() != any.plan || plan->head().facts.sections != any.sections) {
     return piece_set_error(ErrorCode::usage, options.plan, "it is not the plan of these pieces");
   }
+  DistinctWarnings warnings;
   Result<Settled> settled =
       settle(any.sections - 1, clusters, [&](const SlabRange& slabs) -> Result<BuiltRange> {
         Result<PlannedRange> made = build_range(*plan, slabs, options.execution);
         if (!made) return made.error();
         add_up(made->report, done.report);
-        done.warnings.insert(done.warnings.end(), made->warnings.begin(), made->warnings.end());
+        warnings.add(std::move(made->warnings));
         return std::move(made->built);
       });
   if (!settled) return settled.error();
@@ -125,6 +127,7 @@ Result<SettledPieces> settle_pieces(const std::vector<PieceAt>& all, const JoinO
     return done;
   }
   done.ranges = std::move(settled->ranges);
+  done.warnings = warnings.all();
   return done;
 }
 

@@ -1,6 +1,8 @@
 #include "pieces/plan_head.hpp"
 
 #include <cmath>
+#include <cstdint>
+#include <cstdlib>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -15,6 +17,8 @@ namespace {
 
 constexpr RecordKind kHead{"plan", kPlanVersion, "a plan"};
 constexpr std::size_t kLabel = 3 * sizeof(std::uint32_t);
+// Of a unit of length: doubles are below 2^1024, and multiples of 2^-1074.
+constexpr std::int64_t kLargestExponent = 1024 + 1074;
 constexpr std::size_t kDecision = 3 * sizeof(std::uint32_t) + 1;
 
 template <class T>
@@ -195,6 +199,8 @@ Result<PlanHead> plan_head_from_record(std::string_view bytes, const std::string
     head.component_names.resize(in.get_count(sizeof(std::uint64_t)));
     for (std::string& text : head.component_names) text = in.get_text();
     in.require(head.facts.sections > 0, "has no section");
+    in.require(std::abs(std::int64_t{head.facts.exponent}) <= kLargestExponent,
+               "has a unit that no stack has");
     if (Result<void> read = in.end(); !read) return read.error();
     return head;
   });

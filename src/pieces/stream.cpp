@@ -15,6 +15,7 @@
 #include "core/watched_work.hpp"
 #include "io/files.hpp"
 #include "io/vtu_stream.hpp"
+#include "pieces/distinct_warnings.hpp"
 #include "pieces/piece_file.hpp"
 #include "pieces/plan_file.hpp"
 #include "reconstruct/report_of.hpp"
@@ -65,7 +66,7 @@ class Streaming {
 
   [[nodiscard]] bool loses_bits() const { return loses_bits_; }
   [[nodiscard]] const ReconstructReport& report() const { return report_; }
-  [[nodiscard]] const std::vector<Warning>& warnings() const { return warnings_; }
+  [[nodiscard]] const std::vector<Warning>& warnings() const { return warnings_.all(); }
 
  private:
   Result<bool> settle_and_append(const std::vector<SlabRange>& windows) {
@@ -85,7 +86,7 @@ class Streaming {
       if (!all) return or_false(all.error());
       if (all->whole) return false;
       settled = std::move(*all);
-      adopt(settled.ranges);
+      clusters_ = std::move(settled.clusters);
     }
     const Result<void> appended = append(*built, settled.ranges, windows.back().end);
     if (!appended) return or_false(appended.error());
@@ -130,18 +131,8 @@ class Streaming {
     }
     PlannedRange& range = **made;
     add_up(range.report, report_);
-    warnings_.insert(warnings_.end(), range.warnings.begin(), range.warnings.end());
+    warnings_.add(std::move(range.warnings));
     return std::move(range.built);
-  }
-
-  // What is known of clusters is what these found out.
-  void adopt(const std::vector<BuiltRange>& ranges) {
-    for (const BuiltRange& range : ranges) {
-      std::erase_if(clusters_, [&](const ClusterSpan& cluster) {
-        return cluster.slabs.first < range.slabs.end && range.slabs.first < cluster.slabs.end;
-      });
-      clusters_.insert(clusters_.end(), range.clusters.begin(), range.clusters.end());
-    }
   }
 
   // The windows up to slab `end`, but for what is in ranges, which may reach over both ends.
@@ -169,13 +160,11 @@ class Streaming {
   }
 
   Result<void> append_again(std::size_t end) {
-    while (stream_.slabs() < end) {
-      const SlabRange slabs{stream_.slabs(), end};
-      const Result<BuiltRange> again = build_one(slabs);
-      if (!again) return again.error();
-      if (Result<void> done = stream_.add(again->model, slabs); !done) return done;
-    }
-    return {};
+    if (stream_.slabs() >= end) return {};
+    const SlabRange slabs{stream_.slabs(), end};
+    const Result<BuiltRange> again = build_one(slabs);
+    if (!again) return again.error();
+    return stream_.add(again->model, slabs);
   }
 
   const PlanFile& plan_;
@@ -188,7 +177,7 @@ class Streaming {
   bool loses_bits_ = false;
   std::vector<ClusterSpan> clusters_;
   ReconstructReport report_;
-  std::vector<Warning> warnings_;
+  pieces::DistinctWarnings warnings_;
 };
 
 using Clock = std::chrono::steady_clock;

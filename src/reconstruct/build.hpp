@@ -41,7 +41,7 @@ class SlabBuilds {
 
   /// Of sections that are not divided after all, since no slab could be built so.
   [[nodiscard]] const std::vector<Warning>& warnings() const { return warnings_; }
-  /// Which slabs were mended together (MendClusters::sets()).
+  /// Which slabs were mended together (MendClusters::mended()).
   [[nodiscard]] std::vector<std::vector<SlabId>> mended() const { return clusters_.mended(); }
   /// How often a slab was built, each counted as often as it was.
   [[nodiscard]] std::size_t built() const { return built_; }

@@ -20,7 +20,8 @@
 
 namespace tetloft::internal {
 
-/// A stack whose slabs are all solid.
+/// A stack, or a window of one, as far as it was made: planned, or its slabs solid but for open
+/// ones.
 struct BuiltStack {
   PreparedStack prepared;
   Plan plan;                                 ///< as it was built

@@ -7,8 +7,6 @@ namespace tetloft::internal {
 
 namespace {
 
-bool meet(const SlabRange& a, const SlabRange& b) { return a.first < b.end && b.first < a.end; }
-
 SlabRange united(const SlabRange& a, const SlabRange& b) {
   return {std::min(a.first, b.first), std::max(a.end, b.end)};
 }
@@ -26,7 +24,7 @@ SlabRange closed(SlabRange range, const std::vector<ClusterSpan>& clusters, std:
   for (bool grown = true; grown;) {
     grown = false;
     for (const ClusterSpan& cluster : clusters) {
-      if (!meet(range, cluster.slabs)) continue;
+      if (!range.meets(cluster.slabs)) continue;
       const SlabRange larger = united(range, reach(cluster, slabs));
       grown = grown || larger != range;
       range = larger;
@@ -50,27 +48,28 @@ Result<Settled> settle(std::size_t slabs, std::vector<ClusterSpan> clusters,
                         [](const ClusterSpan& cluster) { return cluster.beyond.any(); });
   };
   for (auto next = open(); next != clusters.end(); next = open()) {
-    if (any_decides(clusters)) return Settled{{}, true};
+    if (any_decides(clusters)) return Settled{{}, {}, true};
     SlabRange range = closed(reach(*next, slabs), clusters, slabs);
     // Ranges made before that this one cuts into are given up.
     for (bool grown = true; grown;) {
       grown = false;
       for (const BuiltRange& made : settled.ranges) {
-        if (!meet(made.slabs, range) || united(made.slabs, range) == range) continue;
+        if (!range.meets(made.slabs) || united(made.slabs, range) == range) continue;
         range = closed(united(made.slabs, range), clusters, slabs);
         grown = true;
       }
     }
-    std::erase_if(settled.ranges, [&](const BuiltRange& made) { return meet(made.slabs, range); });
+    std::erase_if(settled.ranges, [&](const BuiltRange& made) { return range.meets(made.slabs); });
     Result<BuiltRange> built = build(range);
     if (!built) return built.error();
     // What the range itself found out comes in the place of what was known of its slabs.
-    std::erase_if(clusters, [&](const ClusterSpan& cluster) { return meet(cluster.slabs, range); });
+    std::erase_if(clusters, [&](const ClusterSpan& cluster) { return range.meets(cluster.slabs); });
     clusters.insert(clusters.end(), built->clusters.begin(), built->clusters.end());
     settled.ranges.push_back(std::move(*built));
   }
   std::sort(settled.ranges.begin(), settled.ranges.end(),
             [](const BuiltRange& a, const BuiltRange& b) { return a.slabs.first < b.slabs.first; });
+  settled.clusters = std::move(clusters);
   return settled;
 }
 

@@ -26,7 +26,8 @@ struct BuiltRange {
 };
 
 struct Settled {
-  std::vector<BuiltRange> ranges;  ///< without anything open; disjoint, by slab
+  std::vector<BuiltRange> ranges;     ///< without anything open; disjoint, by slab
+  std::vector<ClusterSpan> clusters;  ///< of all that is built now
   bool whole = false;  ///< links have to be decided anew: nothing less than the whole stack will do
 };
 

@@ -36,6 +36,15 @@ void add(SlabDecision decision, SlabId slab, Correspondence& correspondence) {
   correspondence.candidates.push_back(std::move(decision.candidates));
 }
 
+// Each above the one before, and all between these two heights?
+bool lie_between(const between::InnerSections& inner, double below, double above) {
+  for (const between::InnerSection& mid : inner.sections) {
+    if (!(below < mid.section.z && mid.section.z < above)) return false;
+    below = mid.section.z;
+  }
+  return true;
+}
+
 // Puts a window together, refusing what does not fit.
 class WindowMaker {
  public:
@@ -113,6 +122,11 @@ class WindowMaker {
     }
     if (!fits_slab(plan.between, below.size(), above.size())) {
       return no_fit(slab.index(), "has sections between that are of other regions");
+    }
+    const IdVector<SectionId, Section>& sections = window_.prepared.stack.sections;
+    if (!lie_between(plan.between, sections[lower_section(slab)].z,
+                     sections[upper_section(slab)].z)) {
+      return no_fit(slab.index(), "has sections between that lie elsewhere");
     }
     for (RegionMotion& motion : plan.motions) {
       motion.slab = slab;

@@ -36,9 +36,10 @@ struct StackFacts {
                                            std::optional<Section> below,
                                            std::optional<Section> above);
 
-/// The window's model, clusters and warnings, with ids of slabs and sections of the whole; the
-/// window is given up. Nothing where a coordinate would lose bits in the unit
-/// given: then the whole stack has to be planned in that (Unit::as_given).
+/// The window's model and clusters, with ids of slabs and sections of the whole. The window is
+/// given up but for its warnings, whose places stay as they are (in_whole()). Nothing where a
+/// coordinate would lose bits in the unit given: then the whole stack has to be planned in that
+/// (Unit::as_given).
 [[nodiscard]] std::optional<BuiltRange> take_range(const StackFacts& facts, const SlabRange& slabs,
                                                    BuiltStack& window, unsigned threads);
 /// Places of slabs and sections in a window become those in the whole.

@@ -41,6 +41,14 @@ TEST(Digest, IsThatOfTheSameModel) {
   EXPECT_EQ(digest_of(negative), digest_of(small_model()));
 }
 
+// Turned about an axis: signs of several coordinates.
+TEST(Digest, IsAnotherWhereSignsChange) {
+  Model turned = small_model();
+  turned.points[VertexId(1)].x = -1;
+  turned.points[VertexId(2)].y = -1;
+  EXPECT_NE(digest_of(turned), digest_of(small_model()));
+}
+
 TEST(Digest, IsAnotherWhereAnythingDiffers) {
   std::set<std::uint64_t> seen{digest_of(small_model())};
   const auto expect_new = [&](const auto& change) {

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
@@ -16,30 +15,10 @@
 #include "pieces/piece_file.hpp"
 #include "property/same_model.hpp"
 #include "support/slabs/cases.hpp"
-#include "support/stacks/generate.hpp"
-#include "support/stacks/shapes.hpp"
+#include "unit/pieces/pieces_support.hpp"
 
 namespace tetloft::testing {
 namespace {
-
-class Folder {
- public:
-  Folder()
-      : path_(std::filesystem::path(::testing::TempDir()) /
-              (std::string("tetloft_pieces_") +
-               ::testing::UnitTest::GetInstance()->current_test_info()->name())) {
-    std::filesystem::create_directories(path_);
-  }
-  ~Folder() { std::filesystem::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  [[nodiscard]] std::string operator/(const std::string& name) const {
-    return (path_ / name).string();
-  }
-
- private:
-  std::filesystem::path path_;
-};
 
 using Cuts = std::vector<std::size_t>;  // where pieces begin, and the end
 
@@ -53,9 +32,17 @@ std::vector<std::string> write_pieces(const Folder& folder, const Cuts& cuts) {
   return paths;
 }
 
-std::string bytes_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
+void write_planned(const Folder& folder, const SectionStack& stack,
+                   const ReconstructOptions& options = {}) {
+  const auto plan = write_plan(folder / "plan", stack, options);
+  EXPECT_TRUE(plan.ok()) << to_string(plan.error());
+}
+
+// A plan and its pieces.
+std::vector<std::string> write_pieces_of(const Folder& folder, const SectionStack& stack,
+                                         const Cuts& cuts, const ReconstructOptions& options = {}) {
+  write_planned(folder, stack, options);
+  return write_pieces(folder, cuts);
 }
 
 void expect_joined(const SectionStack& stack, const ReconstructOptions& options, const Cuts& cuts,
@@ -63,9 +50,7 @@ void expect_joined(const SectionStack& stack, const ReconstructOptions& options,
   const Folder folder;
   const auto direct = reconstruct(stack, options);
   ASSERT_TRUE(direct.ok());
-  const auto plan = write_plan(folder / "plan", stack, options);
-  ASSERT_TRUE(plan.ok()) << to_string(plan.error());
-  std::vector<std::string> paths = write_pieces(folder, cuts);
+  std::vector<std::string> paths = write_pieces_of(folder, stack, cuts, options);
   std::reverse(paths.begin(), paths.end());
   JoinOptions joining;
   joining.plan = folder / "plan";
@@ -99,114 +84,8 @@ void expect_joined(const SectionStack& stack, const ReconstructOptions& options,
   EXPECT_EQ(joined->report.sections_between, direct->report.sections_between);
 }
 
-struct Case {
-  SectionStack stack;
-  ReconstructOptions options;
-};
-
-// So many plates, sections of which each slab between needs refined contours, and plates.
-Case chain_of_mends(std::size_t before, std::size_t chain, std::size_t after) {
-  const SectionStack slab = sample("cases/shielded.cnt");
-  const Section plate = stack_of_boxes({{box(-1000, 0, 200, 100)}}).sections[SectionId(0)];
-  Case made;
-  made.options.divide_coarse = false;
-  made.options.correspondence.criterion = Criterion::overlap;
-  for (std::size_t s = 0; s <= before + chain + after; ++s) {
-    const bool shielded = s >= before && s <= before + chain;
-    made.stack.sections.push_back(shielded ? slab.sections[SectionId((s - before) % 2)] : plate);
-    made.stack.sections[SectionId(s)].z = static_cast<double>(s);
-    if (!shielded) continue;
-    auto& labels = made.options.correspondence.labels;
-    labels.push_back({SectionId(s), ContourId(0), 1});
-    labels.push_back({SectionId(s), ContourId(1), static_cast<std::uint32_t>(100 + s)});
-  }
-  return made;
-}
-
-// A random stack over itself, four times.
-SectionStack tall_stack(StackKind kind, std::uint64_t seed) {
-  const SectionStack once = generate(kind, seed).stack;
-  SectionStack stack;
-  for (int k = 0; k < 4; ++k) {
-    for (Section section : once.sections) {
-      section.z = static_cast<double>(stack.sections.size());
-      stack.sections.push_back(std::move(section));
-    }
-  }
-  return stack;
-}
-
-void expect_streamed(const SectionStack& stack, const ReconstructOptions& options,
-                     const std::vector<unsigned>& thread_counts = {1, 3}) {
-  const Folder folder;
-  const auto direct = reconstruct(stack, options);
-  for (const unsigned threads : thread_counts) {
-    ReconstructOptions with = options;
-    with.execution.threads = threads;
-    const auto made = write_streamed(folder / "streamed.vtu", stack, with);
-    ASSERT_EQ(made.ok(), direct.ok());
-    if (!direct) {
-      EXPECT_EQ(made.error().code, direct.error().code);
-      EXPECT_EQ(made.error().message, direct.error().message);
-      EXPECT_FALSE(std::filesystem::exists(folder / "streamed.vtu"));
-      continue;
-    }
-    EXPECT_EQ(bytes_of(folder / "streamed.vtu"), *format_vtu(direct->model));
-    EXPECT_EQ(made->report.volume, direct->report.volume);
-    EXPECT_EQ(made->report.vertices, direct->report.vertices);
-    EXPECT_EQ(made->report.tets, direct->report.tets);
-    EXPECT_EQ(made->report.components, direct->report.components);
-    EXPECT_EQ(made->report.contours, direct->report.contours);
-    EXPECT_EQ(made->report.slices, direct->report.slices);
-    EXPECT_EQ(made->report.split_vertices, direct->report.split_vertices);
-    EXPECT_EQ(made->report.sections_between, direct->report.sections_between);
-  }
-  std::size_t files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(folder / "")) {
-    EXPECT_EQ(entry.path().filename(), "streamed.vtu");
-    ++files;
-  }
-  EXPECT_LE(files, 1U);
-}
-
-TEST(Streams, AreTheFileOfTheSingleRun) {
-  expect_streamed(sample("torus.cnt"), {});
-  ReconstructOptions options;
-  options.ends = Ends::half;
-  options.between = 0;
-  options.correspondence.labels = {{SectionId(3), ContourId(0), 5}};
-  expect_streamed(sample("torus.cnt"), options);
-  expect_streamed(stack_of_boxes({{box(0, 0, 4, 2)}}), {});
-  expect_streamed({}, {});
-  SectionStack elsewhere = sample("torus.cnt");
-  elsewhere.frame.origin = {1, 2, 3};
-  expect_streamed(elsewhere, {});
-}
-
-// Mended slabs in all places of windows, chains longer than a window.
-TEST(Streams, GoBackWhereMendingReachesBelow) {
-  for (std::size_t before = 0; before < 9; ++before) {
-    for (const std::size_t chain : {1U, 2U, 12U}) {
-      const Case mended = chain_of_mends(before, chain, 5);
-      expect_streamed(mended.stack, mended.options);
-    }
-  }
-}
-
-TEST(Streams, OfRandomStacksAreTheFileOfTheSingleRun) {
-  constexpr std::uint64_t kSeed = 25;
-  for (const StackKind kind : all_kinds()) {
-    if (is_near_coincident(kind) || has_large_triangulations(kind)) continue;
-    SCOPED_TRACE(std::string(name_of(kind)) + ", seed " + std::to_string(kSeed));
-    expect_streamed(tall_stack(kind, kSeed), {}, {2});
-  }
-}
-
-TEST(Streams, AreVtuAlone) {
-  const Folder folder;
-  const auto made = write_streamed(folder / "streamed.vtk", sample("torus.cnt"));
-  ASSERT_FALSE(made.ok());
-  EXPECT_EQ(made.error().code, ErrorCode::usage);
+SectionStack three_sections_of_boxes() {
+  return stack_of_boxes({{box(0, 0, 4, 2)}, {box(0, 0, 3, 2), box(5, 0, 6, 2)}, {box(1, 0, 2, 2)}});
 }
 
 TEST(Pieces, JoinedAreTheModelOfTheSingleRun) {
@@ -215,11 +94,7 @@ TEST(Pieces, JoinedAreTheModelOfTheSingleRun) {
   for (const Cuts& cuts :
        {Cuts{0, slabs}, Cuts{0, 1, slabs}, Cuts{0, slabs - 1, slabs}, Cuts{0, 4, 9, 13, slabs}}) {
     expect_joined(stack, {}, cuts, 0);
-    ReconstructOptions options;
-    options.ends = Ends::half;
-    options.between = 0;
-    options.correspondence.labels = {{SectionId(3), ContourId(0), 5}};
-    expect_joined(stack, options, cuts, 0);
+    expect_joined(stack, with_ends_between_and_label(), cuts, 0);
   }
 }
 
@@ -227,8 +102,7 @@ TEST(Pieces, OfAStackThatLiesElsewhereAndOtherFormatsAreWritten) {
   const Folder folder;
   SectionStack stack = sample("torus.cnt");
   stack.frame.origin = {1, 2, 3};
-  ASSERT_TRUE(write_plan(folder / "plan", stack).ok());
-  const auto paths = write_pieces(folder, {0, 7, 19});
+  const auto paths = write_pieces_of(folder, stack, {0, 7, 19});
   const Model model = reconstruct(stack)->model;
   ASSERT_TRUE(write_joined(folder / "joined.vtu", paths).ok());
   EXPECT_EQ(bytes_of(folder / "joined.vtu"), *format_vtu(model));
@@ -241,26 +115,8 @@ TEST(Pieces, ASingleSectionIsOnePiece) {
   expect_joined(stack_of_boxes({{box(0, 0, 4, 2)}}), {}, {0, 0}, 0);
 }
 
-// The slab of cases/shielded.cnt needs refined contours: its neighbours are built again.
 TEST(Pieces, SlabsThatNeedMoreThanTheirPieceAreSettledByJoining) {
-  const SectionStack slab = sample("cases/shielded.cnt");
-  const Section plate = stack_of_boxes({{box(-1000, 0, 200, 100)}}).sections[SectionId(0)];
-  SectionStack stack;
-  const auto add = [&](double z, Section section) {
-    section.z = z;
-    stack.sections.push_back(std::move(section));
-  };
-  for (double z = -4; z < 0; ++z) add(z, plate);
-  add(0, slab.sections[SectionId(0)]);
-  add(1, slab.sections[SectionId(1)]);
-  for (double z = 2; z < 6; ++z) add(z, plate);
-  ReconstructOptions options;
-  options.divide_coarse = false;
-  options.correspondence.criterion = Criterion::overlap;
-  options.correspondence.labels = {{SectionId(4), ContourId(0), 1},
-                                   {SectionId(4), ContourId(1), 3},
-                                   {SectionId(5), ContourId(0), 1},
-                                   {SectionId(5), ContourId(1), 2}};
+  const auto [stack, options] = stack_of_mends("----xx----");
   ASSERT_GT(
       reconstruct(stack, options)->report.rules[static_cast<std::size_t>(Rule::gabriel_refinement)],
       0U);
@@ -272,8 +128,7 @@ TEST(Pieces, SlabsThatNeedMoreThanTheirPieceAreSettledByJoining) {
   expect_joined(stack, options, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9}, 3);
 
   const Folder folder;
-  ASSERT_TRUE(write_plan(folder / "plan", stack, options).ok());
-  const auto without = join_pieces(write_pieces(folder, {0, 4, 9}));
+  const auto without = join_pieces(write_pieces_of(folder, stack, {0, 4, 9}, options));
   ASSERT_FALSE(without.ok());
   EXPECT_EQ(without.error().code, ErrorCode::usage);
   EXPECT_NE(without.error().message.find("slabs 4:6"), std::string::npos)
@@ -283,22 +138,7 @@ TEST(Pieces, SlabsThatNeedMoreThanTheirPieceAreSettledByJoining) {
 
 // Slabs that all need refined contours, so that what is mended goes on from each to the next.
 TEST(Pieces, AChainOfMendsIsSettledAsLongAsItIs) {
-  const SectionStack slab = sample("cases/shielded.cnt");
-  const Section plate = stack_of_boxes({{box(-1000, 0, 200, 100)}}).sections[SectionId(0)];
-  SectionStack stack;
-  ReconstructOptions options;
-  options.divide_coarse = false;
-  options.correspondence.criterion = Criterion::overlap;
-  for (std::size_t s = 0; s < 12; ++s) {
-    const bool shielded = s < 5 || s > 7;
-    stack.sections.push_back(shielded ? slab.sections[SectionId(s % 2)] : plate);
-    stack.sections[SectionId(s)].z = static_cast<double>(s);
-    if (!shielded) continue;
-    const std::uint32_t body = s < 5 ? 1 : 2;
-    const auto alone = static_cast<std::uint32_t>(100 + s);
-    options.correspondence.labels.push_back({SectionId(s), ContourId(0), body});
-    options.correspondence.labels.push_back({SectionId(s), ContourId(1), alone});
-  }
+  const auto [stack, options] = stack_of_mends("xxxxx---xxxx");
   ASSERT_TRUE(reconstruct(stack, options).ok());
   expect_joined(stack, options, {0, 11}, 0);
   expect_joined(stack, options, {0, 2, 11}, 5);
@@ -309,8 +149,7 @@ TEST(Pieces, AChainOfMendsIsSettledAsLongAsItIs) {
 TEST(Pieces, EachIsASolidThatEveryToolReads) {
   const Folder folder;
   const SectionStack stack = sample("torus.cnt");
-  ASSERT_TRUE(write_plan(folder / "plan", stack).ok());
-  const auto paths = write_pieces(folder, {0, 7, 19});
+  const auto paths = write_pieces_of(folder, stack, {0, 7, 19});
   const auto model = read_vtu(paths[1]);
   ASSERT_TRUE(model.ok());
   for (const SlabId slab : model->slab) EXPECT_GE(slab.index(), 7U);
@@ -334,8 +173,7 @@ void expect_refused(const Result<Joined>& joined, ErrorCode code, const std::str
 TEST(Pieces, ThatDoNotBelongTogetherAreNamed) {
   const Folder folder;
   const SectionStack stack = sample("torus.cnt");
-  ASSERT_TRUE(write_plan(folder / "plan", stack).ok());
-  const std::vector<std::string> p = write_pieces(folder, {0, 7, 12, 19});
+  const std::vector<std::string> p = write_pieces_of(folder, stack, {0, 7, 12, 19});
   using Paths = std::vector<std::string>;
   expect_refused(join_pieces(Paths{p[0], p[2]}), ErrorCode::invalid_input, "slabs 7:12");
   expect_refused(join_pieces(Paths{p[1], p[2]}), ErrorCode::invalid_input, "slabs 0:7");
@@ -358,8 +196,7 @@ TEST(Pieces, ThatDoNotBelongTogetherAreNamed) {
 
 TEST(Pieces, DamagedPlansAreRefused) {
   const Folder folder;
-  const SectionStack stack =
-      stack_of_boxes({{box(0, 0, 4, 2)}, {box(0, 0, 3, 2), box(5, 0, 6, 2)}, {box(1, 0, 2, 2)}});
+  const SectionStack stack = three_sections_of_boxes();
   const auto written = write_plan(folder / "plan", stack);
   ASSERT_TRUE(written.ok());
   EXPECT_EQ(check_plan(folder / "plan")->identity, written->summary.identity);
@@ -380,14 +217,11 @@ TEST(Pieces, DamagedPlansAreRefused) {
 // What of a piece's bytes has no meaning may be anything; all else is missed.
 TEST(Pieces, DamagedPiecesAreRefused) {
   const Folder folder;
-  const SectionStack stack =
-      stack_of_boxes({{box(0, 0, 4, 2)}, {box(0, 0, 3, 2), box(5, 0, 6, 2)}, {box(1, 0, 2, 2)}});
-  ASSERT_TRUE(write_plan(folder / "plan", stack).ok());
-  const auto paths = write_pieces(folder, {0, 1, 2});
+  const SectionStack stack = three_sections_of_boxes();
+  const auto paths = write_pieces_of(folder, stack, {0, 1, 2});
   const auto whole = join_pieces(paths);
   ASSERT_TRUE(whole.ok()) << to_string(whole.error());
-  std::ifstream file(paths[1], std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  const std::string bytes = bytes_of(paths[1]);
   const std::size_t data = bytes.find("<AppendedData");
   ASSERT_LT(data, bytes.size());
   std::size_t refused = 0;
@@ -411,8 +245,7 @@ TEST(Pieces, DamagedPiecesAreRefused) {
 TEST(Pieces, AreListedAndAnIndexStandsForThem) {
   const Folder folder;
   const SectionStack stack = sample("torus.cnt");
-  ASSERT_TRUE(write_plan(folder / "plan", stack).ok());
-  const auto paths = write_pieces(folder, {0, 7, 12, 19});
+  const auto paths = write_pieces_of(folder, stack, {0, 7, 12, 19});
   const auto written = write_index(folder / "all.pvtu", paths);
   ASSERT_TRUE(written.ok()) << to_string(written.error());
   EXPECT_EQ(written->pieces, paths);
@@ -425,27 +258,46 @@ TEST(Pieces, AreListedAndAnIndexStandsForThem) {
   EXPECT_EQ(write_index(folder / "all.vtu", paths).error().code, ErrorCode::usage);
   EXPECT_EQ(check_piece(paths[2])->end, 19U);
 
-  std::ifstream file(index[0], std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  const std::string bytes = bytes_of(index[0]);
   for (std::size_t size = 0; size + 1 < bytes.size(); size += 5) {
     std::ofstream(index[0], std::ios::binary) << bytes.substr(0, size);
     EXPECT_FALSE(join_pieces(index).ok()) << size;
   }
 }
 
+void write_forged(const std::string& path, internal::pieces::WholePiece piece) {
+  auto files = internal::pieces::stage_whole_piece(path, piece, Encoding::compressed, nullptr);
+  ASSERT_TRUE(files.ok() && internal::io::commit_all(files->files).ok());
+}
+
+TEST(Pieces, ThatSayThatThePlanHasMoreSectionsAreRefused) {
+  const Folder folder;
+  const std::string path = write_pieces_of(folder, sample("torus.cnt"), {0, 19})[0];
+  auto piece = internal::pieces::read_whole_piece(path);
+  ASSERT_TRUE(piece.ok());
+  piece->record.sections = 1000;
+  piece->record.slabs = {0, 999};
+  internal::ClusterSpan open{{998, 999}, {}};
+  open.beyond.below = true;
+  piece->record.clusters = {open};
+  write_forged(path, *std::move(piece));
+  JoinOptions options;
+  options.plan = folder / "plan";
+  expect_refused(join_pieces(std::vector<std::string>{path}, options), ErrorCode::usage,
+                 "not the plan");
+}
+
 // No sample drops a link, so a piece is made to say that it did: all of the stack is built.
 TEST(Pieces, WhereLinksHaveToBeDecidedAnewAllIsBuilt) {
   const Folder folder;
   const SectionStack stack = sample("torus.cnt");
-  ASSERT_TRUE(write_plan(folder / "plan", stack).ok());
-  const auto paths = write_pieces(folder, {0, 7, 12, 19});
+  const auto paths = write_pieces_of(folder, stack, {0, 7, 12, 19});
   auto piece = internal::pieces::read_whole_piece(paths[1]);
   ASSERT_TRUE(piece.ok());
   internal::ClusterSpan cluster{{8, 9}, {}};
   cluster.beyond.decides = true;
   piece->record.clusters = {cluster};
-  auto files = internal::pieces::stage_whole_piece(paths[1], *piece, Encoding::compressed, nullptr);
-  ASSERT_TRUE(files.ok() && internal::io::commit_all(files->files).ok());
+  write_forged(paths[1], *std::move(piece));
   const Model direct = reconstruct(stack)->model;
   JoinOptions options;
   EXPECT_EQ(join_pieces(paths, options).error().code, ErrorCode::usage);
