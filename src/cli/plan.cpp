@@ -32,9 +32,8 @@ Usage plan_usage() {
               "-o PIECE.vtu`, on any machine, in any order; `tetloft join PIECES... -o OUT` makes "
               "of all pieces the solid that `tetloft reconstruct STACK -o OUT` makes with the "
               "options of the plan, bit for bit, however the stack was cut. The plan has the "
-              "sections in it; "
-              "`tetloft info PLAN` tells about it. --json: sections, slabs, components, "
-              "cavities, sections_between and identity."};
+              "sections in it; `tetloft info PLAN` tells about it. --json: sections, slabs, "
+              "components, cavities, sections_between and identity."};
   for (const Option& option : stack_options()) usage.options.push_back(option);
   for (const Option& option : solid_options()) usage.options.push_back(option);
   for (const Option& option : {kJsonOption, kQuietOption, kHelpOption}) {
@@ -53,7 +52,7 @@ std::string to_json(const PlanSummary& plan, const StackInput& input, const std:
   json.member("components", plan.components);
   json.member("cavities", plan.cavities);
   json.member("sections_between", plan.sections_between);
-  json.member("identity", identity_text(plan.identity));
+  json.member("identity", in_hex(plan.identity));
   json.member("written", path);
   write_preparation(json, input);
   write_warnings(json, console.warnings());
@@ -109,13 +108,6 @@ Result<int> run_plan(const Arguments& arguments, Console& console) {
 }
 
 }  // namespace
-
-std::string identity_text(std::uint64_t identity) {
-  constexpr std::string_view kDigits = "0123456789abcdef";
-  std::string text(16, '0');
-  for (std::size_t k = 0; k < text.size(); ++k) text[15 - k] = kDigits[identity >> (4 * k) & 15U];
-  return text;
-}
 
 Command plan_command() { return {plan_usage(), run_plan}; }
 
