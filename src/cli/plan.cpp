@@ -2,6 +2,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <tetloft/tetloft.hpp>
 
@@ -75,7 +76,9 @@ Result<int> run_plan(const Arguments& arguments, Console& console) {
   if (request->preparation.read.structure == kAllStructures) {
     return usage_error("a plan is of one structure: choose it");
   }
-  Result<void> fine = check_output("--output (-o)", *output, {}, {request->input});
+  std::vector<std::string> taken{request->input};
+  if (const auto labels = arguments.text("--labels")) taken.push_back(*labels);
+  const Result<void> fine = check_output("--output (-o)", *output, {}, taken);
   if (!fine) return fine.error();
   const auto input = read_stack_input(request->input, request->preparation, console);
   if (!input) return input.error();

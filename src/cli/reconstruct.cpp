@@ -240,7 +240,7 @@ Result<int> run_reconstruct(const Arguments& arguments, Console& console) {
   }
   if (Result<void> fine = check_no_batch_options(arguments); !fine) return fine.error();
   if (arguments.has("--plan") || arguments.has("--slabs")) {
-    return reconstruct_piece(arguments, console);
+    return reconstruct_piece(arguments, reconstruct_usage().options, console);
   }
   const auto method = arguments.choice("--method");
   if (!method) return method.error();
