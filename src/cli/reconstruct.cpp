@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "cli/batch_inputs.hpp"
+#include "cli/batch_request.hpp"
 #include "cli/commands.hpp"
 #include "cli/file_formats.hpp"
 #include "cli/geiger_method.hpp"
