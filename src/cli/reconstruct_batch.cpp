@@ -138,13 +138,16 @@ class Batch {
   std::optional<Error> unlogged_;
 };
 
-// With its outputs, none of which is an input, the list, or the log.
+// With its outputs, none of which is an input or its data, the list, or the log.
 Result<std::vector<BatchStack>> batch_stacks(const BatchRequest& batch,
                                              const std::vector<std::string>& inputs) {
   const Result<std::vector<std::string>> stems = output_stems(inputs);
   if (!stems) return stems.error();
   std::set<fs::path> taken{place_of(batch.request.input)};
-  for (const std::string& input : inputs) taken.insert(place_of(input));
+  const std::string& format = batch.request.preparation.read.format;
+  for (const std::string& input : inputs) {
+    for (const std::string& file : io::stack_files(input, format)) taken.insert(place_of(file));
+  }
   if (taken.count(place_of(batch.log)) != 0) {
     return usage_error("the log " + io::in_quotes(batch.log) + " is one of the inputs");
   }
