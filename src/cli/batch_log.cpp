@@ -17,6 +17,7 @@
 #include <tetloft/pieces.hpp>
 #include <tetloft/version.hpp>
 
+#include "cli/console.hpp"
 #include "core/text.hpp"
 #include "io/bytes/checksum.hpp"
 #include "io/json_scan.hpp"
@@ -34,13 +35,6 @@ using io::JsonKind;
 
 constexpr std::string_view kProgram = "tetloft";  // the member that a line begins with
 constexpr std::string_view kLineBegin = "{\"tetloft\":\"";
-
-std::string in_hex(std::uint64_t number) {
-  std::array<char, 16> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number, 16).ptr;
-  const std::string text(digits.data(), end);
-  return std::string(digits.size() - text.size(), '0') + text;
-}
 
 std::uint64_t from_hex(std::string_view text) {
   std::uint64_t number = 0;

@@ -14,7 +14,7 @@ namespace {
 
 // Whether an option's value, by its word in the help, names a file.
 bool names_a_file(const Option& option) {
-  constexpr std::array<std::string_view, 4> kFileWords{"FILE", "IN", "OUT", "MODEL"};
+  constexpr std::array<std::string_view, 5> kFileWords{"FILE", "IN", "OUT", "MODEL", "PLAN"};
   const std::string_view word = std::string_view(option.value).substr(0, option.value.find('.'));
   return std::find(kFileWords.begin(), kFileWords.end(), word) != kFileWords.end();
 }

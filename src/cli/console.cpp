@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "core/text.hpp"
+#include "io/numbers.hpp"
 
 namespace tetloft::cli {
 
@@ -136,6 +137,19 @@ std::string readable(double value) {
   char buffer[40];
   std::snprintf(buffer, sizeof buffer, "%.6g", value);
   return buffer;
+}
+
+std::string exact(double value) {
+  std::string text;
+  io::append_number(text, value);
+  return text;
+}
+
+std::string in_hex(std::uint64_t number) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string text(16, '0');
+  for (std::size_t k = 0; k < text.size(); ++k) text[15 - k] = kDigits[number >> (4 * k) & 15U];
+  return text;
 }
 
 std::string readable_seconds(double seconds) {

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <string_view>
@@ -72,6 +73,10 @@ void write_warnings(JsonWriter& json, const std::vector<Warning>& warnings);
 
 /// Six significant digits, for reading.
 [[nodiscard]] std::string readable(double value);
+/// Digits that bring the same number back.
+[[nodiscard]] std::string exact(double value);
+/// 16 digits.
+[[nodiscard]] std::string in_hex(std::uint64_t number);
 /// Milliseconds are the finest that matter to people.
 [[nodiscard]] std::string readable_seconds(double seconds);
 /// "1 tet", "2 tets".

@@ -44,9 +44,7 @@ Usage join_usage() {
        kHelpOption},
       "Pieces are given in any order, all of one plan, and each slab in one of them; what "
       "is wrong, missing, doubled, damaged or foreign is named. A .pvtu stands for the pieces that "
-      "it "
-      "lists. Nothing is written when the "
-      "command fails."};
+      "it lists. Nothing is written when the command fails."};
   usage.repeats = true;
   return usage;
 }
@@ -100,7 +98,7 @@ std::string index_text(const internal::pieces::StagedIndex& staged) {
          '\n' + written_line(paths_of(staged.files));
 }
 
-// Those that indices list, too: no output may overwrite one.
+// Those that indices list, too.
 Result<std::vector<std::string>> pieces_of(const Arguments& arguments) {
   std::vector<std::string> paths;
   for (std::size_t k = 0; k < arguments.operand_count(); ++k) {
@@ -109,13 +107,24 @@ Result<std::vector<std::string>> pieces_of(const Arguments& arguments) {
   return internal::pieces::listed_pieces(paths);
 }
 
-Result<void> check_against(const std::vector<std::string>& pieces, const ModelOutputs& outputs) {
+// What no output may overwrite.
+std::vector<std::string> inputs_of(const Arguments& arguments,
+                                   const std::vector<std::string>& pieces) {
+  std::vector<std::string> inputs = pieces;
+  for (std::size_t k = 0; k < arguments.operand_count(); ++k) {
+    inputs.push_back(arguments.operand(k));
+  }
+  if (const auto plan = arguments.text("--plan")) inputs.push_back(*plan);
+  return inputs;
+}
+
+Result<void> check_against(const std::vector<std::string>& inputs, const ModelOutputs& outputs) {
   if (outputs.solid) {
-    Result<void> fine = check_output("--output (-o)", *outputs.solid, {}, pieces);
+    Result<void> fine = check_output("--output (-o)", *outputs.solid, {}, inputs);
     if (!fine) return fine;
   }
   if (!outputs.surface) return {};
-  return check_output("--surface", *outputs.surface, {}, pieces);
+  return check_output("--surface", *outputs.surface, {}, inputs);
 }
 
 Result<JoinOptions> options_of(const Arguments& arguments) {
@@ -138,10 +147,8 @@ Result<int> run_index(const Arguments& arguments, Console& console) {
   }
   const Result<std::vector<std::string>> pieces = pieces_of(arguments);
   if (!pieces) return pieces.error();
-  std::vector<std::string> taken = *pieces;
-  for (std::size_t k = 0; k < arguments.operand_count(); ++k) taken.push_back(arguments.operand(k));
-  if (const auto plan = arguments.text("--plan")) taken.push_back(*plan);
-  const Result<void> fine = check_output("--output (-o)", *output, {".pvtu"}, taken);
+  const Result<void> fine =
+      check_output("--output (-o)", *output, {".pvtu"}, inputs_of(arguments, *pieces));
   if (!fine) return fine.error();
   const Result<JoinOptions> options = options_of(arguments);
   if (!options) return options.error();
@@ -185,7 +192,8 @@ Result<int> run_join(const Arguments& arguments, Console& console) {
   if (!options) return options.error();
   const Result<std::vector<std::string>> pieces = pieces_of(arguments);
   if (!pieces) return pieces.error();
-  if (Result<void> fine = check_against(*pieces, *outputs); !fine) return fine.error();
+  const Result<void> fine = check_against(inputs_of(arguments, *pieces), *outputs);
+  if (!fine) return fine.error();
   Result<StagedJoin> joined = staged_join(*pieces, *options, *outputs, console);
   if (!joined) return joined.error();
   std::string told;

@@ -2,6 +2,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <tetloft/tetloft.hpp>
 
@@ -32,9 +33,8 @@ Usage plan_usage() {
               "-o PIECE.vtu`, on any machine, in any order; `tetloft join PIECES... -o OUT` makes "
               "of all pieces the solid that `tetloft reconstruct STACK -o OUT` makes with the "
               "options of the plan, bit for bit, however the stack was cut. The plan has the "
-              "sections in it; "
-              "`tetloft info PLAN` tells about it. --json: sections, slabs, components, "
-              "cavities, sections_between and identity."};
+              "sections in it; `tetloft info PLAN` tells about it. --json: sections, slabs, "
+              "components, cavities, sections_between and identity."};
   for (const Option& option : stack_options()) usage.options.push_back(option);
   for (const Option& option : solid_options()) usage.options.push_back(option);
   for (const Option& option : {kJsonOption, kQuietOption, kHelpOption}) {
@@ -53,7 +53,7 @@ std::string to_json(const PlanSummary& plan, const StackInput& input, const std:
   json.member("components", plan.components);
   json.member("cavities", plan.cavities);
   json.member("sections_between", plan.sections_between);
-  json.member("identity", identity_text(plan.identity));
+  json.member("identity", in_hex(plan.identity));
   json.member("written", path);
   write_preparation(json, input);
   write_warnings(json, console.warnings());
@@ -76,7 +76,9 @@ Result<int> run_plan(const Arguments& arguments, Console& console) {
   if (request->preparation.read.structure == kAllStructures) {
     return usage_error("a plan is of one structure: choose it");
   }
-  Result<void> fine = check_output("--output (-o)", *output, {}, {request->input});
+  std::vector<std::string> taken{request->input};
+  if (const auto labels = arguments.text("--labels")) taken.push_back(*labels);
+  const Result<void> fine = check_output("--output (-o)", *output, {}, taken);
   if (!fine) return fine.error();
   const auto input = read_stack_input(request->input, request->preparation, console);
   if (!input) return input.error();
@@ -109,13 +111,6 @@ Result<int> run_plan(const Arguments& arguments, Console& console) {
 }
 
 }  // namespace
-
-std::string identity_text(std::uint64_t identity) {
-  constexpr std::string_view kDigits = "0123456789abcdef";
-  std::string text(16, '0');
-  for (std::size_t k = 0; k < text.size(); ++k) text[15 - k] = kDigits[identity >> (4 * k) & 15U];
-  return text;
-}
 
 Command plan_command() { return {plan_usage(), run_plan}; }
 

@@ -1,3 +1,4 @@
+// See plan_info.hpp.
 #include "cli/plan_info.hpp"
 
 #include <array>
@@ -7,7 +8,6 @@
 #include <tetloft/model.hpp>
 #include <tetloft/pieces.hpp>
 
-#include "cli/reconstruct_piece.hpp"
 #include "io/numbers.hpp"
 #include "pieces/piece_file.hpp"
 #include "pieces/plan_head.hpp"
@@ -17,12 +17,6 @@ namespace tetloft::cli {
 using namespace internal;
 
 namespace {
-
-std::string number(double value) {
-  std::string text;
-  io::append_number(text, value);
-  return text;
-}
 
 // The options that a plan was made with, as they were given to it; those that are as without.
 std::vector<std::string> option_words(const ReconstructOptions& options) {
@@ -36,20 +30,20 @@ std::vector<std::string> option_words(const ReconstructOptions& options) {
   if (rule.criterion != Criterion::moved) {
     add("--correspondence", kCriteria[static_cast<std::size_t>(rule.criterion)]);
   }
-  if (rule.tau) add("--overlap", number(*rule.tau));
+  if (rule.tau) add("--overlap", exact(*rule.tau));
   if (!rule.chain) add("--no-chain", {});
   if (!rule.lone) add("--no-lone", {});
   if (rule.voids.rule == VoidRule::free) add("--voids", "free");
-  if (rule.voids.rule == VoidRule::near) add("--voids", "near=" + number(rule.voids.reach));
+  if (rule.voids.rule == VoidRule::near) add("--voids", "near=" + exact(rule.voids.reach));
   if (options.ends == Ends::half) add("--ends", "half");
   if (options.between) {
     add("--between", *options.between == 0 ? "none" : std::to_string(*options.between));
   }
   if (options.delaunay != DelaunayEngine::automatic) add("--delaunay", name_of(options.delaunay));
   if (!options.divide_coarse) add("--no-divide", {});
-  if (options.thickness) add("--thickness", number(*options.thickness));
+  if (options.thickness) add("--thickness", exact(*options.thickness));
   if (options.work_limit != kDefaultWorkLimit) {
-    add("--work-limit", number(options.work_limit));
+    add("--work-limit", exact(options.work_limit));
   }
   return words;
 }
@@ -67,12 +61,12 @@ std::string json_of(const PlanSummary& plan, const Console& console) {
   json.begin_object();
   json.member("format", "plan");
   json.member("version", internal::pieces::kPlanVersion);
-  json.member("identity", identity_text(plan.identity));
+  json.member("identity", in_hex(plan.identity));
   json.key("source");
   json.begin_object();
   json.member("name", plan.source.name);
   json.member("bytes", plan.source.bytes);
-  json.member("checksum", identity_text(plan.source.checksum));
+  json.member("checksum", in_hex(plan.source.checksum));
   json.end_object();
   json.member("sections", plan.sections);
   json.member("slabs", plan.sections - 1);
@@ -92,7 +86,7 @@ std::string json_of(const PlanSummary& plan, const Console& console) {
 
 std::string text_of(const PlanSummary& plan) {
   std::string text = "a plan, version " + std::to_string(internal::pieces::kPlanVersion) +
-                     ", identity " + identity_text(plan.identity) + "; all of it is whole\n";
+                     ", identity " + in_hex(plan.identity) + "; all of it is whole\n";
   if (plan.source != PlanSource{}) {
     text += "of " + io::in_quotes(plan.source.name) + ", " + std::to_string(plan.source.bytes) +
             " bytes\n";
@@ -119,7 +113,7 @@ std::string json_of(const PieceSummary& piece, const Model& model, const Console
   json.begin_object();
   json.member("format", "piece");
   json.member("version", internal::pieces::kPieceVersion);
-  json.member("plan", identity_text(piece.plan));
+  json.member("plan", in_hex(piece.plan));
   json.member("slabs", std::array{piece.first, piece.end});
   json.member("of", piece.sections - 1);
   json.member("open", piece.open);
@@ -133,13 +127,13 @@ std::string json_of(const PieceSummary& piece, const Model& model, const Console
 }
 
 std::string text_of(const PieceSummary& piece, const Model& model) {
-  std::string text =
-      "a piece, version " + std::to_string(internal::pieces::kPieceVersion) + ", of the plan " +
-      identity_text(piece.plan) + "; all of it is whole\n" + "slabs " +
-      std::to_string(piece.first) + ':' + std::to_string(piece.end) + " of " +
-      std::to_string(piece.sections - 1) + ": " + counted(model.tets.size(), "tet") + ", " +
-      std::to_string(model.points.size()) + " vertices, volume " + readable(volume(model)) +
-      ", of a stack of " + counted(model.component_count, "component") + '\n';
+  std::string text = "a piece, version " + std::to_string(internal::pieces::kPieceVersion) +
+                     ", of the plan " + in_hex(piece.plan) + "; all of it is whole\n" + "slabs " +
+                     std::to_string(piece.first) + ':' + std::to_string(piece.end) + " of " +
+                     std::to_string(piece.sections - 1) + ": " + counted(model.tets.size(), "tet") +
+                     ", " + std::to_string(model.points.size()) + " vertices, volume " +
+                     readable(volume(model)) + ", of a stack of " +
+                     counted(model.component_count, "component") + '\n';
   if (!piece.open.empty()) {
     text += "left open, to be built from the plan by joining:";
     for (const std::size_t slab : piece.open) text += ' ' + std::to_string(slab);

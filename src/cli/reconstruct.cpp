@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "cli/batch_inputs.hpp"
+#include "cli/batch_request.hpp"
 #include "cli/commands.hpp"
 #include "cli/file_formats.hpp"
 #include "cli/geiger_method.hpp"
@@ -240,7 +241,7 @@ Result<int> run_reconstruct(const Arguments& arguments, Console& console) {
   }
   if (Result<void> fine = check_no_batch_options(arguments); !fine) return fine.error();
   if (arguments.has("--plan") || arguments.has("--slabs")) {
-    return reconstruct_piece(arguments, console);
+    return reconstruct_piece(arguments, reconstruct_usage().options, console);
   }
   const auto method = arguments.choice("--method");
   if (!method) return method.error();

@@ -8,11 +8,6 @@
 
 namespace tetloft::cli {
 
-/// --list, --to and --log.
-[[nodiscard]] std::vector<Option> batch_options();
-/// Usage error where one of these is given for a single stack.
-[[nodiscard]] Result<void> check_no_batch_options(const Arguments& arguments);
-
 /// The command where the operand names many stacks (names_many()); `options` are all that it takes.
 /// Solids that the log knows as done are left as they are; of the others each appears whole, and
 /// those that fail keep none from being made. The exit code is that of the first failure.

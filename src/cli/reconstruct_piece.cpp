@@ -1,3 +1,4 @@
+// See reconstruct_piece.hpp.
 #include "cli/reconstruct_piece.hpp"
 
 #include <algorithm>
@@ -24,22 +25,21 @@ using namespace internal;
 namespace {
 
 // Everything else that shapes a solid was decided by the plan.
-constexpr std::array<std::string_view, 10> kTaken{"--plan",  "--slabs",    "--output", "--threads",
-                                                  "--ascii", "--compress", "--json",   "--quiet",
-                                                  "--help",  "-o"};
+constexpr std::array<std::string_view, 9> kTaken{"--plan",    "--slabs", "--output",
+                                                 "--threads", "--ascii", "--compress",
+                                                 "--json",    "--quiet", "--help"};
 
-Result<void> check_options(const Arguments& arguments) {
+Result<void> check_options(const Arguments& arguments, const std::vector<Option>& options) {
   for (const std::string_view option : {"--plan", "--slabs", "--output"}) {
     if (!arguments.has(option)) {
       return usage_error("a piece takes --plan PLAN, --slabs A:B and --output PIECE.vtu: " +
                          std::string(option) + " is missing");
     }
   }
-  for (const std::string& word : arguments.line()) {
-    if (!word.starts_with("--") || word == "--") continue;
-    const std::string name = word.substr(0, word.find('='));
-    if (std::find(kTaken.begin(), kTaken.end(), name) != kTaken.end()) continue;
-    return usage_error("option " + name +
+  for (const Option& option : options) {
+    if (!arguments.has(option.name)) continue;
+    if (std::find(kTaken.begin(), kTaken.end(), option.name) != kTaken.end()) continue;
+    return usage_error("option " + std::string(option.name) +
                        " does not go with --plan: that is decided by the plan, or said of the "
                        "joined solid");
   }
@@ -81,9 +81,10 @@ Result<void> check_input(const std::string& input, const std::string& plan) {
   std::error_code code;
   const auto bytes = std::filesystem::file_size(input_path(input), code);
   if (!code && bytes != planned->source.bytes) return another_stack(input, planned->source);
+  // Of more, reading all would cost many pieces more than building them: the size has to do.
   constexpr std::uint64_t kCheap = std::uint64_t{1} << 26;
   if (!code && bytes > kCheap) return {};
-  Result<PlanSource> source = source_of(input);
+  const Result<PlanSource> source = plan_source(input_path(input));
   if (!source) return source.error();
   if (source->checksum != planned->source.checksum) return another_stack(input, planned->source);
   return {};
@@ -106,16 +107,9 @@ std::string json_of(const internal::pieces::StagedPiece& piece, const std::strin
                     const Console& console) {
   JsonWriter json;
   json.begin_object();
-  json.key("slabs");
-  json.begin_array();
-  json.value(piece.summary.first);
-  json.value(piece.summary.end);
-  json.end_array();
+  json.member("slabs", std::array{piece.summary.first, piece.summary.end});
   json.member("of", piece.summary.sections - 1);
-  json.key("open");
-  json.begin_array();
-  for (const std::size_t slab : piece.summary.open) json.value(slab);
-  json.end_array();
+  json.member("open", piece.summary.open);
   json.member("tets", piece.report.tets);
   json.member("vertices", piece.report.vertices);
   json.member("work", piece.report.work);
@@ -128,12 +122,18 @@ std::string json_of(const internal::pieces::StagedPiece& piece, const std::strin
 }  // namespace
 
 Result<PlanSource> source_of(const std::string& input) {
-  if (input == "-") return PlanSource{};
+  std::error_code code;
+  const std::filesystem::file_status status = std::filesystem::status(input, code);
+  const bool stream = std::filesystem::exists(status) &&
+                      !std::filesystem::is_regular_file(status) &&
+                      !std::filesystem::is_directory(status);
+  if (input == "-" || stream) return PlanSource{};  // it was read, once, as the stack
   return plan_source(input_path(input));
 }
 
-Result<int> reconstruct_piece(const Arguments& arguments, Console& console) {
-  if (Result<void> fine = check_options(arguments); !fine) return fine.error();
+Result<int> reconstruct_piece(const Arguments& arguments, const std::vector<Option>& known,
+                              Console& console) {
+  if (Result<void> fine = check_options(arguments, known); !fine) return fine.error();
   const Result<SlabRange> slabs = slabs_of(*arguments.text("--slabs"));
   if (!slabs) return slabs.error();
   const std::string input = arguments.operand(0);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <tetloft/pieces.hpp>
 #include <tetloft/result.hpp>
@@ -11,12 +12,12 @@
 
 namespace tetloft::cli {
 
-[[nodiscard]] Result<int> reconstruct_piece(const Arguments& arguments, Console& console);
+/// `known` are all options of the command: usage error where one is given that no piece takes.
+[[nodiscard]] Result<int> reconstruct_piece(const Arguments& arguments,
+                                            const std::vector<Option>& known, Console& console);
 
-/// What a piece, or a plan's stack, is read from: of a file all that tells it from others, of "-"
-/// nothing.
+/// What a plan's stack was read from: of a file all that tells it from others, of "-" and other
+/// streams nothing.
 [[nodiscard]] Result<PlanSource> source_of(const std::string& input);
-/// Of a plan: 16 digits.
-[[nodiscard]] std::string identity_text(std::uint64_t identity);
 
 }  // namespace tetloft::cli

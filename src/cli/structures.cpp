@@ -4,21 +4,15 @@
 #include <algorithm>
 #include <set>
 
+#include "cli/console.hpp"
 #include "core/text.hpp"
 #include "io/files.hpp"
-#include "io/numbers.hpp"
 
 namespace tetloft::cli {
 
 using namespace internal;
 
 namespace {
-
-std::string text_of(double number) {
-  std::string text;
-  io::append_number(text, number);
-  return text;
-}
 
 // Letters, digits, and what is beyond ASCII; anything else may mean something to a shell or a
 // system.
@@ -42,8 +36,8 @@ std::vector<Structure> structures_of(const FileSummary& file) {
     for (const std::string& asked : file.volume->structures) {
       Structure structure{asked, {}, {}, 0};
       for (const LabelSummary& label : file.volume->labels) {
-        if (label.name != asked && text_of(label.value) != asked) continue;
-        structure = {asked, label.name, text_of(label.value), label.value};
+        if (label.name != asked && exact(label.value) != asked) continue;
+        structure = {asked, label.name, exact(label.value), label.value};
       }
       if (structure.number.empty()) structure.name = asked;
       all.push_back(structure);

@@ -202,6 +202,16 @@ TEST_F(BatchCommand, OverwritesNoInput) {
   expect_failure({"reconstruct", in_, "-o", in_, "--to", "vtp"}, 2, "usage", "would overwrite",
                  {in_ + "/tube.vtp"});
   EXPECT_EQ(get(there), before);
+  // Nor the voxels of one, whatever they are called.
+  const std::string voxels(32, '\1');
+  put(in_ + "/tube.vtu", voxels);
+  put(in_ + "/grid.mhd",
+      "ObjectType = Image\nNDims = 3\nDimSize = 4 4 2\nElementType = MET_UCHAR\n"
+      "ElementSpacing = 1 1 1\nElementDataFile = tube.vtu\n");
+  expect_failure({"reconstruct", in_, "-o", in_, "--label", "1"}, 2, "usage", "would overwrite");
+  EXPECT_EQ(get(in_ + "/tube.vtu"), voxels);
+  fs::remove(in_ + "/grid.mhd");
+  fs::remove(in_ + "/tube.vtu");
   // Beside its inputs a solid is none of them, nor is the log.
   EXPECT_EQ(run_json({"reconstruct", in_, "-o", in_}).at("done").number, 4);
   EXPECT_EQ(run_json({"reconstruct", in_, "-o", in_}).at("skipped").number, 4);

@@ -13,22 +13,15 @@
 namespace tetloft {
 namespace {
 
-using test::Cuts;
-using test::data;
-using test::expect_failure;
-using test::JsonValue;
-using test::Outcome;
-using test::run;
-using test::run_json;
-using test::Words;
+using namespace test;
 
-class PieceIndex : public test::PiecesCommand {
+class PieceIndex : public PiecesCommand {
  protected:
   // The files that an index lists, as it calls them.
   static Words sources_of(const std::string& index) {
     Words sources;
     const std::string mark = "<Piece Source=\"";
-    const std::string text = test::get(index);
+    const std::string text = get(index);
     for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + 1)) {
       const std::size_t from = at + mark.size();
       sources.push_back(text.substr(from, text.find('"', from) - from));
@@ -39,7 +32,7 @@ class PieceIndex : public test::PiecesCommand {
   std::string index_ = folder_.file("solid.pvtu");
 };
 
-class OpenPieceIndex : public test::OpenSlabs {
+class OpenPieceIndex : public OpenSlabs {
  protected:
   std::string index_ = folder_.file("solid.pvtu");
 };
@@ -47,7 +40,7 @@ class OpenPieceIndex : public test::OpenSlabs {
 TEST_F(PieceIndex, ListsThePiecesFromBelow) {
   make_plan(data("torus.cnt"));
   const Words pieces = make_pieces({0, 7, 12, 19});
-  const JsonValue made = run_json(test::with({"join", "--index", "-o", index_}, pieces));
+  const JsonValue made = run_json(with({"join", "--index", "-o", index_}, pieces));
   EXPECT_EQ(made.at("pieces").number, 3);
   EXPECT_EQ(made.at("settled").number, 0);
   EXPECT_EQ(made.at("components").number, 1);
@@ -57,8 +50,8 @@ TEST_F(PieceIndex, ListsThePiecesFromBelow) {
   EXPECT_EQ(sources_of(index_), (Words{"piece0.vtu", "piece1.vtu", "piece2.vtu"}));
   const std::string joined = folder_.file("joined.vtu");
   EXPECT_EQ(made.at("tets").number,
-            run_json(test::with({"join", "-o", joined}, pieces)).at("tets").number);
-  const std::string told = run(test::with({"join", "--index", "-o", index_}, pieces)).out;
+            run_json(with({"join", "-o", joined}, pieces)).at("tets").number);
+  const std::string told = run(with({"join", "--index", "-o", index_}, pieces)).out;
   EXPECT_NE(told.find("3 pieces: "), std::string::npos) << told;
 }
 
@@ -79,48 +72,48 @@ TEST_F(PieceIndex, CallsThePiecesFromItsFolder) {
 // The pieces of an index are pieces like others: joined they are the single run's solid.
 TEST_F(OpenPieceIndex, WritesAnewWhatWasLeftOpen) {
   const std::string whole = folder_.file("whole.vtu");
-  ASSERT_EQ(run(test::with({"reconstruct", stack_, "-o", whole}, options_)).code, 0);
+  ASSERT_EQ(run(with({"reconstruct", stack_, "-o", whole}, options_)).code, 0);
   for (const Cuts& cuts : {Cuts{0, 2, 7, 9}, Cuts{0, 4, 9}, Cuts{0, 2, 4, 5, 7, 9},
                            Cuts{0, 1, 2, 3, 4, 5, 6, 7, 8, 9}}) {
     const Words pieces = make_pieces(cuts);
     std::vector<std::string> bytes;
-    for (const std::string& path : pieces) bytes.push_back(test::get(path));
+    for (const std::string& path : pieces) bytes.push_back(get(path));
     const JsonValue made =
-        run_json(test::with({"join", "--index", "-o", index_, "--plan", plan_}, pieces));
+        run_json(with({"join", "--index", "-o", index_, "--plan", plan_}, pieces));
     const bool open = cuts.size() != 4;
     EXPECT_EQ(made.at("settled").number, open ? 3 : 0);
     EXPECT_EQ(made.at("written").array.size() > 1, open);
-    for (std::size_t k = 0; k < pieces.size(); ++k) EXPECT_EQ(test::get(pieces[k]), bytes[k]);
+    for (std::size_t k = 0; k < pieces.size(); ++k) EXPECT_EQ(get(pieces[k]), bytes[k]);
     Words listed;
     for (const JsonValue& path : made.at("listed").array) listed.push_back(path.string);
     ASSERT_EQ(listed.size(), pieces.size());
     const std::string joined = folder_.file("joined.vtu");
-    ASSERT_EQ(run(test::with({"join", "-o", joined}, listed)).code, 0);
-    EXPECT_TRUE(test::get(joined) == test::get(whole));
+    ASSERT_EQ(run(with({"join", "-o", joined}, listed)).code, 0);
+    EXPECT_TRUE(get(joined) == get(whole));
   }
 }
 
 TEST_F(OpenPieceIndex, AppearsWithAllItsPiecesOrNotAtAll) {
   const Words pieces = make_pieces({0, 4, 9});
   const std::string beside = folder_.file("solid_0.vtu");
-  expect_failure(test::with({"join", "--index", "-o", index_}, pieces), 2, "usage", "--plan",
+  expect_failure(with({"join", "--index", "-o", index_}, pieces), 2, "usage", "--plan",
                  {index_, beside});
   // A piece cannot appear.
   std::filesystem::create_directory(folder_.file("solid_1.vtu"));
-  expect_failure(test::with({"join", "--index", "-o", index_, "--plan", plan_}, pieces), 4, "io",
+  expect_failure(with({"join", "--index", "-o", index_, "--plan", plan_}, pieces), 4, "io",
                  "solid_1.vtu", {index_, beside});
   std::filesystem::remove(folder_.file("solid_1.vtu"));
   // It would overwrite what was given.
   const std::string index = folder_.file("piece.pvtu");
   std::filesystem::rename(piece(0), folder_.file("piece_0.vtu"));
-  const std::string before = test::get(folder_.file("piece_0.vtu"));
+  const std::string before = get(folder_.file("piece_0.vtu"));
   const Words words{"join",  "--index", "-o", index, "--plan", plan_, folder_.file("piece_0.vtu"),
                     piece(1)};
   const Outcome refused = run(words);
   EXPECT_EQ(refused.code, 2);
   EXPECT_NE(refused.err.find("overwrite"), std::string::npos) << refused.err;
   EXPECT_FALSE(std::filesystem::exists(index));
-  EXPECT_EQ(test::get(folder_.file("piece_0.vtu")), before);
+  EXPECT_EQ(get(folder_.file("piece_0.vtu")), before);
 }
 
 // It stands for its pieces wherever a model is read, and in joining.
@@ -134,15 +127,15 @@ TEST_F(PieceIndex, IsReadAsTheSolidOfItsPieces) {
   const std::string whole = folder_.file("whole.vtu"), joined = folder_.file("joined.vtu");
   ASSERT_EQ(run({"reconstruct", stack_, "-o", whole, "--ends", "half"}).code, 0);
   ASSERT_EQ(run({"join", index, "-o", joined}).code, 0);
-  EXPECT_TRUE(test::get(joined) == test::get(whole));
+  EXPECT_TRUE(get(joined) == get(whole));
   ASSERT_EQ(run({"convert", index, "-o", joined}).code, 0);
-  EXPECT_TRUE(test::get(joined) == test::get(whole));
+  EXPECT_TRUE(get(joined) == get(whole));
   EXPECT_EQ(run({"check", index, stack_}).out, run({"check", whole, stack_}).out);
   EXPECT_EQ(run({"check", index, data("bifurcation.cnt")}).code, 1);
   // One of its pieces is not overwritten, and it may be listed anew.
-  const std::string before = test::get(piece(0));
+  const std::string before = get(piece(0));
   expect_failure({"join", index, "-o", piece(0), "--quiet"}, 2, "usage", "overwrite");
-  EXPECT_EQ(test::get(piece(0)), before);
+  EXPECT_EQ(get(piece(0)), before);
   ASSERT_EQ(run({"join", "--index", index, "-o", index_}).code, 0);
   EXPECT_EQ(sources_of(index_), (Words{"piece0.vtu", "&lt;1&gt;.vtu"}));
 }
@@ -150,11 +143,11 @@ TEST_F(PieceIndex, IsReadAsTheSolidOfItsPieces) {
 TEST_F(PieceIndex, ThatIsDamagedIsRefused) {
   make_plan(data("torus.cnt"));
   const Words pieces = make_pieces({0, 7, 19});
-  ASSERT_EQ(run(test::with({"join", "--index", "-o", index_}, pieces)).code, 0);
-  const std::string whole = test::get(index_);
+  ASSERT_EQ(run(with({"join", "--index", "-o", index_}, pieces)).code, 0);
+  const std::string whole = get(index_);
   const auto refused = [&](const std::string& text, int code, const std::string& name,
                            const std::string& word) {
-    test::put(index_, text);
+    put(index_, text);
     expect_failure({"check", index_, stack_}, code, name, word);
   };
   const auto without = [&](const std::string& from, const std::string& to) {
@@ -182,16 +175,16 @@ TEST_F(PieceIndex, RefusesWhatMakesNoSense) {
       "usage", "--surface", {index_, folder_.file("o.ply")});
   expect_failure({"join", "--index", piece(1), "-o", index_}, 3, "invalid_input", "slabs 0:7",
                  {index_});
-  std::string bytes = test::get(piece(0));
+  std::string bytes = get(piece(0));
   bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
-  test::put(piece(0), bytes);
+  put(piece(0), bytes);
   expect_failure({"join", "--index", piece(0), piece(1), "-o", index_}, 3, "invalid_input",
                  "piece0.vtu", {index_});
 }
 
 TEST_F(PieceIndex, InfoTellsOfPlans) {
   const std::string labels = folder_.file("torus.labels");
-  test::put(labels, "3 0 5\npart 12 0 0\n");
+  put(labels, "3 0 5\npart 12 0 0\n");
   make_plan(data("torus.cnt"), {"--ends", "half", "--between=2", "--overlap", "0.25", "--no-lone",
                                 "--voids", "near=0.75", "--labels", labels});
   const JsonValue told = run_json({"info", plan_});
@@ -215,7 +208,7 @@ TEST_F(PieceIndex, InfoTellsOfPlans) {
                           "half", "--between", "2"}));
   // They make the plan that they tell of.
   const std::string again = folder_.file("again.plan");
-  ASSERT_EQ(run(test::with({"plan", stack_, "-o", again, "--labels", labels}, words)).code, 0);
+  ASSERT_EQ(run(with({"plan", stack_, "-o", again, "--labels", labels}, words)).code, 0);
   EXPECT_EQ(run_json({"info", again}).at("identity").string, told.at("identity").string);
   const std::string text = run({"info", plan_}).out;
   EXPECT_NE(text.find("20 sections, slabs 0:19"), std::string::npos) << text;
@@ -247,12 +240,12 @@ TEST_F(PieceIndex, InfoRefusesWhatIsDamaged) {
   make_plan(data("torus.cnt"));
   make_pieces({0, 19});
   for (const std::string& path : {plan_, piece(0)}) {
-    const std::string whole = test::get(path);
+    const std::string whole = get(path);
     std::string bytes = whole;
     bytes[whole.size() / 2] = static_cast<char>(bytes[whole.size() / 2] ^ 1);
-    test::put(path, bytes);
+    put(path, bytes);
     expect_failure({"info", path}, 3, "invalid_input", path);
-    test::put(path, whole.substr(0, whole.size() - 40));
+    put(path, whole.substr(0, whole.size() - 40));
     expect_failure({"info", path}, 3, "invalid_input", path);
   }
   // A solid that is no piece is still no stack.

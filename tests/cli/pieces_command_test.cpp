@@ -1,5 +1,6 @@
 // tetloft plan, reconstruct --plan --slabs, join: the solid of the single run, byte for byte.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <string>
@@ -194,6 +195,20 @@ TEST_F(PiecesCommand, AreOfThePlannedStack) {
       0);
 }
 
+// A stream is read once: its plan tells no file that pieces could be compared with.
+TEST_F(PiecesCommand, AreOfAnyStackWhereThePlannedOneWasAStream) {
+  int ends[2];
+  ASSERT_EQ(pipe(ends), 0);
+  ASSERT_EQ(write(ends[1], test::kTube.data(), test::kTube.size()),
+            static_cast<ssize_t>(test::kTube.size()));
+  close(ends[1]);
+  make_plan("/dev/fd/" + std::to_string(ends[0]));
+  close(ends[0]);
+  stack_ = folder_.file("tube.cnt");
+  test::put(stack_, test::kTube);
+  expect_joined({0, 1}, "vtu");
+}
+
 TEST_F(PiecesCommand, RefuseWhatMakesNoSense) {
   make_plan(data("torus.cnt"));
   const auto refused = [&](const Words& more, const std::string& word) {
@@ -218,6 +233,10 @@ TEST_F(PiecesCommand, RefuseWhatMakesNoSense) {
     refused(with(piece_words, option), option.front().substr(0, option.front().find('=')));
   }
   refused(with(piece_words, {"--ascii", "--compress"}), "exclude");
+  // What is behind -- is no option.
+  const Outcome none = run(with(with({"reconstruct"}, piece_words), {"--", "--none.cnt"}));
+  EXPECT_EQ(none.code, 4) << none.err;
+  EXPECT_NE(none.err.find("--none.cnt: "), std::string::npos) << none.err;
   refused({"--plan", plan_, "--slabs", "0:7", "-o", folder_.file("p.msh")}, ".vtu");
   refused({"--plan", plan_, "--slabs", "0:7", "-o", plan_}, ".vtu");
   expect_failure({"reconstruct", stack_, "--plan", stack_, "--slabs", "0:7", "-o", piece(0)}, 3,
@@ -228,6 +247,10 @@ TEST_F(PiecesCommand, RefuseWhatMakesNoSense) {
 
   expect_failure({"plan", stack_}, 2, "usage", "PLAN");
   expect_failure({"plan", stack_, "-o", stack_}, 2, "usage", "overwrite");
+  const std::string labels = folder_.file("torus.labels");
+  test::put(labels, "3 0 5\n");
+  expect_failure({"plan", stack_, "--labels", labels, "-o", labels}, 2, "usage", "overwrite");
+  EXPECT_EQ(test::get(labels), "3 0 5\n");
   expect_failure({"plan", stack_, "-o", folder_.file("p"), "--roi", "all"}, 2, "usage",
                  "one structure", {folder_.file("p")});
   expect_failure({"plan", folder_.file("none.cnt"), "-o", folder_.file("p")}, 4, "io", "none.cnt",
@@ -240,6 +263,10 @@ TEST_F(PiecesCommand, RefuseWhatMakesNoSense) {
   expect_failure({"join", piece(0)}, 2, "usage", "-o");
   expect_failure({"join", piece(0), "-o", piece(0)}, 2, "usage", "overwrite");
   expect_failure({"join", piece(0), "-o", folder_.file("o.doc")}, 2, "usage", ".vtu");
+  const std::string plan = folder_.file("plan.vtu");
+  std::filesystem::copy_file(plan_, plan);
+  expect_failure({"join", piece(0), "--plan", plan, "-o", plan}, 2, "usage", "overwrite");
+  EXPECT_TRUE(test::get(plan) == test::get(plan_));
 }
 
 TEST_F(PiecesCommand, OfDamagedPlansAreNotMade) {

@@ -74,6 +74,8 @@ TEST(Completion, OfBashKnowsAllCommandsAndOptions) {
   }
   EXPECT_NE(script.find("reconstruct:--ends) words='flat half'"), std::string::npos);
   EXPECT_NE(script.find("reconstruct:--output | reconstruct:-o) files=1"), std::string::npos);
+  EXPECT_NE(script.find("plan:--output | plan:-o) files=1"), std::string::npos);
+  EXPECT_NE(script.find("join:--plan) files=1"), std::string::npos);
 }
 
 TEST(Completion, OfZshKnowsAllCommandsAndOptions) {

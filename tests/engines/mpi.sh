@@ -12,5 +12,4 @@ mkdir -p "$work"
 # shellcheck disable=SC2086  # words of a command
 ${MPIRUN:-mpirun} -n "${RANKS:-2}" ${PROGRAM:-mpi_pieces} "$work/plan" "$work/ranges" "$work"
 
-sed "s|.*|$work/&.vtu|" "$work/ranges" |
-  xargs -d '\n' -x "$tetloft" join --plan "$work/plan" -o "$out" --quiet
+"$here/join_pieces" "$work" "$out"

@@ -11,5 +11,4 @@ mkdir -p "$work"
 
 parallel --retries 3 -q "$tetloft" reconstruct "$stack" --plan "$work/plan" --slabs {} -o "$work"/{}.vtu --threads 1 --quiet <"$work/ranges"
 
-sed "s|.*|$work/&.vtu|" "$work/ranges" |
-  xargs -d '\n' -x "$tetloft" join --plan "$work/plan" -o "$out" --quiet
+"$here/join_pieces" "$work" "$out"

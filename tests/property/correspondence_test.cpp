@@ -268,10 +268,11 @@ TEST(Correspondence, IsTheSameWhenItIsComputedAnew) {
       }
     }
   }
-  EXPECT_GT(answers[0], 100 * kSeeds);
-  EXPECT_GT(answers[1], kSeeds);
-  EXPECT_GT(answers[2], 5 * kSeeds);
-  EXPECT_GT(with_oracle, 12 * kSeeds);
+  // Of eight seeds, and of one in proportion, but that it has fewer of the first answer.
+  EXPECT_GT(answers[0], kSeeds == 8 ? 1000U : 100U);
+  EXPECT_GT(8 * answers[1], 15 * kSeeds);
+  EXPECT_GT(8 * answers[2], 40 * kSeeds);
+  EXPECT_GT(8 * with_oracle, 100 * kSeeds);
 }
 
 }  // namespace
