@@ -5,6 +5,7 @@
 #include <tetloft/nesting.hpp>
 #include <tetloft/overlap.hpp>
 #include <tetloft/repair.hpp>
+#include <tetloft/section_source.hpp>
 #include <tetloft/section_stack.hpp>
 #include <tetloft/skeleton.hpp>
 #include <tetloft/slice.hpp>
