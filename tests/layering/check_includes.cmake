@@ -67,7 +67,7 @@ set(owner_voronoi2 voronoi)
 set(owner_between reconstruct)
 set(owner_links reconstruct)
 set(owner_delaunay delaunay2 delaunay3)
-foreach(subject section_stack valid_stack slice repair nesting conforming_section skeleton overlap)
+foreach(subject section_stack section_stream valid_stack slice repair nesting conforming_section skeleton overlap)
   set(owner_${subject} sections)
 endforeach()
 

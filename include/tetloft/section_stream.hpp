@@ -14,12 +14,12 @@ namespace tetloft {
 
 /// Sections from below, each handed out once: of a file (open_sections()), of a stack in memory, or
 /// of a class of yours. One thread at a time asks.
-class TETLOFT_API SectionSource {
+class TETLOFT_API SectionStream {
  public:
-  SectionSource() = default;
-  SectionSource(const SectionSource&) = delete;
-  SectionSource& operator=(const SectionSource&) = delete;
-  virtual ~SectionSource();
+  SectionStream() = default;
+  SectionStream(const SectionStream&) = delete;
+  SectionStream& operator=(const SectionStream&) = delete;
+  virtual ~SectionStream();
 
   /// The next section; nothing after the last one. An error ends the work that asked, which returns
   /// it. What it throws is guarded as what the work itself throws.
@@ -30,14 +30,14 @@ class TETLOFT_API SectionSource {
   [[nodiscard]] virtual Description about() const;
 
   /// The place of an error, which names a section, maybe a contour and a vertex, with what the
-  /// source knows of it: file and line. By default as it is.
+  /// stream knows of it: file and line. By default as it is.
   [[nodiscard]] virtual Place located(Place where);
 };
 
 /// Of a stack in memory, which must outlive this.
-class TETLOFT_API StackSource : public SectionSource {
+class TETLOFT_API StackStream : public SectionStream {
  public:
-  explicit StackSource(const SectionStack& stack) : stack_(stack) {}
+  explicit StackStream(const SectionStack& stack) : stack_(stack) {}
 
   [[nodiscard]] Result<std::optional<Section>> next() override;
   [[nodiscard]] Frame frame() const override { return stack_.frame; }
