@@ -32,6 +32,12 @@ class UnionFind {
     return true;
   }
 
+  /// Another element, in a set of its own: its number.
+  std::size_t add() {
+    parent_.push_back(parent_.size());
+    return parent_.size() - 1;
+  }
+
   [[nodiscard]] bool same(std::size_t i, std::size_t j) const { return find(i) == find(j); }
   [[nodiscard]] std::size_t size() const { return parent_.size(); }
 

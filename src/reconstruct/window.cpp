@@ -1,6 +1,7 @@
 #include "reconstruct/window.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -48,7 +49,8 @@ bool lie_between(const between::InnerSections& inner, double below, double above
 // Puts a window together, refusing what does not fit.
 class WindowMaker {
  public:
-  WindowMaker(const StackFacts& facts, const SlabRange& slabs) : slabs_(slabs) {
+  WindowMaker(const StackFacts& facts, const SlabRange& slabs)
+      : slabs_(slabs), components_(facts.components) {
     PreparedStack& prepared = window_.prepared;
     prepared.exponent = window_.plan.exponent = facts.exponent;
     prepared.least_long = facts.least_long;
@@ -67,6 +69,7 @@ class WindowMaker {
     for (std::size_t k = 0; k + 1 < plans.size(); ++k) {
       if (auto error = add_slab(SlabId(k), plans[k])) return *error;
     }
+    if (auto error = check_ends()) return *error;
     window_.prepared.sections.resize(window_.prepared.section_count());
     return std::move(window_);
   }
@@ -91,6 +94,9 @@ class WindowMaker {
     }
     if (plan.regions.of_region.size() != nesting.outer.size()) {
       return no_fit(s, "has other regions than its plan");
+    }
+    if (!has_components(plan.regions.of_region) || !has_components(plan.regions.of_contour)) {
+      return no_fit(s, "is of a component that there is not");
     }
     if (plan.voids.has_value() != window_.plan.voids.has_value()) {
       return no_fit(s, "has voids decided, or none, unlike those beside it");
@@ -148,6 +154,26 @@ class WindowMaker {
     return std::nullopt;
   }
 
+  // The prisms beyond the stack end beyond it, at finite heights.
+  [[nodiscard]] std::optional<Error> check_ends() const {
+    const IdVector<SectionId, Section>& sections = window_.prepared.stack.sections;
+    const auto& [below, above] = window_.plan.ends;
+    if (below && !(std::isfinite(*below) && *below < sections.raw().front().z)) {
+      return no_fit(0, "is not above the plane where its prisms end");
+    }
+    if (above && !(std::isfinite(*above) && *above > sections.raw().back().z)) {
+      return no_fit(sections.size() - 1, "is not below the plane where its prisms end");
+    }
+    return std::nullopt;
+  }
+
+  // Models are as large as their components' numbers.
+  template <class Id>
+  [[nodiscard]] bool has_components(const IdVector<Id, ComponentId>& of) const {
+    return std::all_of(of.begin(), of.end(),
+                       [&](ComponentId c) { return c.index() < components_; });
+  }
+
   static bool has_ends(const SlabDecision& decision, std::size_t below, std::size_t above) {
     const auto has = [&](const Link& link) {
       return link.lower.index() < below && link.upper.index() < above;
@@ -164,6 +190,7 @@ class WindowMaker {
   }
 
   SlabRange slabs_;
+  std::size_t components_;
   BuiltStack window_;
 };
 

@@ -41,5 +41,19 @@ TEST(PlanHead, OfAUnitThatNoStackHasIsRefused) {
   }
 }
 
+TEST(PlanHead, OfComponentsThatItsContoursAreNotIsRefused) {
+  PlanHead head = some_head();
+  head.contours = 2;
+  head.facts.components = 2;
+  EXPECT_TRUE(plan_head_from_record(to_record(head), "name").ok());
+  head.component_names.push_back("a");
+  EXPECT_FALSE(plan_head_from_record(to_record(head), "name").ok());
+  head.component_names.push_back("b");
+  EXPECT_TRUE(plan_head_from_record(to_record(head), "name").ok());
+  head.facts.components = 3;
+  head.component_names.clear();
+  EXPECT_FALSE(plan_head_from_record(to_record(head), "name").ok());
+}
+
 }  // namespace
 }  // namespace tetloft::testing

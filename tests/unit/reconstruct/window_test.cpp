@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
@@ -217,6 +218,48 @@ TEST(Windows, RefuseSectionsBetweenThatLieElsewhere) {
     const Result<BuiltStack> window = window_with(z);
     ASSERT_FALSE(window) << z;
     EXPECT_EQ(window.error().code, ErrorCode::invalid_input);
+  }
+}
+
+void expect_no_window(const Result<BuiltStack>& window, std::size_t section) {
+  ASSERT_FALSE(window);
+  EXPECT_EQ(window.error().code, ErrorCode::invalid_input);
+  EXPECT_EQ(window.error().where.section, section) << to_string(window.error());
+}
+
+TEST(Windows, RefuseEndsWithinTheStackAndComponentsThatThereAreNot) {
+  const SectionStack stack =
+      stack_of_boxes({{box(0, 0, 4, 2)}, {box(1, 0, 6, 2)}, {box(1, 0, 6, 2)}});
+  ReconstructOptions options;
+  options.ends = Ends::half;
+  WatchedWork work(options.execution, 0);
+  const Result<BuiltStack> planned = plan_stack(Unit::as_given, stack, options, work);
+  ASSERT_TRUE(planned) << to_string(planned.error());
+  const StackFacts facts = facts_of(*planned);
+  const IdVector<SectionId, SectionPlan> plans = section_plans(*planned);
+  const auto all = [&](const StackFacts& forged, const IdVector<SectionId, SectionPlan>& of) {
+    return window_of(forged, {0, 2}, of.raw(), {}, {});
+  };
+  ASSERT_TRUE(all(facts, plans));
+  const double none = std::numeric_limits<double>::infinity();
+  for (const double z : {stack.sections[SectionId(0)].z, 0.5, none, -none, std::nan("")}) {
+    StackFacts forged = facts;
+    forged.ends.below = z;
+    expect_no_window(all(forged, plans), 0);
+  }
+  for (const double z : {stack.sections[SectionId(2)].z, 0.5, none, -none, std::nan("")}) {
+    StackFacts forged = facts;
+    forged.ends.above = z;
+    expect_no_window(all(forged, plans), 2);
+  }
+  for (const std::uint32_t c : {1U, 0xFFFFFFFEU}) {
+    ASSERT_EQ(facts.components, 1U);
+    IdVector<SectionId, SectionPlan> forged = plans;
+    forged[SectionId(1)].regions.of_region[RegionId(0)] = ComponentId(c);
+    expect_no_window(all(facts, forged), 1);
+    forged = plans;
+    forged[SectionId(2)].regions.of_contour[ContourId(0)] = ComponentId(c);
+    expect_no_window(all(facts, forged), 2);
   }
 }
 
