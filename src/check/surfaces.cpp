@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "core/sort_distinct.hpp"
 
@@ -36,7 +37,37 @@ std::uint32_t SurfacePatches::add(const ModelView& view, const SurfaceComponents
     add({surface.topology[c], face_in_whole(view, view.boundary_face[k]),
          numbers_of(view, view.boundary[k])});
   }
+  note_pinches(view, surface, base);
   return base;
+}
+
+// Vertices of several patches that may turn out to be one surface; those in seams are not judged
+// here.
+void SurfacePatches::note_pinches(const ModelView& view, const SurfaceComponents& surface,
+                                  std::uint32_t base) {
+  std::vector<std::uint32_t> first(view.points.size(), kNoPatch);
+  Corners pinched;
+  for (std::size_t k = 0; k < view.boundary.size(); ++k) {
+    const std::uint32_t patch = base + surface.component[k];
+    for (const VertexId v : view.boundary[k]) {
+      std::uint32_t& of_vertex = first[v.index()];
+      if (of_vertex == kNoPatch) of_vertex = patch;
+      if (of_vertex == patch || !view.judges(v)) continue;
+      pinched.emplace_back(v.value(), of_vertex);
+      pinched.emplace_back(v.value(), patch);
+    }
+  }
+  share(std::move(pinched));
+}
+
+void SurfacePatches::share(Corners corners) {
+  sort_distinct(corners);
+  for (std::size_t i = 0; i < corners.size();) {
+    std::vector<std::uint32_t> sharing;
+    const std::uint32_t v = corners[i].first;
+    for (; i < corners.size() && corners[i].first == v; ++i) sharing.push_back(corners[i].second);
+    if (sharing.size() > 1) ++shared_vertices_[std::move(sharing)];
+  }
 }
 
 std::uint32_t SurfacePatches::add(const ModelView& view, std::size_t k) {
@@ -47,7 +78,7 @@ std::uint32_t SurfacePatches::add(const ModelView& view, std::size_t k) {
 void SurfacePatches::grow_together(const ModelView& view, std::span<const std::uint32_t> patch) {
   using Edge = std::array<std::uint32_t, 3>;  // its ends, and a patch that has it
   std::vector<Edge> edges;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> corners;  // a vertex, and such a patch
+  Corners corners;
   for (std::size_t k = 0; k < view.boundary.size(); ++k) {
     const TriangleVertices& triangle = view.boundary[k];
     for (std::size_t i = 0; i < 3; ++i) {
@@ -65,13 +96,7 @@ void SurfacePatches::grow_together(const ModelView& view, std::span<const std::u
     sets_.unite(edges[i][2], edges[i - 1][2]);
     --patches_[edges[i][2]].topology.edges;
   }
-  sort_distinct(corners);
-  for (std::size_t i = 0; i < corners.size();) {
-    std::vector<std::uint32_t> sharing;
-    const std::uint32_t v = corners[i].first;
-    for (; i < corners.size() && corners[i].first == v; ++i) sharing.push_back(corners[i].second);
-    if (sharing.size() > 1) ++shared_vertices_[std::move(sharing)];
-  }
+  share(std::move(corners));
 }
 
 void SurfacePatches::meet(const ModelView& view, const OnContours& on,

@@ -23,7 +23,7 @@ struct BoundarySurface {
 };
 
 /// What is one surface in a segment, or a triangle in a seam, is a patch; patches grow together
-/// over seams. Vertices and edges in a seam, which each segment's patches count, are counted once.
+/// over seams. Vertices and edges that several of them have are counted once in a surface.
 class SurfacePatches {
  public:
   /// Those of a whole or a segment; returns the number of the first.
@@ -49,11 +49,14 @@ class SurfacePatches {
     std::uint64_t first_face = 0;  // of the whole: 4 t + i
     TriangleVertices first;
   };
+  using Corners = std::vector<std::pair<std::uint32_t, std::uint32_t>>;  // a vertex, and a patch
   std::uint32_t add(Patch patch);
+  void note_pinches(const ModelView& view, const SurfaceComponents& surface, std::uint32_t base);
+  void share(Corners corners);
 
   std::vector<Patch> patches_;
   UnionFind sets_{0};
-  // Of those of several patches: how many vertices in seams each list of patches shares.
+  // Of vertices of several patches: how many each list of patches shares.
   std::map<std::vector<std::uint32_t>, std::size_t> shared_vertices_;
   std::vector<std::pair<std::uint32_t, std::size_t>> bounds_;  // by patch
 };

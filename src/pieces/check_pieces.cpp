@@ -36,7 +36,8 @@ struct PlacedPiece {
   std::size_t section_vertices = 0;  // of pieces below, without those that are in this one, too
   std::size_t constructed = 0;       // of pieces below
   std::size_t tets = 0;              // likewise
-  // Are its seams in their planes, and between what heights are its vertices that are in none?
+  // Are its seams in their planes? The lowest of its vertices but those of the lower one, and the
+  // highest but those of the upper one.
   bool lower_is_flat = true, upper_is_flat = true;
   double lowest = kBeyondAll, highest = -kBeyondAll;
 };
@@ -57,14 +58,13 @@ void place_heights(const Model& model, const AddedSegment& added, const SlabRang
     const SectionId s = model.section[v];
     const Point3& p = model.points[v];
     const bool finite = std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-    if (slabs.first > 0 && s.valid() && s.index() == slabs.first) {
-      place.lower_is_flat = place.lower_is_flat && finite && height == z(slabs.first);
-    } else if (has_upper && s.valid() && s.index() == slabs.end) {
-      place.upper_is_flat = place.upper_is_flat && finite && height == z(slabs.end);
-    } else if (finite) {
-      place.lowest = std::min(place.lowest, height);
-      place.highest = std::max(place.highest, height);
-    }
+    const bool lower = slabs.first > 0 && s.valid() && s.index() == slabs.first;
+    const bool upper = has_upper && s.valid() && s.index() == slabs.end;
+    if (lower) place.lower_is_flat = place.lower_is_flat && finite && height == z(slabs.first);
+    if (upper) place.upper_is_flat = place.upper_is_flat && finite && height == z(slabs.end);
+    if (!finite) continue;  // in no sound tet
+    if (!lower) place.lowest = std::min(place.lowest, height);
+    if (!upper) place.highest = std::max(place.highest, height);
   }
 }
 
