@@ -185,6 +185,24 @@ struct WrittenIndex {
                                                            std::span<const std::string> pieces,
                                                            const JoinOptions& options = {});
 
+/// A piece that an index lists.
+struct ListedPiece {
+  std::string path;                   ///< of its file
+  std::optional<PieceSummary> piece;  ///< what it says of itself
+  std::size_t vertices = 0;           ///< as its file announces them
+  std::size_t tets = 0;
+  std::optional<Error> wrong;  ///< why it says nothing: it is missing, damaged, or no piece
+};
+struct IndexSummary {
+  std::vector<ListedPiece> pieces;  ///< as they are listed
+  /// Why these are not all of one stack, each once, without open slabs: the first reason. None:
+  /// they are.
+  std::optional<Error> wrong;
+};
+/// What a .pvtu lists. The heads of its pieces are read, one after the other; their solids are not
+/// looked at.
+[[nodiscard]] TETLOFT_API Result<IndexSummary> read_index(const std::string& path);
+
 /// As check() of what join_pieces() makes of these, the same verdict, piece by piece: in memory are
 /// two pieces, the stack, and what follows from it. Places name the files of pieces where they speak
 /// of their tets and vertices; numbers are those of the whole.

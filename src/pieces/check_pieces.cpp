@@ -169,16 +169,7 @@ Result<CheckReport> check_all(std::span<const std::string> paths, const SectionS
   if (auto good = checking::check_arguments(stack, options); !good) return good.error();
   const Result<std::vector<PieceAt>> all = pieces::read_pieces(paths);
   if (!all) return all.error();
-  for (const PieceAt& piece : *all) {
-    const PieceSummary said = pieces::summary_of(piece.record);
-    if (said.open.empty()) continue;
-    Error error{ErrorCode::usage,
-                "slab " + std::to_string(said.open.front()) +
-                    " was left open where the stack was cut: join the pieces first",
-                {}};
-    error.where.file = piece.path;
-    return error;
-  }
+  if (const Result<void> closed = pieces::check_closed(*all); !closed) return closed.error();
   PieceGroups groups(*all, stack);
   if (const Result<void> placed = groups.place(); !placed) return placed.error();
   checking::SegmentCheck check(stack, options, groups.group_count());

@@ -140,9 +140,9 @@ PieceSummary summary_of(const PieceRecord& record) {
 }
 
 Result<PieceRecord> piece_record_of(std::string_view file, const std::string& name) {
-  const Result<std::string> bytes = io::piece_bytes(file, name);
-  if (!bytes) return bytes.error();
-  return piece_from_record(*bytes, name);
+  const Result<io::PieceBytes> piece = io::piece_bytes(file, name);
+  if (!piece) return piece.error();
+  return piece_from_record(piece->bytes, name);
 }
 
 namespace {
