@@ -204,14 +204,14 @@ struct IndexSummary {
 [[nodiscard]] TETLOFT_API Result<IndexSummary> read_index(const std::string& path);
 
 /// As check() of what join_pieces() makes of these, the same verdict, piece by piece: in memory are
-/// two pieces, the stack, and what follows from it. Places name the files of pieces where they speak
-/// of their tets and vertices; numbers are those of the whole.
+/// two pieces, the stack, and what follows from it. Places name the files of pieces where they
+/// speak of their tets and vertices; numbers are those of the whole.
 ///
 /// Two pieces share one section, whose vertices lie in its plane, and all else of them lies on its
 /// two sides. Where that is not so, which is a failure, the pieces on both sides are in memory
-/// together; of another stack, all. Equal are verdicts, their conditions and counts, and figures, but
-/// for: the volume, a sum by pieces; counts of 3.3 beyond a thousand, a limit that each piece has;
-/// which places are told first; and 3.4 where guarantee 1 fails, too.
+/// together; of another stack, all. Equal are verdicts, their conditions and counts, and figures,
+/// but for: the volume, a sum by pieces; counts of 3.3 beyond a thousand, a limit that each piece
+/// has; which places are told first; and 3.4 where guarantee 1 fails, too.
 ///
 /// Refused as check() and join_pieces() do; (usage) where slabs are left open: an index that
 /// write_index() made has none. A .pvtu stands for the pieces that it lists.

@@ -70,9 +70,8 @@ class Checks {
   void check_sections() {
     conclusions_.emplace(stack_, options_);
     SectionStack refined = stack_;
-    checking::Resampling resampling =
-        checking::check_resampling(view_, stack_, conclusions_->numbers(),
-                                   {0, stack_.sections.size()}, options_, refined);
+    checking::Resampling resampling = checking::check_resampling(
+        view_, stack_, conclusions_->numbers(), {0, stack_.sections.size()}, options_, refined);
     resampling_ = resampling.findings.verdict();
     checking::SolidComponents components(conclusions_->numbers());
     components.add(view_);

@@ -123,8 +123,8 @@ Result<Components> check_components(const SolidComponents& components, const Sec
   const ContourNumbers& numbers = components.numbers();
   const std::vector<std::uint32_t> component = components.of_contours(findings);
 
-  auto partition = expected_partition(stack, refined, options.correspondence, claims,
-                                      options.recompute_motions);
+  auto partition =
+      expected_partition(stack, refined, options.correspondence, claims, options.recompute_motions);
   if (!accepted(partition)) {
     // What conform() makes of a contour that the model bends badly is the model's fault.
     if (partition.error().code == ErrorCode::invalid_input) return partition.error();

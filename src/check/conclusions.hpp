@@ -55,8 +55,7 @@ class Conclusions {
  private:
   [[nodiscard]] Result<void> expect_cavities(const Components::Expected& components,
                                              const ModelTables& model);
-  [[nodiscard]] GuaranteeVerdict cavities(bool filled,
-                                          const std::vector<BoundarySurface>& surfaces,
+  [[nodiscard]] GuaranteeVerdict cavities(bool filled, const std::vector<BoundarySurface>& surfaces,
                                           const std::vector<SlabPart>& parts,
                                           const ModelTables& model);
 

@@ -114,9 +114,8 @@ class ContourFollower {
   }
 
   void report_stray(VertexId from, VertexId to) {
-    findings_.fail(9, "an in-plane triangle ends at an edge that is on no contour", [&] {
-      return edge_text(view_, from, to) + ", " + vertex_text(view_, from);
-    });
+    findings_.fail(9, "an in-plane triangle ends at an edge that is on no contour",
+                   [&] { return edge_text(view_, from, to) + ", " + vertex_text(view_, from); });
   }
 
   void report_coincident() {
@@ -225,7 +224,8 @@ class ContourFollower {
   void report_leftovers() {
     for (std::size_t v = 0; v < view_.points.size(); ++v) {
       if (next_[v].valid() && passed_[v] == 0) report_stray(VertexId(v), next_[v]);
-      if (!sections_.holds_plane(view_.level[v]) || result_.contour[v] != OnContours::kNone) continue;
+      if (!sections_.holds_plane(view_.level[v]) || result_.contour[v] != OnContours::kNone)
+        continue;
       if (is_corner_[v] != 0) {
         ++result_.off_contours;
       } else {

@@ -38,7 +38,8 @@ void check_triangles(const ModelView& view, const InPlaneComplex& complex, std::
                      Findings& findings) {
   for (const InPlaneTriangle& triangle : complex.triangles) {
     const auto place = [&] {
-      return "section " + std::to_string(triangle.plane) + ", " + face_text(view, triangle.vertices);
+      return "section " + std::to_string(triangle.plane) + ", " +
+             face_text(view, triangle.vertices);
     };
     if (triangle.flat) {
       findings.fail(4, "the vertices of an in-plane face are collinear", place);
@@ -75,9 +76,8 @@ void check_no_other_edges(const ModelView& view, const InPlaneComplex& complex,
           !sections.holds_plane(view.level[a.index()]) || complex.has_edge(a, b)) {
         continue;
       }
-      findings.fail(14, "a tet has an edge in a section plane that is in no in-plane face", [&] {
-        return tet_text(view.id[t]) + ", " + edge_text(view, a, b);
-      });
+      findings.fail(14, "a tet has an edge in a section plane that is in no in-plane face",
+                    [&] { return tet_text(view.id[t]) + ", " + edge_text(view, a, b); });
     }
   }
 }

@@ -89,8 +89,7 @@ SegmentNumbering SegmentCheck::check_view(const Segment& segment, const ModelVie
     work_.go_on();
     if (part == 0) embedded = check_tets_and_contacts(view, options_);
     if (part == 1) {
-      resampling =
-          check_resampling(view, stack_, conclusions_.numbers(), own, options_, refined_);
+      resampling = check_resampling(view, stack_, conclusions_.numbers(), own, options_, refined_);
     }
     if (part == 2) manifold = check_manifold(view, options_);
     if (part == 3) figures = measure(segment.model, view, stack_, segment.sections);

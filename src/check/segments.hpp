@@ -1,10 +1,10 @@
 // The check of a solid that is never in memory as a whole: segment by segment, from below.
 //
-// A segment is a model of slabs next to each other. Two that follow each other share the vertices of
-// one section, their seam, and nothing else. A seam is flat: its vertices lie in the plane of its
-// section, all others of segments below lie below it, and those of segments above above it. What
-// README.md asks is then asked once, of segments and of what lies around seams ("Piece by piece"
-// there).
+// A segment is a model of slabs next to each other. Two that follow each other share the vertices
+// of one section, their seam, and nothing else. A seam is flat: its vertices lie in the plane of
+// its section, all others of segments below lie below it, and those of segments above above it.
+// What README.md asks is then asked once, of segments and of what lies around seams ("Piece by
+// piece" there).
 #pragma once
 
 #include <cstddef>

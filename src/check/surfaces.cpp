@@ -71,8 +71,8 @@ void SurfacePatches::share(Corners corners) {
 }
 
 std::uint32_t SurfacePatches::add(const ModelView& view, std::size_t k) {
-  return add({{3, 3, 1}, face_in_whole(view, view.boundary_face[k]),
-              numbers_of(view, view.boundary[k])});
+  return add(
+      {{3, 3, 1}, face_in_whole(view, view.boundary_face[k]), numbers_of(view, view.boundary[k])});
 }
 
 void SurfacePatches::grow_together(const ModelView& view, std::span<const std::uint32_t> patch) {

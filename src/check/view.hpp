@@ -32,9 +32,9 @@ struct SectionRange {
 };
 
 /// What a view shows. A segment, slabs next to each other, shares with the one below, and with the
-/// one above, the vertices in a section plane, its seams; it has all tets of each of its faces but of
-/// those that lie in a seam. A seam is shown with the tets of both sides that have a vertex in it:
-/// of the faces that have, all tets.
+/// one above, the vertices in a section plane, its seams; it has all tets of each of its faces but
+/// of those that lie in a seam. A seam is shown with the tets of both sides that have a vertex in
+/// it: of the faces that have, all tets.
 enum class Scope : std::uint8_t { whole, segment, seam };
 
 /// Where a model that is shown stands in a whole.
@@ -65,7 +65,8 @@ struct ModelView {
   /// where there are more than two.
   std::vector<std::uint32_t> component;
   std::size_t component_count = 0;
-  /// The faces of one tet only, outward, by half-face; without those of which not all tets are shown.
+  /// The faces of one tet only, outward, by half-face; without those of which not all tets are
+  /// shown.
   std::vector<TriangleVertices> boundary;
   std::vector<HalfFaceId> boundary_face;
 

@@ -91,9 +91,8 @@ class ProbeGrid {
 
 void OuterWinding::keep_first(const UnionFind& sets) {
   std::set<std::size_t> seen;
-  std::erase_if(probes_, [&](const Probe& probe) {
-    return !seen.insert(sets.find(probe.surface)).second;
-  });
+  std::erase_if(probes_,
+                [&](const Probe& probe) { return !seen.insert(sets.find(probe.surface)).second; });
 }
 
 void OuterWinding::add(std::span<const Point3> points, std::span<const TriangleVertices> triangles,

@@ -187,9 +187,9 @@ std::string text_of(const IndexSummary& index) {
                       : std::string("; all are there\n");
   text += "      slabs        tets    vertices  file\n";
   for (const ListedPiece& listed : index.pieces) {
-    const std::string slabs = listed.piece ? std::to_string(listed.piece->first) + ':' +
-                                                 std::to_string(listed.piece->end)
-                                           : std::string("?");
+    const std::string slabs =
+        listed.piece ? std::to_string(listed.piece->first) + ':' + std::to_string(listed.piece->end)
+                     : std::string("?");
     char line[80];
     std::snprintf(line, sizeof line, "%11s %11zu %11zu  ", slabs.c_str(), listed.tets,
                   listed.vertices);

@@ -187,8 +187,8 @@ Result<CheckReport> check_all(std::span<const std::string> paths, const SectionS
 
 Result<CheckReport> check_pieces(std::span<const std::string> pieces, const SectionStack& stack,
                                  const CheckOptions& options) {
-  return guard_threads(
-      options, [&](const CheckOptions& own) { return check_all(pieces, stack, own); });
+  return guard_threads(options,
+                       [&](const CheckOptions& own) { return check_all(pieces, stack, own); });
 }
 
 }  // namespace tetloft

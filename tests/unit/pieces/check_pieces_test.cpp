@@ -90,8 +90,7 @@ class CutStack {
   std::optional<CheckReport> compare(const Pieces& pieces, const std::string& what) {
     for (std::size_t k = 0; k < pieces.size(); ++k) {
       WholePiece piece = pieces[k];
-      auto files =
-          internal::pieces::stage_whole_piece(paths_[k], piece, Encoding::binary, nullptr);
+      auto files = internal::pieces::stage_whole_piece(paths_[k], piece, Encoding::binary, nullptr);
       if (!files.ok()) return std::nullopt;  // no file can say so
       EXPECT_TRUE(internal::io::commit_all(files->files).ok());
     }
@@ -156,8 +155,8 @@ TEST(CheckPieces, OfRightSolidsIsThatOfTheWhole) {
 bool is_seam_vertex(const Pieces& pieces, std::size_t k, VertexId v) {
   const SectionId s = pieces[k].model.section[v];
   const auto& slabs = pieces[k].record.slabs;
-  return s.valid() && ((k > 0 && s.index() == slabs.first) ||
-                       (k + 1 < pieces.size() && s.index() == slabs.end));
+  return s.valid() &&
+         ((k > 0 && s.index() == slabs.first) || (k + 1 < pieces.size() && s.index() == slabs.end));
 }
 
 // Moves a vertex wherever it is.
@@ -334,12 +333,11 @@ void damage(const SectionStack& stack, const ReconstructOptions& options, const 
 
 TEST(CheckPieces, OfDamagedSolidsIsThatOfTheWhole) {
   std::map<std::string, std::size_t> failed;
-  const char* const env = std::getenv("SEEDS");
-  for (std::uint64_t seed = 1; seed <= (env ? std::stoul(env) : 3); ++seed) {
+  for (std::uint64_t seed = 1; seed <= 2; ++seed) {
     damage(sample("torus.cnt"), {}, {0, 7, 8, 9, 19}, seed, failed);
     damage(sample("torus.cnt"), with_ends_between_and_label(), {0, 1, 12, 19}, seed, failed);
-    damage(stack_of_boxes({{box(0, 0, 4, 2)}, {box(0, 0, 4, 2)}, {box(0, 0, 4, 2)}}), {},
-           {0, 1, 2}, seed, failed);
+    damage(stack_of_boxes({{box(0, 0, 4, 2)}, {box(0, 0, 4, 2)}, {box(0, 0, 4, 2)}}), {}, {0, 1, 2},
+           seed, failed);
   }
   EXPECT_GT(failed.size(), 12U);
 }
