@@ -1,4 +1,4 @@
-// Disjoint sets over 0 … n−1. The representative of a set is its smallest element, so
+// Disjoint sets over 0 … n−1, and more as they come. The representative of a set is its smallest element, so
 // the result depends on the unions only, not on their order.
 #pragma once
 
@@ -32,7 +32,7 @@ class UnionFind {
     return true;
   }
 
-  /// Another element, in a set of its own: its number.
+  /// One more element, in a set of its own: the number of elements before.
   std::size_t add() {
     parent_.push_back(parent_.size());
     return parent_.size() - 1;
