@@ -180,7 +180,9 @@ void check_plan_file(std::string_view bytes) {
   }
   for (std::size_t slab = 0; slab < slabs; ++slab) {
     const auto one = write_piece(piece, path, slab, slab + 1, quietly());
-    if (placed(one)) require(check_piece(piece).ok(), "a piece that was made is refused");
+    if (!placed(one)) continue;
+    const auto made = check_piece(piece);
+    require(made.ok(), "a piece that was made is refused: " + (made ? "" : to_string(made.error())));
   }
 }
 

@@ -64,6 +64,7 @@ class WindowMaker {
     for (SectionPlan& plan : plans) {
       if (auto error = add_section(plan)) return *error;
     }
+    if (auto error = check_ends()) return *error;
     for (std::size_t k = 0; k + 1 < plans.size(); ++k) {
       if (auto error = add_slab(SlabId(k), plans[k])) return *error;
     }
@@ -74,6 +75,18 @@ class WindowMaker {
   BuiltStack& window() { return window_; }
 
  private:
+  [[nodiscard]] std::optional<Error> check_ends() const {
+    const EndPlanes& ends = window_.plan.ends;
+    const auto& sections = window_.prepared.stack.sections.raw();
+    if (ends.below && !(*ends.below < sections.front().z)) {
+      return no_fit(0, "is not above the end below it");
+    }
+    if (ends.above && !(*ends.above > sections.back().z)) {
+      return no_fit(sections.size() - 1, "is not below the end above it");
+    }
+    return std::nullopt;
+  }
+
   std::optional<Error> add_section(SectionPlan& plan) {
     PreparedStack& prepared = window_.prepared;
     const std::size_t s = prepared.section_count();
