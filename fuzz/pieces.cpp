@@ -182,7 +182,8 @@ void check_plan_file(std::string_view bytes) {
     const auto one = write_piece(piece, path, slab, slab + 1, quietly());
     if (!placed(one)) continue;
     const auto made = check_piece(piece);
-    require(made.ok(), "a piece that was made is refused: " + (made ? "" : to_string(made.error())));
+    require(made.ok(),
+            "a piece that was made is refused: " + (made ? "" : to_string(made.error())));
   }
 }
 

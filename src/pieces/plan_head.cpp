@@ -155,8 +155,7 @@ std::string to_record(const PlanHead& head) {
   out.put_text(head.source.name);
   out.put(head.source.bytes);
   out.put(head.source.checksum);
-  for (const std::size_t count :
-       {head.contours, head.vertices, head.cavities, head.sections_between}) {
+  for (const std::size_t count : {head.contours, head.vertices, head.cavities}) {
     out.put(static_cast<std::uint64_t>(count));
   }
   out.put(head.lowest);
@@ -186,8 +185,7 @@ Result<PlanHead> plan_head_from_record(std::string_view bytes, const std::string
     head.source.name = in.get_text();
     head.source.bytes = in.get<std::uint64_t>();
     head.source.checksum = in.get<std::uint64_t>();
-    for (std::size_t* const count :
-         {&head.contours, &head.vertices, &head.cavities, &head.sections_between}) {
+    for (std::size_t* const count : {&head.contours, &head.vertices, &head.cavities}) {
       *count = in.get<std::uint64_t>();
     }
     head.lowest = in.get<double>();
@@ -200,9 +198,8 @@ Result<PlanHead> plan_head_from_record(std::string_view bytes, const std::string
     for (std::string& text : head.component_names) text = in.get_text();
     in.require(head.facts.sections > 0, "has no section");
     in.require(head.facts.components <= head.contours, "has more components than contours");
-    in.require(
-        head.component_names.empty() || head.component_names.size() == head.facts.components,
-        "names other components than it counts");
+    in.require(head.component_names.empty() || head.component_names.size() == head.facts.components,
+               "names other components than it counts");
     in.require(std::abs(std::int64_t{head.facts.exponent}) <= kLargestExponent,
                "has a unit that no stack has");
     if (Result<void> read = in.end(); !read) return read.error();
