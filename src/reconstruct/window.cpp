@@ -56,6 +56,7 @@ class WindowMaker {
     for (std::size_t k = 0; k < plans.size(); ++k) {
       if (auto error = add_section(slabs_.first + k, plans[k])) return *error;
     }
+    if (auto error = check_ends()) return *error;
     for (std::size_t k = 0; k + 1 < plans.size(); ++k) {
       if (auto error = add_slab(SlabId(k), plans[k])) return *error;
     }
@@ -72,6 +73,18 @@ class WindowMaker {
   }
 
  private:
+  [[nodiscard]] std::optional<Error> check_ends() const {
+    const EndPlanes& ends = window_.plan.ends;
+    const auto& sections = window_.prepared.stack.sections.raw();
+    if (ends.below && !(*ends.below < sections.front().z)) {
+      return no_fit(slabs_.first, "is not above the end below it");
+    }
+    if (ends.above && !(*ends.above > sections.back().z)) {
+      return no_fit(slabs_.end, "is not below the end above it");
+    }
+    return std::nullopt;
+  }
+
   // A section of the whole that is valid, of the regions that its plan tells of.
   static Result<Nesting> nesting_of(std::size_t s, const SectionPlan& plan) {
     Nesting nesting;

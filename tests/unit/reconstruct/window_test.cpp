@@ -228,6 +228,32 @@ TEST(Windows, RefuseSectionsBeyondThatDoNotFit) {
   }
 }
 
+// Likewise: slabs beyond the ends would be turned inside out.
+TEST(Windows, RefuseEndsInsideTheStack) {
+  const SectionStack stack = stack_of_boxes({{box(0, 0, 4, 2)}, {box(1, 0, 6, 2)}});
+  ReconstructOptions options;
+  options.ends = Ends::half;
+  WatchedWork work(options.execution, 0);
+  const Result<BuiltStack> planned = plan_stack(Unit::as_given, stack, options, work);
+  ASSERT_TRUE(planned) << to_string(planned.error());
+  const auto window_with = [&](const EndPlanes& ends) {
+    StackFacts facts = facts_of(*planned);
+    facts.ends = ends;
+    const IdVector<SectionId, SectionPlan> plans = section_plans(*planned);
+    return window_of(facts, {0, 1}, plans.raw(), std::nullopt, std::nullopt);
+  };
+  EXPECT_TRUE(window_with({-0.5, 1.5}));
+  EXPECT_TRUE(window_with({}));
+  const std::vector<std::pair<std::size_t, EndPlanes>> forgeries{
+      {0, {0, 1.5}}, {0, {0.25, 1.5}}, {1, {-0.5, 1}}, {1, {-0.5, 0.25}}};
+  for (const auto& [section, ends] : forgeries) {
+    const Result<BuiltStack> window = window_with(ends);
+    ASSERT_FALSE(window);
+    EXPECT_EQ(window.error().code, ErrorCode::invalid_input);
+    EXPECT_EQ(window.error().where.section, section);
+  }
+}
+
 TEST(Windows, SoIsASingleSection) {
   Prng prng(912);
   Seen seen;
