@@ -56,8 +56,7 @@ struct PlanSummary {
   double lowest = 0;   ///< z of the first section
   double highest = 0;  ///< of the last
   std::size_t components = 0;
-  std::size_t cavities = 0;          ///< that are decided; 0 by VoidRule::free
-  std::size_t sections_between = 0;  ///< to be put between
+  std::size_t cavities = 0;  ///< that are decided; 0 by VoidRule::free
 };
 
 struct WrittenPlan {

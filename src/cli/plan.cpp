@@ -34,7 +34,7 @@ Usage plan_usage() {
               "of all pieces the solid that `tetloft reconstruct STACK -o OUT` makes with the "
               "options of the plan, bit for bit, however the stack was cut. The plan has the "
               "sections in it; `tetloft info PLAN` tells about it. --json: sections, slabs, "
-              "components, cavities, sections_between and identity."};
+              "components, cavities and identity."};
   for (const Option& option : stack_options()) usage.options.push_back(option);
   for (const Option& option : solid_options()) usage.options.push_back(option);
   for (const Option& option : {kJsonOption, kQuietOption, kHelpOption}) {
@@ -52,7 +52,6 @@ std::string to_json(const PlanSummary& plan, const StackInput& input, const std:
   json.member("contours", plan.contours);
   json.member("components", plan.components);
   json.member("cavities", plan.cavities);
-  json.member("sections_between", plan.sections_between);
   json.member("identity", in_hex(plan.identity));
   json.member("written", path);
   write_preparation(json, input);
@@ -64,8 +63,7 @@ std::string to_json(const PlanSummary& plan, const StackInput& input, const std:
 std::string to_text(const PlanSummary& plan, const StackInput& input, const std::string& path) {
   return describe_preparation(input) + counted(plan.sections, "section") +
          ", slabs 0:" + std::to_string(plan.sections - 1) + ", " +
-         counted(plan.components, "component") + ", " + counted(plan.sections_between, "section") +
-         " to be put between\n" + written_line({path});
+         counted(plan.components, "component") + '\n' + written_line({path});
 }
 
 Result<int> run_plan(const Arguments& arguments, Console& console) {

@@ -75,7 +75,6 @@ std::string json_of(const PlanSummary& plan, const Console& console) {
   json.member("z", std::array{plan.lowest, plan.highest});
   json.member("components", plan.components);
   json.member("cavities", plan.cavities);
-  json.member("sections_between", plan.sections_between);
   json.member("options", option_words(plan.options));
   json.member("labels", label_count(plan.options));
   json.member("decisions", decision_count(plan.options));
@@ -95,7 +94,7 @@ std::string text_of(const PlanSummary& plan) {
           ", " + counted(plan.contours, "contour") + ", " + std::to_string(plan.vertices) +
           " vertices, z " + readable(plan.lowest) + " to " + readable(plan.highest) + '\n' +
           counted(plan.components, "component") + ", cavities: " + std::to_string(plan.cavities) +
-          ", " + counted(plan.sections_between, "section") + " to be put between\n";
+          '\n';
   text += "options:";
   const std::vector<std::string> words = option_words(plan.options);
   for (const std::string& word : words) text += ' ' + word;

@@ -59,17 +59,17 @@ Result<BuiltStack> PlanFile::window(const SlabRange& slabs) const {
     if (!plan) return plan.error();
     plans.push_back(std::move(*plan));
   }
-  std::optional<Section> below;
-  std::optional<Section> above;
+  std::optional<SectionPlan> below;
+  std::optional<SectionPlan> above;
   if (slabs.first > 0) {
     Result<SectionPlan> plan = section(slabs.first - 1);
     if (!plan) return plan.error();
-    below = std::move(plan->section);
+    below = std::move(*plan);
   }
   if (slabs.end + 1 < head_.facts.sections) {
     Result<SectionPlan> plan = section(slabs.end + 1);
     if (!plan) return plan.error();
-    above = std::move(plan->section);
+    above = std::move(*plan);
   }
   Result<BuiltStack> window =
       window_of(head_.facts, slabs, std::move(plans), std::move(below), std::move(above));

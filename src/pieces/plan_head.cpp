@@ -155,8 +155,7 @@ std::string to_record(const PlanHead& head) {
   out.put_text(head.source.name);
   out.put(head.source.bytes);
   out.put(head.source.checksum);
-  for (const std::size_t count :
-       {head.contours, head.vertices, head.cavities, head.sections_between}) {
+  for (const std::size_t count : {head.contours, head.vertices, head.cavities}) {
     out.put(static_cast<std::uint64_t>(count));
   }
   out.put(head.lowest);
@@ -186,8 +185,7 @@ Result<PlanHead> plan_head_from_record(std::string_view bytes, const std::string
     head.source.name = in.get_text();
     head.source.bytes = in.get<std::uint64_t>();
     head.source.checksum = in.get<std::uint64_t>();
-    for (std::size_t* const count :
-         {&head.contours, &head.vertices, &head.cavities, &head.sections_between}) {
+    for (std::size_t* const count : {&head.contours, &head.vertices, &head.cavities}) {
       *count = in.get<std::uint64_t>();
     }
     head.lowest = in.get<double>();

@@ -12,7 +12,7 @@
 
 namespace tetloft::internal::pieces {
 
-inline constexpr std::uint32_t kPlanVersion = 1;
+inline constexpr std::uint32_t kPlanVersion = 2;
 
 struct PlanHead {
   StackFacts facts;
@@ -22,7 +22,6 @@ struct PlanHead {
   std::size_t contours = 0;
   std::size_t vertices = 0;
   std::size_t cavities = 0;
-  std::size_t sections_between = 0;
   double lowest = 0, highest = 0;  ///< z, in the unit given
   Frame frame;
   Description about;

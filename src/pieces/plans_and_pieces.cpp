@@ -35,9 +35,6 @@ PlanHead head_of(const BuiltStack& planned, const SectionStack& stack,
   head.contours = stack.contour_count();
   head.vertices = stack.vertex_count();
   if (planned.plan.voids) head.cavities = cavities(*planned.plan.voids);
-  for (const between::InnerSections& inner : planned.plan.between) {
-    head.sections_between += inner.sections.size();
-  }
   head.lowest = stack.sections.raw().front().z;
   head.highest = stack.sections.raw().back().z;
   head.frame = stack.frame;
@@ -48,17 +45,8 @@ PlanHead head_of(const BuiltStack& planned, const SectionStack& stack,
 }
 
 PlanSummary summary_of(const PlanHead& head, std::uint64_t identity) {
-  return {identity,
-          head.source,
-          head.options,
-          head.facts.sections,
-          head.contours,
-          head.vertices,
-          head.lowest,
-          head.highest,
-          head.facts.components,
-          head.cavities,
-          head.sections_between};
+  return {identity,      head.source, head.options, head.facts.sections,   head.contours,
+          head.vertices, head.lowest, head.highest, head.facts.components, head.cavities};
 }
 
 Result<StagedPlan> stage_plan(const std::string& path, const GivenStack& given,

@@ -74,7 +74,7 @@ void warn(BuiltStack& built, const ReconstructOptions& options) {
   return std::nullopt;
 }
 
-// All of the plan, of a stack prepared.
+// All of the plan but what is put between, of a stack prepared.
 [[nodiscard]] std::optional<Error> decide(BuiltStack& built, Decision& decision,
                                           const ReconstructOptions& options, WatchedWork& work) {
   PreparedStack& prepared = built.prepared;
@@ -90,12 +90,17 @@ void warn(BuiltStack& built, const ReconstructOptions& options) {
   plan.motions = decision.motions();
   if (auto error = decide_about_voids(built, options, work)) return error;
   clock.end(Step::correspondence);
-  if (auto error =
-          decide_between(prepared, options, all_ids<SlabId>(prepared.slab_count()), work, plan)) {
-    return error;
-  }
-  clock.end(Step::between);
   return std::nullopt;
+}
+
+[[nodiscard]] std::optional<Error> put_between(BuiltStack& built, const ReconstructOptions& options,
+                                               const WatchedWork& work) {
+  StepClock clock(built.seconds);
+  const PreparedStack& prepared = built.prepared;
+  auto error =
+      decide_between(prepared, options, all_ids<SlabId>(prepared.slab_count()), work, built.plan);
+  clock.end(Step::between);
+  return error;
 }
 
 // All slabs of a stack whose sections are conforming.
@@ -148,6 +153,7 @@ Result<BuiltStack> build_stack(Unit unit, const GivenStack& stack,
   clock.end(Step::sections);
   Decision decision(built.prepared, options);
   auto error = decide(built, decision, options, work);
+  if (!error) error = put_between(built, options, work);
   if (!error) error = build(built, &decision, options, work);
   if (error) return in_unit_given(*std::move(error), built.prepared.exponent);
   warn(built, options);
@@ -177,6 +183,7 @@ std::optional<Error> build_window(BuiltStack& window, const ReconstructOptions& 
   StepClock clock(window.seconds);
   auto error = conform_all(window.prepared, options.execution.threads, work);
   clock.end(Step::sections);
+  if (!error) error = put_between(window, options, work);
   if (!error) error = build(window, nullptr, options, work);
   if (error) return in_unit_given(*std::move(error), window.prepared.exponent);
   return std::nullopt;

@@ -45,12 +45,12 @@ struct BuiltStack {
 [[nodiscard]] Result<BuiltStack> build_stack(Unit unit, const GivenStack& stack,
                                              const ReconstructOptions& options, WatchedWork& work);
 
-/// Prepares, decides and puts between: all that slabs are built by. Sections are conforming only by
-/// Criterion::reverse.
+/// Prepares and decides: all that slabs are built by, but what is put between. Sections are
+/// conforming only by Criterion::reverse.
 [[nodiscard]] Result<BuiltStack> plan_stack(Unit unit, const GivenStack& stack,
                                             const ReconstructOptions& options, WatchedWork& work);
-/// Conforms the sections of a planned window (window.hpp) and builds its slabs, or leaves them
-/// open.
+/// Conforms the sections of a planned window (window.hpp), puts between and builds its slabs, or
+/// leaves them open.
 [[nodiscard]] std::optional<Error> build_window(BuiltStack& window,
                                                 const ReconstructOptions& options,
                                                 WatchedWork& work);

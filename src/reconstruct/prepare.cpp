@@ -38,12 +38,12 @@ std::vector<const Section*> PreparedStack::neighbours(SectionId s) const {
   if (s.index() > 0) {
     found.push_back(&stack.sections[SectionId(s.index() - 1)]);
   } else if (beyond_below) {
-    found.push_back(&*beyond_below);
+    found.push_back(&beyond_below->section);
   }
   if (s.index() + 1 < section_count()) {
     found.push_back(&stack.sections[SectionId(s.index() + 1)]);
   } else if (beyond_above) {
-    found.push_back(&*beyond_above);
+    found.push_back(&beyond_above->section);
   }
   return found;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include <tetloft/conforming_section.hpp>
 #include <tetloft/nesting.hpp>
@@ -9,6 +10,7 @@
 #include <tetloft/valid_stack.hpp>
 
 #include "core/watched_work.hpp"
+#include "slab/link.hpp"
 
 namespace tetloft::internal {
 
@@ -22,6 +24,13 @@ struct GivenStack {
 
   const SectionStack* stack;
   const IdVector<SectionId, Nesting>* nestings = nullptr;
+};
+
+/// A section next to a window of a longer stack, and the slab between them.
+struct BeyondWindow {
+  Section section;
+  Nesting nesting;
+  std::vector<Link> links;  ///< of that slab's regions, accepted
 };
 
 struct PreparedStack {
@@ -39,8 +48,8 @@ struct PreparedStack {
   /// Of a window of a longer stack: the number of its first section there, and the sections beyond
   /// it.
   std::size_t first_section = 0;
-  std::optional<Section> beyond_below;
-  std::optional<Section> beyond_above;
+  std::optional<BeyondWindow> beyond_below;
+  std::optional<BeyondWindow> beyond_above;
 
   [[nodiscard]] std::size_t section_count() const { return stack.sections.size(); }
   /// Requires a section, as validate() does.

@@ -7,13 +7,13 @@
 #include "core/enums.hpp"
 #include "core/guard.hpp"
 #include "core/record.hpp"
-#include "reconstruct/inner_record.hpp"
+#include "reconstruct/section_record.hpp"
 
 namespace tetloft::internal {
 
 namespace {
 
-constexpr RecordKind kSectionPlan{"sect", 1, "a section of a plan"};
+constexpr RecordKind kSectionPlan{"sect", 2, "a section of a plan"};
 
 constexpr std::size_t kLink = 2 * sizeof(std::uint32_t);
 constexpr std::size_t kCandidate = kLink + 3 + 5 * sizeof(double);
@@ -131,7 +131,6 @@ std::string to_record(const SectionPlan& plan) {
   put_decision(plan.region_links, out);
   put_decision(plan.void_links, out);
   put_motions(plan.motions, out);
-  put_inner(plan.between, out);
   return out.take();
 }
 
@@ -145,7 +144,6 @@ Result<SectionPlan> section_plan_from_record(std::string_view bytes, const std::
     plan.region_links = get_decision(in);
     plan.void_links = get_decision(in);
     plan.motions = get_motions(in);
-    plan.between = get_inner(in);
     in.require(plan.regions.of_contour.size() == plan.section.contours.size(),
                "tells the components of some of its contours");
     in.require(!plan.voids || (plan.voids->of_contour.size() == plan.section.contours.size() + 1 &&

@@ -9,7 +9,6 @@
 
 #include <tetloft/section_stack.hpp>
 
-#include "between/inner_sections.hpp"
 #include "correspondence/correspondence.hpp"
 
 namespace tetloft::internal {
@@ -36,7 +35,6 @@ struct SectionPlan {
   SlabDecision region_links;
   SlabDecision void_links;
   std::vector<RegionMotion> motions;  ///< in the plan's unit; their slab is 0
-  between::InnerSections between;
 };
 
 [[nodiscard]] std::string to_record(const SectionPlan& plan);

@@ -6,7 +6,6 @@
 
 #include "core/guard.hpp"
 #include "reconstruct/hints.hpp"
-#include "reconstruct/inner_record.hpp"
 #include "sections/complement.hpp"
 
 namespace tetloft::internal {
@@ -36,15 +35,6 @@ void add(SlabDecision decision, SlabId slab, Correspondence& correspondence) {
   correspondence.candidates.push_back(std::move(decision.candidates));
 }
 
-// Each above the one before, and all between these two heights?
-bool lie_between(const between::InnerSections& inner, double below, double above) {
-  for (const between::InnerSection& mid : inner.sections) {
-    if (!(below < mid.section.z && mid.section.z < above)) return false;
-    below = mid.section.z;
-  }
-  return true;
-}
-
 // Puts a window together, refusing what does not fit.
 class WindowMaker {
  public:
@@ -57,33 +47,37 @@ class WindowMaker {
     if (slabs.end + 1 == facts.sections) window_.plan.ends.above = facts.ends.above;
   }
 
-  Result<BuiltStack> make(std::vector<SectionPlan> plans) {
-    if (plans.size() != slabs_.end - slabs_.first + 1)
-      return no_fit(0, "are not those of its slabs");
+  Result<BuiltStack> make(std::vector<SectionPlan> plans, std::optional<SectionPlan> below,
+                          std::optional<SectionPlan> above) {
+    if (plans.size() != slabs_.end - slabs_.first + 1) {
+      return no_fit(slabs_.first, "has fewer or more beside it than the slabs take");
+    }
     if (plans.front().voids) window_.plan.voids.emplace();
-    for (SectionPlan& plan : plans) {
-      if (auto error = add_section(plan)) return *error;
+    for (std::size_t k = 0; k < plans.size(); ++k) {
+      if (auto error = add_section(slabs_.first + k, plans[k])) return *error;
     }
     for (std::size_t k = 0; k + 1 < plans.size(); ++k) {
       if (auto error = add_slab(SlabId(k), plans[k])) return *error;
+    }
+    if (below) {
+      if (auto error = add_below(*std::move(below))) return *error;
+    }
+    if (above) {
+      if (auto error = add_above(*std::move(above), std::move(plans.back().region_links))) {
+        return *error;
+      }
     }
     window_.prepared.sections.resize(window_.prepared.section_count());
     return std::move(window_);
   }
 
-  BuiltStack& window() { return window_; }
-
  private:
-  std::optional<Error> add_section(SectionPlan& plan) {
-    PreparedStack& prepared = window_.prepared;
-    const std::size_t s = prepared.section_count();
-    if (s > 0 && !(plan.section.z > prepared.stack.sections[SectionId(s - 1)].z)) {
-      return no_fit(s, "is not above the one below");
-    }
-    SectionStack alone;
-    alone.sections.push_back(plan.section);
+  // A section of the whole that is valid, of the regions that its plan tells of.
+  static Result<Nesting> nesting_of(std::size_t s, const SectionPlan& plan) {
     Nesting nesting;
     if (!plan.section.contours.empty()) {
+      SectionStack alone;
+      alone.sections.push_back(plan.section);
       if (const Result<void> valid = validate(alone); !accepted(valid)) {
         return no_fit(s, "is not valid: " + valid.error().message);
       }
@@ -92,10 +86,25 @@ class WindowMaker {
     if (plan.regions.of_region.size() != nesting.outer.size()) {
       return no_fit(s, "has other regions than its plan");
     }
+    return nesting;
+  }
+
+  static Error not_above(std::size_t s) { return no_fit(s, "is not above the one below"); }
+
+  std::optional<Error> add_section(std::size_t s, SectionPlan& plan) {
+    PreparedStack& prepared = window_.prepared;
+    if (s > slabs_.first && !(plan.section.z > prepared.stack.sections.raw().back().z)) {
+      return not_above(s);
+    }
+    Result<Nesting> nested = nesting_of(s, plan);
+    if (!nested) return nested.error();
+    Nesting& nesting = *nested;
     if (plan.voids.has_value() != window_.plan.voids.has_value()) {
       return no_fit(s, "has voids decided, or none, unlike those beside it");
     }
     if (plan.voids) {
+      SectionStack alone;
+      alone.sections.push_back(plan.section);
       // How far out the frame is makes no difference to what lies in what.
       Nesting complement =
           sections::complement_of(plan.section, nesting, sections::far_outside(alone)).nesting;
@@ -117,22 +126,13 @@ class WindowMaker {
     const IdVector<SectionId, Nesting>& nestings = window_.prepared.nestings;
     const auto& below = whole.correspondence.component[lower_section(slab)];
     const auto& above = whole.correspondence.component[upper_section(slab)];
-    if (!has_ends(plan.region_links, below.size(), above.size())) {
-      return no_fit(slab.index(), "links a region that there is not");
-    }
-    if (!fits_slab(plan.between, below.size(), above.size())) {
-      return no_fit(slab.index(), "has sections between that are of other regions");
-    }
-    const IdVector<SectionId, Section>& sections = window_.prepared.stack.sections;
-    if (!lie_between(plan.between, sections[lower_section(slab)].z,
-                     sections[upper_section(slab)].z)) {
-      return no_fit(slab.index(), "has sections between that lie elsewhere");
-    }
+    const std::size_t in_whole = slabs_.first + slab.index();
+    if (!has_ends(plan.region_links, below.size(), above.size())) return no_region(in_whole);
     for (RegionMotion& motion : plan.motions) {
       motion.slab = slab;
       const SectionId s = section_of(slab, motion.upper);
       if (motion.contour.index() >= nestings[s].region.size()) {
-        return no_fit(slab.index(), "moves a contour that there is not");
+        return no_fit(in_whole, "moves a contour that there is not");
       }
       whole.motions.push_back(motion);
     }
@@ -140,11 +140,40 @@ class WindowMaker {
     if (whole.voids) {
       if (!has_ends(plan.void_links, whole.voids->component[lower_section(slab)].size(),
                     whole.voids->component[upper_section(slab)].size())) {
-        return no_fit(slab.index(), "links a void that there is not");
+        return no_fit(in_whole, "links a void that there is not");
       }
       add(std::move(plan.void_links), slab, *whole.voids);
     }
-    whole.between.push_back(std::move(plan.between));
+    return std::nullopt;
+  }
+
+  std::optional<Error> add_below(SectionPlan plan) {
+    const std::size_t s = slabs_.first - 1;
+    const PreparedStack& prepared = window_.prepared;
+    Result<Nesting> nesting = nesting_of(s, plan);
+    if (!nesting) return nesting.error();
+    if (!(plan.section.z < prepared.stack.sections.raw().front().z)) return not_above(s + 1);
+    if (!has_ends(plan.region_links, nesting->outer.size(),
+                  prepared.nestings.raw().front().outer.size())) {
+      return no_region(s);
+    }
+    window_.prepared.beyond_below = {std::move(plan.section), *std::move(nesting),
+                                     std::move(plan.region_links.links)};
+    return std::nullopt;
+  }
+
+  // `decision`: of the slab between.
+  std::optional<Error> add_above(SectionPlan plan, SlabDecision decision) {
+    const std::size_t s = slabs_.end + 1;
+    const PreparedStack& prepared = window_.prepared;
+    Result<Nesting> nesting = nesting_of(s, plan);
+    if (!nesting) return nesting.error();
+    if (!(plan.section.z > prepared.stack.sections.raw().back().z)) return not_above(s);
+    if (!has_ends(decision, prepared.nestings.raw().back().outer.size(), nesting->outer.size())) {
+      return no_region(s - 1);
+    }
+    window_.prepared.beyond_above = {std::move(plan.section), *std::move(nesting),
+                                     std::move(decision.links)};
     return std::nullopt;
   }
 
@@ -157,11 +186,13 @@ class WindowMaker {
                        [&](const LinkCandidate& candidate) { return has(candidate.link); });
   }
 
-  [[nodiscard]] Error no_fit(std::size_t s, const std::string& why) const {
+  // Of a section of the whole.
+  static Error no_fit(std::size_t s, const std::string& why) {
     Error error{ErrorCode::invalid_input, "the plan does not fit: the section " + why, {}};
-    error.where.section = slabs_.first + s;
+    error.where.section = s;
     return error;
   }
+  static Error no_region(std::size_t s) { return no_fit(s, "links a region that there is not"); }
 
   SlabRange slabs_;
   BuiltStack window_;
@@ -187,11 +218,10 @@ IdVector<SectionId, SectionPlan> section_plans(const BuiltStack& planned) {
     plans[s].regions = components_of(plan.correspondence, s);
     if (plan.voids) plans[s].voids = components_of(*plan.voids, s);
   }
-  for (const SlabId slab : plan.between.ids()) {
+  for (const SlabId slab : plan.correspondence.links.ids()) {
     SectionPlan& of_slab = plans[lower_section(slab)];
     of_slab.region_links = decision_of(plan.correspondence, slab);
     if (plan.voids) of_slab.void_links = decision_of(*plan.voids, slab);
-    of_slab.between = plan.between[slab];
   }
   for (RegionMotion motion : plan.motions) {
     std::vector<RegionMotion>& of_slab = plans[lower_section(motion.slab)].motions;
@@ -202,15 +232,11 @@ IdVector<SectionId, SectionPlan> section_plans(const BuiltStack& planned) {
 }
 
 Result<BuiltStack> window_of(const StackFacts& facts, const SlabRange& slabs,
-                             std::vector<SectionPlan> plans, std::optional<Section> below,
-                             std::optional<Section> above) {
-  return guard_internal([&]() -> Result<BuiltStack> {
+                             std::vector<SectionPlan> plans, std::optional<SectionPlan> below,
+                             std::optional<SectionPlan> above) {
+  return guard_internal([&] {
     WindowMaker maker(facts, slabs);
-    Result<BuiltStack> window = maker.make(std::move(plans));
-    if (!window) return window;
-    window->prepared.beyond_below = std::move(below);
-    window->prepared.beyond_above = std::move(above);
-    return window;
+    return maker.make(std::move(plans), std::move(below), std::move(above));
   });
 }
 

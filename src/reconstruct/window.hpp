@@ -29,12 +29,12 @@ struct StackFacts {
 [[nodiscard]] IdVector<SectionId, SectionPlan> section_plans(const BuiltStack& planned);
 
 /// A window, planned; its ids count from its first section. `plans`: of its sections; below and
-/// above: the sections beyond, where there are any. Refused (invalid_input), naming the section of
-/// the whole, are plans that do not fit together, and sections that are not valid.
+/// above: of the sections beyond, where there are any. Refused (invalid_input), naming the section
+/// of the whole, are plans that do not fit together, and sections that are not valid.
 [[nodiscard]] Result<BuiltStack> window_of(const StackFacts& facts, const SlabRange& slabs,
                                            std::vector<SectionPlan> plans,
-                                           std::optional<Section> below,
-                                           std::optional<Section> above);
+                                           std::optional<SectionPlan> below,
+                                           std::optional<SectionPlan> above);
 
 /// The window's model and clusters, with ids of slabs and sections of the whole. The window is
 /// given up but for its warnings, whose places stay as they are (in_whole()). Nothing where a

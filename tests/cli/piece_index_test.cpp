@@ -189,7 +189,7 @@ TEST_F(PieceIndex, InfoTellsOfPlans) {
                                 "--voids", "near=0.75", "--labels", labels});
   const JsonValue told = run_json({"info", plan_});
   EXPECT_EQ(told.at("format").string, "plan");
-  EXPECT_EQ(told.at("version").number, 1);
+  EXPECT_EQ(told.at("version").number, 2);
   EXPECT_EQ(told.at("identity").string.size(), 16U);
   EXPECT_EQ(told.at("source").at("name").string, "torus.cnt");
   EXPECT_EQ(told.at("source").at("bytes").number,

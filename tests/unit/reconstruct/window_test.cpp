@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <limits>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -49,7 +49,7 @@ class Builder {
       plans.push_back(read_back(planned_.sections[s]));
     }
     const auto beyond = [&](bool is_there, std::size_t s) {
-      return is_there ? std::optional(read_back(planned_.sections[s]).section) : std::nullopt;
+      return is_there ? std::optional(read_back(planned_.sections[s])) : std::nullopt;
     };
     Result<BuiltStack> window =
         window_of(planned_.facts, slabs, std::move(plans), beyond(slabs.first > 0, slabs.first - 1),
@@ -196,27 +196,35 @@ TEST(Windows, WhereverAStackIsCutItIsThatOfTheDirectRun) {
 }
 
 // Their records match, since only a forger writes such a plan.
-TEST(Windows, RefuseSectionsBetweenThatLieElsewhere) {
-  const SectionStack stack = stack_of_boxes({{box(0, 0, 4, 2)}, {box(1, 0, 6, 2)}});
-  ReconstructOptions options;
-  options.between = 2;
+TEST(Windows, RefuseSectionsBeyondThatDoNotFit) {
+  const SectionStack stack =
+      stack_of_boxes({{box(0, 0, 4, 2)}, {box(1, 0, 6, 2)}, {box(2, 0, 7, 2)}, {box(3, 0, 8, 2)}});
+  const ReconstructOptions options;
   WatchedWork work(options.execution, 0);
   const Result<BuiltStack> planned = plan_stack(Unit::as_given, stack, options, work);
   ASSERT_TRUE(planned) << to_string(planned.error());
-  const auto window_with = [&](double z) {
+  const auto window_with = [&](const auto& forge) {
     IdVector<SectionId, SectionPlan> plans = section_plans(*planned);
-    EXPECT_EQ(plans[SectionId(0)].between.sections.size(), 2U);
-    plans[SectionId(0)].between.sections[1].section.z = z;
-    return window_of(facts_of(*planned), {0, 1}, plans.raw(), {}, {});
+    forge(plans);
+    return window_of(facts_of(*planned), {1, 2}, {plans[SectionId(1)], plans[SectionId(2)]},
+                     plans[SectionId(0)], plans[SectionId(3)]);
   };
-  const SectionPlan first = section_plans(*planned)[SectionId(0)];
-  EXPECT_TRUE(window_with(first.between.sections[1].section.z));
-  for (const double z :
-       {first.section.z, first.between.sections[0].section.z, stack.sections[SectionId(1)].z, 1e9,
-        std::numeric_limits<double>::quiet_NaN()}) {
-    const Result<BuiltStack> window = window_with(z);
-    ASSERT_FALSE(window) << z;
+  using Plans = IdVector<SectionId, SectionPlan>;
+  EXPECT_TRUE(window_with([](Plans&) {}));
+  const std::vector<std::pair<std::size_t, std::function<void(Plans&)>>> forgeries{
+      {1, [](Plans& plans) { plans[SectionId(0)].section.z = plans[SectionId(1)].section.z; }},
+      {3, [](Plans& plans) { plans[SectionId(3)].section.z = plans[SectionId(2)].section.z; }},
+      {0,
+       [](Plans& plans) { plans[SectionId(0)].section.contours[ContourId(0)].vertices.clear(); }},
+      {3, [](Plans& plans) { plans[SectionId(3)].regions.of_region.clear(); }},
+      {0, [](Plans& plans) { plans[SectionId(0)].region_links.links[0].lower = RegionId(1); }},
+      {2, [](Plans& plans) { plans[SectionId(2)].region_links.links[0].upper = RegionId(1); }},
+  };
+  for (std::size_t k = 0; k < forgeries.size(); ++k) {
+    const Result<BuiltStack> window = window_with(forgeries[k].second);
+    ASSERT_FALSE(window) << k;
     EXPECT_EQ(window.error().code, ErrorCode::invalid_input);
+    EXPECT_EQ(window.error().where.section, forgeries[k].first) << k;
   }
 }
 
