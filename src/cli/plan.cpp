@@ -29,7 +29,7 @@ Usage plan_usage() {
               "Decides what has to be decided over the whole stack, for building it in pieces.",
               {input_word("STACK", Contents::stack)},
               {{"--output", "PLAN", "the plan", "-o"}},
-              "A piece of the stack is built by `tetloft reconstruct STACK --plan PLAN --slabs A:B "
+              "A piece of the stack is built by `tetloft reconstruct --plan PLAN --slabs A:B "
               "-o PIECE.vtu`, on any machine, in any order; `tetloft join PIECES... -o OUT` makes "
               "of all pieces the solid that `tetloft reconstruct STACK -o OUT` makes with the "
               "options of the plan, bit for bit, however the stack was cut. The plan has the "

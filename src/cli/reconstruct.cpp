@@ -45,6 +45,7 @@ Usage reconstruct_usage() {
       "in which a log of JSON lines tells of each. Run again, it goes on: what the log "
       "knows as done, input, options and output by their contents, is skipped. Those that "
       "fail keep none from being made; the exit code is that of the first."};
+  usage.spared = "--plan";
   for (const Option& option : stack_options()) usage.options.push_back(option);
   for (const Option& option : solid_options()) usage.options.push_back(option);
   for (const Option& option : batch_options()) usage.options.push_back(option);
@@ -56,7 +57,9 @@ Usage reconstruct_usage() {
                {},
                {"nonato", "geiger"}},
         Option{"--plan", "PLAN",
-               "build a piece of this plan of IN (tetloft plan), as it was decided there"},
+               "build a piece of this plan (tetloft plan), as it was decided there; IN, if given, "
+               "must be the "
+               "stack of the plan"},
         Option{
             "--slabs", "A:B",
             "with --plan: the piece's slabs, A to B - 1; slab k is between sections k and k + 1"},
@@ -236,7 +239,7 @@ Result<Made> make_whole(const StackInput& input, ReconstructRequest& request, Se
 }
 
 Result<int> run_reconstruct(const Arguments& arguments, Console& console) {
-  if (names_many(arguments)) {
+  if (arguments.operand_count() > 0 && names_many(arguments)) {
     return reconstruct_batch(arguments, reconstruct_usage().options, console);
   }
   if (Result<void> fine = check_no_batch_options(arguments); !fine) return fine.error();
