@@ -40,14 +40,20 @@ struct Preparation {
 
 struct StackInput {
   std::variant<SectionStack, ValidStack> given;  ///< as it is worked on; valid if a reader says so
-  Labels labels;                                 ///< that the file gives its contours
-  std::string name;                              ///< of the structure that was read
-  std::string unit;                              ///< of length, where the file names one
+  /// In place of `given`: the sections one after the other.
+  std::optional<OpenedSections> opened;
+  Labels labels;     ///< that the file gives its contours
+  std::string name;  ///< of the structure that was read
+  std::string unit;  ///< of length, where the file names one
   std::optional<PlanesReport> planes;
   std::optional<RepairReport> repaired;
   std::optional<SnapReport> snapped;
   std::optional<std::size_t> inserted;  ///< vertices, by refining
 
+  [[nodiscard]] std::size_t section_count() const {
+    return opened ? opened->count : stack().sections.size();
+  }
+  /// Of what was read as a whole.
   [[nodiscard]] const SectionStack& stack() const {
     const auto* valid = std::get_if<ValidStack>(&given);
     return valid != nullptr ? valid->stack() : std::get<SectionStack>(given);
@@ -62,6 +68,11 @@ struct StackInput {
 
 /// Reads and prepares the stack; "-" is standard input. Warnings go to the console.
 [[nodiscard]] Result<StackInput> read_stack_input(const std::string& path,
+                                                  const Preparation& preparation, Console& console);
+/// The same for what takes sections one after the other: StackInput::opened, where the file can be
+/// read so and nothing that is asked for needs all of them.
+[[nodiscard]] Result<StackInput> open_stack_input(const Arguments& arguments,
+                                                  const std::string& path,
                                                   const Preparation& preparation, Console& console);
 /// --model-format.
 [[nodiscard]] Option model_format_option();

@@ -123,20 +123,13 @@ Result<Out> parse_bytes(Contents contents, Reader<Out> reader, std::string_view 
 
 constexpr std::size_t kFirstBytes = std::size_t{1} << 16;
 
-// The format that the beginning of a file tells, which is put to `beginning`; null where it tells
-// none.
-Result<const io::Format*> format_of_beginning(Contents contents, const io::ByteSource& file,
-                                              const std::string& path, const ReadOptions& options,
-                                              std::string& beginning) {
-  beginning.assign(static_cast<std::size_t>(std::min<std::uint64_t>(kFirstBytes, file.size())),
-                   '\0');
+Result<std::string> beginning_of(const io::ByteSource& file) {
+  std::string beginning(static_cast<std::size_t>(std::min<std::uint64_t>(kFirstBytes, file.size())),
+                        '\0');
   const Result<std::size_t> got = file.read_at(0, beginning);
   if (!got) return got.error();
   beginning.resize(*got);
-  const io::Source source{beginning, path, io::folder_of(path), &file};
-  const Result<const io::Format*> format =
-      io::choose_reader(io::format_table(), contents, source, options.format);
-  return format ? *format : nullptr;
+  return beginning;
 }
 
 // A volume is read slice by slice from its file; what its beginning tells to be anything else, as a
@@ -147,11 +140,13 @@ Result<std::optional<Out>> read_volume(Contents contents, Reader<Out> reader,
   const Result<std::unique_ptr<io::ByteSource>> file = io::open_bytes(path);
   if (!file) return file.error();
   if (*file == nullptr || (*file)->size() <= kFirstBytes) return std::optional<Out>();
-  std::string beginning;
-  const auto format = format_of_beginning(contents, **file, path, options, beginning);
-  if (!format) return format.error();
-  if (*format == nullptr || (*format)->open_volume == nullptr) return std::optional<Out>();
-  Result<Out> read = reader(**format, {beginning, path, io::folder_of(path), file->get()}, options);
+  const Result<std::string> beginning = beginning_of(**file);
+  if (!beginning) return beginning.error();
+  const io::Source source{*beginning, path, io::folder_of(path), file->get()};
+  const Result<const io::Format*> format =
+      io::choose_reader(io::format_table(), contents, source, options.format);
+  if (!format || (*format)->open_volume == nullptr) return std::optional<Out>();
+  Result<Out> read = reader(**format, source, options);
   if (!read) return read.error();
   return std::optional<Out>(*std::move(read));
 }
@@ -206,13 +201,12 @@ Result<std::optional<OpenedSections>> open_file_sections(const std::string& path
   Result<std::unique_ptr<io::ByteSource>> file = io::open_bytes(path);
   if (!file) return file.error();
   if (*file == nullptr) return Opened();
-  std::string beginning;
-  const auto format = format_of_beginning(Contents::stack, **file, path, options, beginning);
-  if (!format) return format.error();
-  if (*format == nullptr || (*format)->open_sections == nullptr) return Opened();
-  // A name, or text, is no reason to hold what follows for anything.
-  if (options.format.empty() && !(*format)->recognise(beginning)) return Opened();
-  return (*format)->open_sections(*file, path, options);
+  const Result<std::string> beginning = beginning_of(**file);
+  if (!beginning) return beginning.error();
+  const io::Source source{*beginning, path, {}, file->get()};
+  const io::Format* const format =
+      io::choose_by_section(io::format_table(), source, options.format);
+  return format == nullptr ? Opened() : format->open_sections(*file, path, options);
 }
 
 Result<OpenedSections> open_whole(const std::string& path, const ReadOptions& options) {
