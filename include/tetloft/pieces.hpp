@@ -29,6 +29,7 @@
 #include <tetloft/reconstruct.hpp>
 #include <tetloft/result.hpp>
 #include <tetloft/section_stack.hpp>
+#include <tetloft/section_stream.hpp>
 #include <tetloft/valid_stack.hpp>
 
 namespace tetloft {
@@ -71,6 +72,14 @@ struct WrittenPlan {
                                                          const PlanSource& source = {});
 [[nodiscard]] TETLOFT_API Result<WrittenPlan> write_plan(const std::string& path,
                                                          const ValidStack& stack,
+                                                         const ReconstructOptions& options = {},
+                                                         const PlanSource& source = {});
+/// The same of sections one after the other. Memory: some tens of sections, a few numbers for each,
+/// and a number for each component; the sections wait in unnamed temporaries beside the file, three
+/// times as large as it at most. But by Criterion::reverse, and with labels or decisions, what is
+/// decided anywhere may depend on all, and all sections are in memory.
+[[nodiscard]] TETLOFT_API Result<WrittenPlan> write_plan(const std::string& path,
+                                                         SectionStream& sections,
                                                          const ReconstructOptions& options = {},
                                                          const PlanSource& source = {});
 /// What a plan says of itself. Its sections are not looked at.
@@ -163,6 +172,11 @@ struct WrittenStream {
     Encoding encoding = Encoding::binary);
 [[nodiscard]] TETLOFT_API Result<WrittenStream> write_streamed(
     const std::string& path, const ValidStack& stack, const ReconstructOptions& options = {},
+    Encoding encoding = Encoding::binary);
+/// The same of sections one after the other: the stack is never in memory either, nor what is
+/// decided about it, where write_plan() needs it not.
+[[nodiscard]] TETLOFT_API Result<WrittenStream> write_streamed(
+    const std::string& path, SectionStream& sections, const ReconstructOptions& options = {},
     Encoding encoding = Encoding::binary);
 
 struct WrittenIndex {

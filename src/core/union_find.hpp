@@ -1,4 +1,4 @@
-// Disjoint sets over 0 … n−1. The representative of a set is its smallest element, so
+// Disjoint sets over 0 … n−1, and more as they come. The representative of a set is its smallest element, so
 // the result depends on the unions only, not on their order.
 #pragma once
 
@@ -30,6 +30,12 @@ class UnionFind {
     if (j < i) std::swap(i, j);
     parent_[j] = i;
     return true;
+  }
+
+  /// One more element, in a set of its own: the number of elements before.
+  std::size_t add() {
+    parent_.push_back(parent_.size());
+    return parent_.size() - 1;
   }
 
   [[nodiscard]] bool same(std::size_t i, std::size_t j) const { return find(i) == find(j); }

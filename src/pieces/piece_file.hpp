@@ -14,6 +14,7 @@
 #include "io/vtu_stream.hpp"
 #include "pieces/piece_record.hpp"
 #include "pieces/plan_head.hpp"
+#include "pieces/section_store.hpp"
 #include "reconstruct/prepare.hpp"
 
 namespace tetloft::internal::pieces {
@@ -25,6 +26,10 @@ struct StagedPlan {
 };
 /// As write_plan().
 [[nodiscard]] Result<StagedPlan> stage_plan(const std::string& path, const GivenStack& given,
+                                            const ReconstructOptions& options,
+                                            const PlanSource& source,
+                                            io::TemporaryWatcher* watcher = nullptr);
+[[nodiscard]] Result<StagedPlan> stage_plan(const std::string& path, const GivenSections& given,
                                             const ReconstructOptions& options,
                                             const PlanSource& source,
                                             io::TemporaryWatcher* watcher = nullptr);
@@ -64,6 +69,11 @@ struct StagedStream {
 };
 /// As write_streamed().
 [[nodiscard]] Result<StagedStream> stage_streamed(const std::string& path, const GivenStack& given,
+                                                  const ReconstructOptions& options,
+                                                  Encoding encoding,
+                                                  io::TemporaryWatcher* watcher = nullptr);
+[[nodiscard]] Result<StagedStream> stage_streamed(const std::string& path,
+                                                  const GivenSections& given,
                                                   const ReconstructOptions& options,
                                                   Encoding encoding,
                                                   io::TemporaryWatcher* watcher = nullptr);

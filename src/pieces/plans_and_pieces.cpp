@@ -16,6 +16,7 @@
 #include "model/digest.hpp"
 #include "pieces/piece_file.hpp"
 #include "pieces/plan_file.hpp"
+#include "pieces/planner.hpp"
 #include "reconstruct/component_names.hpp"
 #include "reconstruct/decide_voids.hpp"
 #include "reconstruct/report_of.hpp"
@@ -52,27 +53,32 @@ PlanSummary summary_of(const PlanHead& head, std::uint64_t identity) {
 Result<StagedPlan> stage_plan(const std::string& path, const GivenStack& given,
                               const ReconstructOptions& options, const PlanSource& source,
                               io::TemporaryWatcher* watcher) {
-  using Planned = std::optional<BuiltStack>;
-  Result<BuiltStack> planned =
-      in_either_unit(options, [&](Unit unit, const ReconstructOptions& in_unit) -> Result<Planned> {
-        WatchedWork work(in_unit.execution, 0);
-        Result<BuiltStack> made = plan_stack(unit, given, in_unit, work);
-        if (!made) return made.error();
-        return Planned(std::move(*made));
+  StackStream sections(*given.stack);
+  return stage_plan(path, GivenSections{sections, given.nestings}, options, source, watcher);
+}
+
+Result<StagedPlan> stage_plan(const std::string& path, const GivenSections& given,
+                              const ReconstructOptions& options, const PlanSource& source,
+                              io::TemporaryWatcher* watcher) {
+  if (auto error = check_options(options)) return *error;
+  const Result<SectionStore> store = SectionStore::of(given, options.execution, path);
+  if (!store) return store.error();
+  return in_either_unit(
+      options,
+      [&](Unit unit, const ReconstructOptions& in_unit) -> Result<std::optional<StagedPlan>> {
+        WatchedWork work(in_unit.execution, store->size());
+        StagedPlan plan;
+        Result<io::Staged> staged = io::stage(path, watcher, [&](io::Sink& sink) -> io::Written {
+          Result<PlannedStack> made = plan_stored(*store, unit, in_unit, source, path, work, sink);
+          if (!made) return made.error();
+          plan.summary = summary_of(made->head, made->identity);
+          return std::move(made->warnings);
+        });
+        if (!staged) return staged.error();
+        plan.files = std::move(staged->files);
+        plan.warnings = std::move(staged->warnings);
+        return std::optional(std::move(plan));
       });
-  if (!planned) return planned.error();
-  return guard_internal([&]() -> Result<StagedPlan> {
-    StagedPlan plan;
-    const PlanHead head = head_of(*planned, *given.stack, options, source);
-    Result<io::Staged> staged = io::stage(path, watcher, [&](io::Sink& sink) -> io::Written {
-      plan.summary = summary_of(head, append_plan(sink, head, *planned));
-      return std::vector<Warning>();
-    });
-    if (!staged) return staged.error();
-    plan.files = std::move(staged->files);
-    plan.warnings = std::move(planned->warnings);
-    return plan;
-  });
 }
 
 Result<StagedPiece> stage_piece(const std::string& path, const std::string& plan_path,
@@ -185,10 +191,7 @@ Result<Part> part_of(const std::string& path) {
 
 namespace {
 
-template <class Stack>
-Result<WrittenPlan> write_plan_of(const std::string& path, const Stack& stack,
-                                  const ReconstructOptions& options, const PlanSource& source) {
-  Result<pieces::StagedPlan> plan = pieces::stage_plan(path, stack, options, source);
+Result<WrittenPlan> commit(Result<pieces::StagedPlan> plan) {
   if (!plan) return plan.error();
   return guard_internal([&]() -> Result<WrittenPlan> {
     if (Result<void> done = io::commit_all(plan->files); !done) return done.error();
@@ -228,11 +231,15 @@ Result<PlanSource> plan_source(const std::string& path) {
 
 Result<WrittenPlan> write_plan(const std::string& path, const SectionStack& stack,
                                const ReconstructOptions& options, const PlanSource& source) {
-  return write_plan_of(path, stack, options, source);
+  return commit(pieces::stage_plan(path, GivenStack(stack), options, source));
 }
 Result<WrittenPlan> write_plan(const std::string& path, const ValidStack& stack,
                                const ReconstructOptions& options, const PlanSource& source) {
-  return write_plan_of(path, stack, options, source);
+  return commit(pieces::stage_plan(path, GivenStack(stack), options, source));
+}
+Result<WrittenPlan> write_plan(const std::string& path, SectionStream& sections,
+                               const ReconstructOptions& options, const PlanSource& source) {
+  return commit(pieces::stage_plan(path, pieces::GivenSections{sections}, options, source));
 }
 
 Result<PlanSummary> read_plan(const std::string& path) {

@@ -18,6 +18,7 @@
 #include "pieces/distinct_warnings.hpp"
 #include "pieces/piece_file.hpp"
 #include "pieces/plan_file.hpp"
+#include "pieces/planner.hpp"
 #include "reconstruct/report_of.hpp"
 
 namespace tetloft {
@@ -28,6 +29,8 @@ namespace {
 
 using pieces::PlanFile;
 using pieces::PlannedRange;
+using pieces::PlannedStack;
+using pieces::SectionStore;
 using pieces::StagedStream;
 
 // More make each chunk's memory larger, fewer conform more sections twice, at both ends of windows.
@@ -186,44 +189,51 @@ void finish_report(const Clock::time_point& start, ReconstructReport& report) {
   report.seconds_total = std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// The plan in a scratch file; what it was made from is given up.
-Result<PlanFile> planned_file(const std::string& path, const pieces::PlanHead& head,
-                              BuiltStack planned) {
+// The plan in a scratch file.
+struct ScratchPlan {
+  PlanFile file;
+  std::vector<Warning> warnings;
+  StepSeconds seconds{};
+};
+
+Result<ScratchPlan> scratch_plan(const std::string& path, const SectionStore& store, Unit unit,
+                                 const ReconstructOptions& options) {
+  const Execution quiet = untold(options.execution);
+  WatchedWork planning(quiet, 0);
   io::ScratchFile scratch(path);
-  pieces::append_plan(scratch, head, planned);
+  Result<PlannedStack> planned =
+      pieces::plan_stored(store, unit, options, {}, path, planning, scratch);
+  if (!planned) return planned.error();
   if (scratch.failure()) return *scratch.failure();
-  return PlanFile::of(pieces::ArchiveReader::of(std::move(scratch), path), path);
+  Result<PlanFile> file = PlanFile::of(pieces::ArchiveReader::of(std::move(scratch), path), path);
+  if (!file) return file.error();
+  return ScratchPlan{std::move(*file), std::move(planned->warnings), planned->seconds};
 }
 
 class StreamedStack {
  public:
-  StreamedStack(const std::string& path, const GivenStack& given, Encoding encoding,
+  StreamedStack(const std::string& path, const SectionStore& store, Encoding encoding,
                 io::TemporaryWatcher* watcher)
-      : path_(path), given_(given), encoding_(encoding), watcher_(watcher) {}
+      : path_(path), store_(store), encoding_(encoding), watcher_(watcher) {}
 
   // Nothing where the model, made in this unit, is none in the one given.
   Result<std::optional<StagedStream>> stage_in(Unit unit, const ReconstructOptions& options) {
     const auto start = Clock::now();
-    const Execution quiet = untold(options.execution);
-    WatchedWork planning(quiet, 0);
-    Result<BuiltStack> planned = plan_stack(unit, given_, options, planning);
-    if (!planned) return planned.error();
-    StagedStream made;
-    made.warnings = planned->warnings;
-    made.report.seconds = planned->seconds;
-    const pieces::PlanHead head = pieces::head_of(*planned, *given_.stack, options, {});
-    const Result<PlanFile> plan = planned_file(path_, head, std::move(*planned));
+    Result<ScratchPlan> plan = scratch_plan(path_, store_, unit, options);
     if (!plan) return plan.error();
+    StagedStream made;
+    made.warnings = std::move(plan->warnings);
+    made.report.seconds = plan->seconds;
     core::give_back_freed();
     io::VtuStream stream(path_);
-    Streaming streaming(*plan, stream, options.execution);
+    Streaming streaming(plan->file, stream, options.execution);
     Result<bool> streamed = streaming.run();
     if (!streamed) return streamed.error();
     if (!*streamed && streaming.loses_bits()) return std::optional<StagedStream>();
     if (!*streamed) return in_memory(options);
     add_up(streaming.report(), made.report);
-    made.report.slices = head.facts.sections;
-    made.report.contours = head.contours;
+    made.report.slices = store_.size();
+    made.report.contours = store_.contours();
     made.warnings.insert(made.warnings.end(), streaming.warnings().begin(),
                          streaming.warnings().end());
     if (Result<void> told = pieces::describe_streamed(stream, made.report); !told) {
@@ -238,7 +248,9 @@ class StreamedStack {
   }
 
   Result<std::optional<StagedStream>> in_memory(const ReconstructOptions& options) {
-    Result<Reconstruction> whole = reconstruct(*given_.stack, options);
+    const Result<ValidStack> stack = store_.stack();
+    if (!stack) return stack.error();
+    Result<Reconstruction> whole = reconstruct(*stack, options);
     if (!whole) return whole.error();
     Result<io::Staged> file = io::stage_model(path_, whole->model, {encoding_, {}}, watcher_);
     if (!file) return file.error();
@@ -254,15 +266,12 @@ class StreamedStack {
   }
 
   const std::string& path_;
-  const GivenStack& given_;
+  const SectionStore& store_;
   Encoding encoding_;
   io::TemporaryWatcher* watcher_;
 };
 
-template <class Stack>
-Result<WrittenStream> write_streamed_of(const std::string& path, const Stack& stack,
-                                        const ReconstructOptions& options, Encoding encoding) {
-  Result<StagedStream> made = pieces::stage_streamed(path, stack, options, encoding);
+Result<WrittenStream> commit_stream(Result<StagedStream> made) {
   if (!made) return made.error();
   return guard_internal([&]() -> Result<WrittenStream> {
     if (Result<void> done = io::commit_all(made->files); !done) return done.error();
@@ -275,24 +284,39 @@ Result<WrittenStream> write_streamed_of(const std::string& path, const Stack& st
 Result<StagedStream> pieces::stage_streamed(const std::string& path, const GivenStack& given,
                                             const ReconstructOptions& options, Encoding encoding,
                                             io::TemporaryWatcher* watcher) {
+  StackStream sections(*given.stack);
+  return stage_streamed(path, GivenSections{sections, given.nestings}, options, encoding, watcher);
+}
+
+Result<StagedStream> pieces::stage_streamed(const std::string& path, const GivenSections& given,
+                                            const ReconstructOptions& options, Encoding encoding,
+                                            io::TemporaryWatcher* watcher) {
   if (io::extension_of(path) != ".vtu") {
     Error error{ErrorCode::usage, "a stream is written as .vtu", {}};
     error.where.file = path;
     return error;
   }
+  if (auto error = check_options(options)) return *error;
+  const Result<SectionStore> store = SectionStore::of(given, options.execution, path);
+  if (!store) return store.error();
   return in_either_unit(options, [&](Unit unit, const ReconstructOptions& in_unit) {
-    StreamedStack stack(path, given, encoding, watcher);
-    return given.stack->frame == Frame{} ? stack.stage_in(unit, in_unit) : stack.in_memory(in_unit);
+    StreamedStack stack(path, *store, encoding, watcher);
+    return store->frame() == Frame{} ? stack.stage_in(unit, in_unit) : stack.in_memory(in_unit);
   });
 }
 
 Result<WrittenStream> write_streamed(const std::string& path, const SectionStack& stack,
                                      const ReconstructOptions& options, Encoding encoding) {
-  return write_streamed_of(path, stack, options, encoding);
+  return commit_stream(pieces::stage_streamed(path, GivenStack(stack), options, encoding));
 }
 Result<WrittenStream> write_streamed(const std::string& path, const ValidStack& stack,
                                      const ReconstructOptions& options, Encoding encoding) {
-  return write_streamed_of(path, stack, options, encoding);
+  return commit_stream(pieces::stage_streamed(path, GivenStack(stack), options, encoding));
+}
+Result<WrittenStream> write_streamed(const std::string& path, SectionStream& sections,
+                                     const ReconstructOptions& options, Encoding encoding) {
+  return commit_stream(
+      pieces::stage_streamed(path, pieces::GivenSections{sections}, options, encoding));
 }
 
 }  // namespace tetloft

@@ -17,9 +17,9 @@ namespace tetloft::internal {
 
 namespace {
 
-bool has_hole(const Nesting& nesting) {
-  return std::any_of(nesting.depth.begin(), nesting.depth.end(),
-                     [](std::uint32_t depth) { return depth % 2 != 0; });
+OfWhole of_whole_stack(const PreparedStack& prepared) {
+  return {sections::far_outside(prepared.stack),
+          std::any_of(prepared.nestings.begin(), prepared.nestings.end(), has_hole)};
 }
 
 // Of a stack without holes.
@@ -40,16 +40,18 @@ Correspondence exteriors_alone(const PreparedStack& prepared) {
 
 }  // namespace
 
+bool has_hole(const Nesting& nesting) {
+  return std::any_of(nesting.depth.begin(), nesting.depth.end(),
+                     [](std::uint32_t depth) { return depth % 2 != 0; });
+}
+
 VoidDecision::VoidDecision(const PreparedStack& prepared, const ReconstructOptions& options)
     : prepared_(prepared), options_(options) {
-  if (options.correspondence.voids.rule == VoidRule::free ||
-      std::none_of(prepared.nestings.begin(), prepared.nestings.end(), has_hole)) {
-    return;
-  }
-  const double half_side = sections::far_outside(prepared.stack);
+  const OfWhole whole = prepared.of_whole ? *prepared.of_whole : of_whole_stack(prepared);
+  if (options.correspondence.voids.rule == VoidRule::free || !whole.has_hole) return;
   for (const SectionId s : prepared.nestings.ids()) {
-    sections::Complement complement =
-        sections::complement_of(prepared.stack.sections[s], prepared.nestings[s], half_side);
+    sections::Complement complement = sections::complement_of(
+        prepared.stack.sections[s], prepared.nestings[s], whole.far_outside);
     stack_.sections.push_back(std::move(complement.section));
     nestings_.push_back(std::move(complement.nesting));
   }

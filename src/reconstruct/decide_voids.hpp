@@ -14,6 +14,8 @@
 
 namespace tetloft::internal {
 
+[[nodiscard]] bool has_hole(const Nesting& nesting);
+
 class VoidDecision {
  public:
   /// Both must outlive this.

@@ -5,8 +5,6 @@
 
 namespace tetloft::internal {
 
-namespace {
-
 double single_thickness(const PreparedStack& prepared, const ReconstructOptions& options,
                         std::vector<Warning>& warnings) {
   if (options.thickness) return std::ldexp(*options.thickness, prepared.exponent);
@@ -30,20 +28,17 @@ double single_thickness(const PreparedStack& prepared, const ReconstructOptions&
   return std::max(high.x - low.x, high.y - low.y) / 10;
 }
 
-}  // namespace
-
-Result<EndPlanes> place_ends(const PreparedStack& prepared, const ReconstructOptions& options,
-                             std::vector<Warning>& warnings) {
-  const std::size_t sections = prepared.section_count();
-  const auto z = [&](std::size_t s) { return prepared.stack.sections[SectionId(s)].z; };
-  const double first = z(0);
-  const double last = z(sections - 1);
+Result<EndPlanes> place_ends(const std::vector<double>& heights, Ends wanted,
+                             double thickness_of_single) {
+  const std::size_t sections = heights.size();
+  const double first = heights.front();
+  const double last = heights.back();
   EndPlanes ends;
   if (sections == 1) {
-    const double half = 0.5 * single_thickness(prepared, options, warnings);
+    const double half = 0.5 * thickness_of_single;
     ends = {first - half, last + half};
-  } else if (options.ends == Ends::half) {
-    ends = {first - 0.5 * (z(1) - first), last + 0.5 * (last - z(sections - 2))};
+  } else if (wanted == Ends::half) {
+    ends = {first - 0.5 * (heights[1] - first), last + 0.5 * (last - heights[sections - 2])};
   } else {
     return ends;
   }

@@ -1,7 +1,6 @@
 // Where a model ends at the first and last section.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "reconstruct/plan.hpp"
@@ -9,10 +8,15 @@
 
 namespace tetloft::internal {
 
-/// The planes of the prisms beyond the first and last section; none where it ends at these. Warns
-/// where a thickness had to be chosen. Fails (unrepresentable) where no double lies beyond.
-[[nodiscard]] Result<EndPlanes> place_ends(const PreparedStack& prepared,
-                                           const ReconstructOptions& options,
-                                           std::vector<Warning>& warnings);
+/// Of a stack of one section, in its unit. Warns where it had to be chosen.
+[[nodiscard]] double single_thickness(const PreparedStack& prepared,
+                                      const ReconstructOptions& options,
+                                      std::vector<Warning>& warnings);
+
+/// The planes of the prisms beyond the first and last section; none where it ends at these.
+/// `heights`: of all sections; `thickness_of_single` counts where there is one. Fails
+/// (unrepresentable) where no double lies beyond.
+[[nodiscard]] Result<EndPlanes> place_ends(const std::vector<double>& heights, Ends wanted,
+                                           double thickness_of_single);
 
 }  // namespace tetloft::internal

@@ -10,6 +10,7 @@
 #include <tetloft/predicates.hpp>
 
 #include "core/unit_of_length.hpp"
+#include "sections/coarse_edges.hpp"
 #include "spatial/box_tree.hpp"
 
 namespace tetloft::internal {
@@ -17,9 +18,8 @@ namespace tetloft::internal {
 namespace {
 
 // Choices, all but the last: with them no stack from images and no sliced mesh at hand is coarse.
-constexpr std::size_t kFewVertices = 12;  // of a contour that may be coarse
-constexpr double kLongEdge = 1.0 / 12;    // of the perimeter
-constexpr double kCoarsePart = 0.5;       // of the length of all contours, in edges to be divided
+constexpr double kLongEdge = 1.0 / 12;  // of the perimeter
+constexpr double kCoarsePart = 0.5;     // of the length of all contours, in edges to be divided
 // Pieces of a quarter of the width are enough, of an eighth near the best; area over perimeter is a
 // quarter of the width of a square, and half of that of a long strip.
 constexpr double kPiece = 0.5;
@@ -101,24 +101,6 @@ class SectionEdges {
   BoxTree2 tree_;
 };
 
-// Do half of all vertices lie on contours of few?
-bool has_few_vertices(const SectionStack& stack) {
-  std::size_t on_coarse = 0;
-  for (const Section& section : stack.sections) {
-    for (const Contour& contour : section.contours) {
-      if (contour.vertices.size() <= kFewVertices) on_coarse += contour.vertices.size();
-    }
-  }
-  return 2 * on_coarse >= stack.vertex_count();
-}
-
-// How much of a stack's contours is edges that the neighbouring sections do not continue.
-struct Coarseness {
-  double length = 0;
-  double divided = 0;           // of the length
-  std::vector<double> quarter;  // area over perimeter, of each contour with such edges
-};
-
 using RegionFlags = IdVector<SectionId, IdVector<RegionId, std::uint8_t>>;
 
 RegionFlags no_regions(const PreparedStack& prepared) {
@@ -135,56 +117,49 @@ void mark(RegionFlags& flags, const Link& link) {
 }
 
 // Of the sections beside one, those that are not empty.
-std::vector<const SectionEdges*> beside(SectionId s,
-                                        const IdVector<SectionId, SectionEdges>& edges) {
-  std::vector<const SectionEdges*> neighbours;
-  if (s.index() > 0) neighbours.push_back(&edges[SectionId(s.index() - 1)]);
-  if (s.index() + 1 < edges.size()) neighbours.push_back(&edges[SectionId(s.index() + 1)]);
-  std::erase_if(neighbours, [](const SectionEdges* other) { return other->empty(); });
+std::vector<SectionEdges> edges_beside(const PreparedStack& window, SectionId s) {
+  std::vector<SectionEdges> neighbours;
+  for (const Section* neighbour : window.neighbours(s)) {
+    if (!neighbour->contours.empty()) neighbours.emplace_back(*neighbour);
+  }
   return neighbours;
 }
 
-Coarseness coarseness(const PreparedStack& prepared, const RegionFlags& linked) {
-  IdVector<SectionId, SectionEdges> edges;
-  for (const Section& section : prepared.stack.sections) edges.push_back(SectionEdges(section));
-  Coarseness result;
-  for (const SectionId s : edges.ids()) {
-    const std::vector<const SectionEdges*> neighbours = beside(s, edges);
-    const Section& section = prepared.stack.sections[s];
+}  // namespace
+
+void add_coarseness(const PreparedStack& window, const IdVector<SlabId, std::vector<Link>>& links,
+                    SectionId first, SectionId end, Coarseness& sum) {
+  RegionFlags linked = no_regions(window);
+  for (const auto& of_slab : links) {
+    for (const Link& link : of_slab) mark(linked, link);
+  }
+  for (SectionId s = first; s < end; s = SectionId(s.index() + 1)) {
+    const std::vector<SectionEdges> neighbours = edges_beside(window, s);
+    const Section& section = window.stack.sections[s];
     for (const ContourId c : section.contours.ids()) {
       const std::vector<Edge> of_contour = edges_of(section.contours[c]);
       double perimeter = 0;
       for (const Edge& edge : of_contour) perimeter += distance(edge.a, edge.b);
-      result.length += perimeter;
-      if (linked[s][prepared.nestings[s].region[c]] == 0) continue;
+      sum.length += perimeter;
+      if (linked[s][window.nestings[s].region[c]] == 0) continue;
       double divided = 0;
       for (const Edge& edge : of_contour) {
         const double length = distance(edge.a, edge.b);
         const bool goes_on =
             std::all_of(neighbours.begin(), neighbours.end(),
-                        [&](const auto* other) { return other->continue_half_of(edge); });
+                        [&](const auto& other) { return other.continue_half_of(edge); });
         if (length >= kLongEdge * perimeter && !goes_on) divided += length;
       }
       if (divided == 0) continue;
-      result.divided += divided;
-      result.quarter.push_back(std::abs(twice_area(section.contours[c])) / 2 / perimeter);
+      sum.divided += divided;
+      sum.quarter.push_back(std::abs(twice_area(section.contours[c])) / 2 / perimeter);
     }
   }
-  return result;
 }
 
-}  // namespace
-
-std::optional<Warning> hint_of_coarse_contours(const PreparedStack& prepared,
-                                               const Correspondence& decided) {
-  if (!has_few_vertices(prepared.stack)) return std::nullopt;
-  RegionFlags linked = no_regions(prepared);
-  for (const auto& of_slab : decided.links) {
-    for (const Link& link : of_slab) mark(linked, link);
-  }
-  const Coarseness coarse = coarseness(prepared, linked);
-  if (!(coarse.divided > kCoarsePart * coarse.length)) return std::nullopt;
-  const double piece = scaled(kPiece * median(coarse.quarter), -prepared.exponent);
+std::optional<Warning> hint_of(const Coarseness& whole, int exponent) {
+  if (!(whole.divided > kCoarsePart * whole.length)) return std::nullopt;
+  const double piece = scaled(kPiece * median(whole.quarter), -exponent);
   return Warning{
       "contours have few vertices and change from section to section: what lies between "
       "is coarse; edges divided to at most " +
@@ -192,15 +167,21 @@ std::optional<Warning> hint_of_coarse_contours(const PreparedStack& prepared,
       {}};
 }
 
-namespace {
+std::optional<Warning> hint_of_coarse_contours(const PreparedStack& prepared,
+                                               const Correspondence& decided) {
+  sections::CoarseShare vertices;
+  for (const Section& section : prepared.stack.sections) {
+    vertices.add(sections::coarse_vertices(section));
+  }
+  if (!vertices.is_half()) return std::nullopt;
+  Coarseness whole;
+  add_coarseness(prepared, decided.links, SectionId(0), SectionId(prepared.section_count()), whole);
+  return hint_of(whole, prepared.exponent);
+}
 
-struct PartnerCounts {
-  std::size_t regions = 0;  // that have a neighbouring section that is not empty
-  std::size_t without = 0;
-};
-
-PartnerCounts count_partners(const PreparedStack& prepared, const StackCandidates& candidates) {
-  RegionFlags has = no_regions(prepared);
+void add_partners(const PreparedStack& window, const StackCandidates& candidates, SectionId first,
+                  SectionId end, PartnerCounts& sum) {
+  RegionFlags has = no_regions(window);
   for (const SlabCandidates& of_slab : candidates) {
     for (const LinkCandidate& candidate : of_slab) {
       if (candidate.evidence == Evidence::lone || candidate.fate == LinkFate::too_weak ||
@@ -210,53 +191,51 @@ PartnerCounts count_partners(const PreparedStack& prepared, const StackCandidate
       mark(has, candidate.link);
     }
   }
-  PartnerCounts result;
-  for (const SectionId s : has.ids()) {
+  for (SectionId s = first; s < end; s = SectionId(s.index() + 1)) {
     const bool below = s.index() > 0 && !has[SectionId(s.index() - 1)].empty();
     const bool above = s.index() + 1 < has.size() && !has[SectionId(s.index() + 1)].empty();
     if (!below && !above) continue;
-    result.regions += has[s].size();
-    result.without += static_cast<std::size_t>(std::count(has[s].begin(), has[s].end(), 0));
+    sum.regions += has[s].size();
+    sum.without += static_cast<std::size_t>(std::count(has[s].begin(), has[s].end(), 0));
   }
-  return result;
 }
 
-// Of all regions, holes left out: the side of a square of the same area, in the middle.
-double typical_size(const PreparedStack& prepared) {
-  std::vector<double> sizes;
-  for (const SectionId s : prepared.nestings.ids()) {
-    const Section& section = prepared.stack.sections[s];
-    const Nesting& nesting = prepared.nestings[s];
-    for (const RegionId r : nesting.outer.ids()) {
-      sizes.push_back(std::sqrt(area(outline(section, nesting, r))));
-    }
+bool misses_partners(const PartnerCounts& whole) { return 2 * whole.without > whole.regions; }
+
+void append_sizes(const Section& section, const Nesting& nesting, std::vector<double>& sizes) {
+  for (const RegionId r : nesting.outer.ids()) {
+    sizes.push_back(std::sqrt(area(outline(section, nesting, r))));
   }
-  return median(std::move(sizes));
 }
 
-double typical_gap(const SectionStack& stack) {
-  std::vector<double> gaps;
-  for (std::size_t s = 1; s < stack.sections.size(); ++s) {
-    gaps.push_back(stack.sections[SectionId(s)].z - stack.sections[SectionId(s - 1)].z);
-  }
-  return median(std::move(gaps));
+Warning hint_of(const PartnerCounts& whole, std::vector<double> gaps, std::vector<double> sizes,
+                int exponent) {
+  const double size = median(std::move(sizes));
+  const double gap = median(std::move(gaps));
+  return {std::to_string(whole.without) + " of " + std::to_string(whole.regions) +
+              " regions meet none of a neighbouring section, as they lie or as they move: "
+              "the gap, " +
+              digits(scaled(gap, -exponent), 3) + ", over the size of a region, " +
+              digits(scaled(size, -exponent), 3) + ", is " + digits(gap / size, 2) +
+              "; sections are too far apart, or z has another unit than x and y",
+          {}};
 }
-
-}  // namespace
 
 std::optional<Warning> hint_of_missing_partners(const PreparedStack& prepared,
                                                 const StackCandidates& candidates) {
-  const PartnerCounts partners = count_partners(prepared, candidates);
-  if (2 * partners.without <= partners.regions) return std::nullopt;
-  const double size = typical_size(prepared);
-  const double gap = typical_gap(prepared.stack);
-  return Warning{std::to_string(partners.without) + " of " + std::to_string(partners.regions) +
-                     " regions meet none of a neighbouring section, as they lie or as they move: "
-                     "the gap, " +
-                     digits(scaled(gap, -prepared.exponent), 3) + ", over the size of a region, " +
-                     digits(scaled(size, -prepared.exponent), 3) + ", is " + digits(gap / size, 2) +
-                     "; sections are too far apart, or z has another unit than x and y",
-                 {}};
+  PartnerCounts whole;
+  add_partners(prepared, candidates, SectionId(0), SectionId(prepared.section_count()), whole);
+  if (!misses_partners(whole)) return std::nullopt;
+  const IdVector<SectionId, Section>& sections = prepared.stack.sections;
+  std::vector<double> gaps;
+  for (std::size_t s = 1; s < sections.size(); ++s) {
+    gaps.push_back(sections[SectionId(s)].z - sections[SectionId(s - 1)].z);
+  }
+  std::vector<double> sizes;
+  for (const SectionId s : sections.ids()) {
+    append_sizes(sections[s], prepared.nestings[s], sizes);
+  }
+  return hint_of(whole, std::move(gaps), std::move(sizes), prepared.exponent);
 }
 
 std::optional<Warning> hint_of_many_tets(const PreparedStack& prepared, const Model& model) {

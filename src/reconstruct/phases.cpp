@@ -20,9 +20,7 @@
 
 namespace tetloft::internal {
 
-namespace {
-
-[[nodiscard]] std::optional<Error> check_options(const ReconstructOptions& options) {
+std::optional<Error> check_options(const ReconstructOptions& options) {
   const Result<void> sensible = check_correspondence_options(options.correspondence);
   if (!sensible) return sensible.error();
   if (!is_enumerator(options.ends, Ends::half)) {
@@ -37,6 +35,8 @@ namespace {
   if (!good) return good.error();
   return std::nullopt;
 }
+
+namespace {
 
 void warn_of_dropped(const StackCandidates& candidates,
                      const IdVector<SectionId, Nesting>& nestings, std::vector<Warning>& warnings) {
@@ -74,16 +74,26 @@ void warn(BuiltStack& built, const ReconstructOptions& options) {
   return std::nullopt;
 }
 
-// All of the plan but what is put between, of a stack prepared.
+[[nodiscard]] std::optional<Error> put_ends(BuiltStack& built, const ReconstructOptions& options) {
+  const PreparedStack& prepared = built.prepared;
+  std::vector<double> heights;
+  for (const Section& section : prepared.stack.sections) heights.push_back(section.z);
+  const double thickness =
+      heights.size() == 1 ? single_thickness(prepared, options, built.warnings) : 0;
+  Result<EndPlanes> ends = place_ends(heights, options.ends, thickness);
+  if (!ends) return ends.error();
+  built.plan.ends = *ends;
+  return std::nullopt;
+}
+
+// All of the plan but what is put between, of a stack prepared, or a window.
 [[nodiscard]] std::optional<Error> decide(BuiltStack& built, Decision& decision,
-                                          const ReconstructOptions& options, WatchedWork& work) {
+                                          const ReconstructOptions& options,
+                                          const WatchedWork& work) {
   PreparedStack& prepared = built.prepared;
   Plan& plan = built.plan;
   StepClock clock(built.seconds);
   plan.exponent = prepared.exponent;
-  Result<EndPlanes> ends = place_ends(prepared, options, built.warnings);
-  if (!ends) return ends.error();
-  plan.ends = *ends;
   Result<Correspondence> decided = decision.make(all_ids<SlabId>(prepared.slab_count()), work);
   if (!decided) return decided.error();
   plan.correspondence = std::move(*decided);
@@ -151,8 +161,10 @@ Result<BuiltStack> build_stack(Unit unit, const GivenStack& stack,
   if (!prepared) return prepared.error();
   built.prepared = std::move(*prepared);
   clock.end(Step::sections);
+  auto error = put_ends(built, options);
+  if (error) return in_unit_given(*std::move(error), built.prepared.exponent);
   Decision decision(built.prepared, options);
-  auto error = decide(built, decision, options, work);
+  error = decide(built, decision, options, work);
   if (!error) error = put_between(built, options, work);
   if (!error) error = build(built, &decision, options, work);
   if (error) return in_unit_given(*std::move(error), built.prepared.exponent);
@@ -171,11 +183,26 @@ Result<BuiltStack> plan_stack(Unit unit, const GivenStack& stack, const Reconstr
   if (!prepared) return prepared.error();
   planned.prepared = std::move(*prepared);
   clock.end(Step::sections);
-  Decision decision(planned.prepared, options);
-  auto error = decide(planned, decision, options, work);
+  auto error = put_ends(planned, options);
   if (error) return in_unit_given(*std::move(error), planned.prepared.exponent);
+  error = decide_window(planned, options, work);
+  if (error) return *error;
   warn(planned, options);
   return planned;
+}
+
+bool decides_in_windows(const ReconstructOptions& options) {
+  const CorrespondenceOptions& rule = options.correspondence;
+  return rule.criterion != Criterion::reverse && rule.labels.empty() && rule.decisions.empty() &&
+         rule.voids.labels.empty() && rule.voids.decisions.empty();
+}
+
+std::optional<Error> decide_window(BuiltStack& window, const ReconstructOptions& options,
+                                   const WatchedWork& work) {
+  Decision decision(window.prepared, options);
+  auto error = decide(window, decision, options, work);
+  if (error) return in_unit_given(*std::move(error), window.prepared.exponent);
+  return std::nullopt;
 }
 
 std::optional<Error> build_window(BuiltStack& window, const ReconstructOptions& options,

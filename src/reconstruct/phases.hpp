@@ -2,6 +2,7 @@
 // between, build; and glue.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <type_traits>
@@ -49,6 +50,29 @@ struct BuiltStack {
 /// conforming only by Criterion::reverse.
 [[nodiscard]] Result<BuiltStack> plan_stack(Unit unit, const GivenStack& stack,
                                             const ReconstructOptions& options, WatchedWork& work);
+/// Refused (usage) are options that there are not.
+[[nodiscard]] std::optional<Error> check_options(const ReconstructOptions& options);
+
+/// How many sections beyond its own ones a window takes, on each side where there are any, so that
+/// what is decided about its own sections, and the slabs at them, is what the whole stack would
+/// have decided, without labels and decisions, and but for the numbers of components.
+///
+/// Let the window have the slabs a - 4 … b + 3 and its own be a … b - 1. Candidates by the
+/// criterion rest on four sections, those beside the slab too (motion): they are those of the whole
+/// in slabs a - 3 … b + 2. Chains ask three slabs: right in a - 2 … b + 1. Lone regions ask the
+/// candidates of both slabs at their section, and link in these: all candidates, and so all links,
+/// are right in a - 1 … b. (Where nothing is asked for, every candidate that is made is a link:
+/// rules 5 and 6 of correspondence have no label to respect.) Voids ask the links of their slab,
+/// and by chains those of the slabs beside it: right in a … b - 1.
+inline constexpr std::size_t kDecisionHalo = 4;
+/// Decides about a stack, or a window (PreparedStack::of_whole).
+[[nodiscard]] std::optional<Error> decide_window(BuiltStack& window,
+                                                 const ReconstructOptions& options,
+                                                 const WatchedWork& work);
+/// Whether what is decided about a slab depends on nothing farther away than that: by labels,
+/// decisions and reverse tetrahedra it depends on the whole.
+[[nodiscard]] bool decides_in_windows(const ReconstructOptions& options);
+
 /// Conforms the sections of a planned window (window.hpp), puts between and builds its slabs, or
 /// leaves them open.
 [[nodiscard]] std::optional<Error> build_window(BuiltStack& window,

@@ -33,6 +33,12 @@ struct BeyondWindow {
   std::vector<Link> links;  ///< of that slab's regions, accepted
 };
 
+/// What is decided about voids rests on more than a window.
+struct OfWhole {
+  double far_outside = 0;  ///< sections/complement.hpp
+  bool has_hole = false;
+};
+
 struct PreparedStack {
   SectionStack stack;  ///< times 2^exponent
   int exponent = 0;
@@ -48,6 +54,8 @@ struct PreparedStack {
   /// Of a window of a longer stack: the number of its first section there, and the sections beyond
   /// it.
   std::size_t first_section = 0;
+  /// And of one that is decided about.
+  std::optional<OfWhole> of_whole;
   std::optional<BeyondWindow> beyond_below;
   std::optional<BeyondWindow> beyond_above;
 

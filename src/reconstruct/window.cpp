@@ -210,23 +210,30 @@ StackFacts facts_of(const BuiltStack& planned) {
   return facts;
 }
 
-IdVector<SectionId, SectionPlan> section_plans(const BuiltStack& planned) {
+SectionPlan section_plan(const BuiltStack& planned, SectionId s) {
   const Plan& plan = planned.plan;
-  IdVector<SectionId, SectionPlan> plans(planned.prepared.section_count());
-  for (const SectionId s : plans.ids()) {
-    plans[s].section = planned.prepared.stack.sections[s];
-    plans[s].regions = components_of(plan.correspondence, s);
-    if (plan.voids) plans[s].voids = components_of(*plan.voids, s);
-  }
-  for (const SlabId slab : plan.correspondence.links.ids()) {
-    SectionPlan& of_slab = plans[lower_section(slab)];
-    of_slab.region_links = decision_of(plan.correspondence, slab);
-    if (plan.voids) of_slab.void_links = decision_of(*plan.voids, slab);
-  }
-  for (RegionMotion motion : plan.motions) {
-    std::vector<RegionMotion>& of_slab = plans[lower_section(motion.slab)].motions;
-    motion.slab = SlabId(0);
-    of_slab.push_back(motion);
+  SectionPlan of_section;
+  of_section.section = planned.prepared.stack.sections[s];
+  of_section.regions = components_of(plan.correspondence, s);
+  if (plan.voids) of_section.voids = components_of(*plan.voids, s);
+  if (s.index() == planned.prepared.slab_count()) return of_section;
+  const SlabId slab(s.index());
+  of_section.region_links = decision_of(plan.correspondence, slab);
+  if (plan.voids) of_section.void_links = decision_of(*plan.voids, slab);
+  const auto in_order = [](const RegionMotion& a, const RegionMotion& b) {
+    return a.slab < b.slab;
+  };
+  const auto [first, end] = std::equal_range(plan.motions.begin(), plan.motions.end(),
+                                             RegionMotion{slab, false, {}, {}}, in_order);
+  of_section.motions.assign(first, end);
+  for (RegionMotion& motion : of_section.motions) motion.slab = SlabId(0);
+  return of_section;
+}
+
+IdVector<SectionId, SectionPlan> section_plans(const BuiltStack& planned) {
+  IdVector<SectionId, SectionPlan> plans;
+  for (std::size_t s = 0; s < planned.prepared.section_count(); ++s) {
+    plans.push_back(section_plan(planned, SectionId(s)));
   }
   return plans;
 }

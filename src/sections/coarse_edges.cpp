@@ -72,46 +72,20 @@ double perimeter_of(const std::vector<Edge>& edges) {
 bool is_coarse(const Contour& contour) { return contour.vertices.size() <= kFewVertices; }
 
 // Half of the length of all lies in ones of at most this.
-double usual(std::vector<double> lengths) {
-  std::sort(lengths.begin(), lengths.end());
-  const double all = sum_of_sorted(lengths);
+double usual(const EdgeTally::Increasing& lengths) {
+  double all = 0;
+  lengths([&](double length) {
+    all += length;
+    return true;
+  });
   double sum = 0;
-  for (const double length : lengths) {
+  double found = 0;
+  lengths([&](double length) {
     sum += length;
-    if (2 * sum >= all) return length;
-  }
-  return 0;
-}
-
-// How many of something are coarse, of how many.
-struct Share {
-  std::size_t coarse = 0;
-  std::size_t all = 0;
-  [[nodiscard]] bool is_half() const { return 2 * coarse >= all; }
-};
-
-Share coarse_vertices(const Section& section) {
-  Share share;
-  for (const Contour& contour : section.contours) {
-    share.all += contour.vertices.size();
-    if (is_coarse(contour)) share.coarse += contour.vertices.size();
-  }
-  return share;
-}
-
-// Do half of its vertices lie on coarse contours, or in half of its sections half of them?
-bool is_coarse(const SectionStack& stack) {
-  Share vertices;
-  Share sections;
-  for (const Section& section : stack.sections) {
-    if (section.contours.empty()) continue;
-    const Share here = coarse_vertices(section);
-    vertices.coarse += here.coarse;
-    vertices.all += here.all;
-    sections.coarse += here.is_half() ? 1U : 0U;
-    ++sections.all;
-  }
-  return vertices.is_half() || sections.is_half();
+    found = length;
+    return 2 * sum < all;
+  });
+  return found;
 }
 
 // The contours of a section, to ask what lies on them.
@@ -218,19 +192,50 @@ std::vector<std::uint8_t> long_edges(const std::vector<Edge>& edges, double leas
 
 }  // namespace
 
-double least_long_edge(const SectionStack& stack) {
-  std::vector<double> lengths;
-  for (const Section& section : stack.sections) {
-    for (const Contour& contour : section.contours) {
-      if (is_coarse(contour)) continue;
-      const std::vector<Edge> edges = edges_of(contour);
-      const double perimeter = perimeter_of(edges);
-      for (const Edge& edge : edges) {
-        if (edge.length < kLongShare * perimeter) lengths.push_back(edge.length);
-      }
+CoarseShare coarse_vertices(const Section& section) {
+  CoarseShare share;
+  for (const Contour& contour : section.contours) {
+    share.all += contour.vertices.size();
+    if (is_coarse(contour)) share.coarse += contour.vertices.size();
+  }
+  return share;
+}
+
+void EdgeTally::add(const Section& section, const std::function<void(double)>& keep) {
+  if (section.contours.empty()) return;
+  const CoarseShare here = coarse_vertices(section);
+  vertices_.add(here);
+  sections_.coarse += here.is_half() ? 1U : 0U;
+  ++sections_.all;
+  for (const Contour& contour : section.contours) {
+    if (is_coarse(contour)) continue;
+    const std::vector<Edge> edges = edges_of(contour);
+    const double perimeter = perimeter_of(edges);
+    for (const Edge& edge : edges) {
+      if (edge.length < kLongShare * perimeter) keep(edge.length);
     }
   }
-  return (is_coarse(stack) ? kTimesInCoarse : kTimesInDense) * usual(std::move(lengths));
+}
+
+// Coarse is a stack where half of all vertices lie on coarse contours, or in half of its sections
+// half of them.
+double EdgeTally::least_long(const Increasing& lengths) const {
+  const bool coarse = vertices_.is_half() || sections_.is_half();
+  return (coarse ? kTimesInCoarse : kTimesInDense) * usual(lengths);
+}
+
+double least_long_edge(const SectionStack& stack) {
+  EdgeTally tally;
+  std::vector<double> lengths;
+  for (const Section& section : stack.sections) {
+    tally.add(section, [&](double length) { lengths.push_back(length); });
+  }
+  std::sort(lengths.begin(), lengths.end());
+  return tally.least_long([&](const std::function<bool(double)>& visit) {
+    for (const double length : lengths) {
+      if (!visit(length)) return;
+    }
+  });
 }
 
 std::vector<EdgeDivision> divide_coarse_edges(const Section& section,

@@ -46,15 +46,25 @@ IdVector<ContourId, RegionId> voids_by(const std::vector<ContourId>& holes,
 
 }  // namespace
 
+double largest_magnitude(const Section& section) {
+  double largest = 0;
+  for (const Contour& contour : section.contours) {
+    for (const Point2& p : contour.vertices) {
+      largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+    }
+  }
+  return largest;
+}
+
 double far_outside(const SectionStack& stack) {
   double largest = 0;
   for (const Section& section : stack.sections) {
-    for (const Contour& contour : section.contours) {
-      for (const Point2& p : contour.vertices) {
-        largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
-      }
-    }
+    largest = std::max(largest, largest_magnitude(section));
   }
+  return far_outside(largest);
+}
+
+double far_outside(double largest) {
   if (largest == 0) return 1;
   int exponent = 0;
   const double fraction = std::frexp(largest, &exponent);  // in [1/2, 1)

@@ -25,6 +25,10 @@ struct Complement {
 /// Half the side of a square, about the origin, that is far larger than a stack: a power of two at
 /// least four times its largest coordinate, so that areas beyond it dwarf those within.
 [[nodiscard]] double far_outside(const SectionStack& stack);
+/// The same of the largest magnitudes of stacks' or sections' coordinates.
+[[nodiscard]] double far_outside(double largest);
+/// Of x and y.
+[[nodiscard]] double largest_magnitude(const Section& section);
 
 /// Requires a valid section, its nesting, and far_outside() of its stack. Near-linear.
 [[nodiscard]] Complement complement_of(const Section& section, const Nesting& nesting,

@@ -4,14 +4,16 @@
 
 namespace tetloft::internal::sections {
 
+void include(const Section& section, UnitOfLength& unit) {
+  unit.include(section.z);
+  for (const Contour& contour : section.contours) {
+    for (const Point2& p : contour.vertices) unit.include(p);
+  }
+}
+
 UnitOfLength unit_of(const SectionStack& stack) {
   UnitOfLength unit;
-  for (const Section& section : stack.sections) {
-    unit.include(section.z);
-    for (const Contour& contour : section.contours) {
-      for (const Point2& p : contour.vertices) unit.include(p);
-    }
-  }
+  for (const Section& section : stack.sections) include(section, unit);
   return unit;
 }
 
@@ -23,12 +25,17 @@ Section scaled_in_plane(const Section& section, int exponent) {
   return result;
 }
 
+Section scaled(const Section& section, int exponent) {
+  Section result = scaled_in_plane(section, exponent);
+  result.z = std::ldexp(section.z, exponent);
+  return result;
+}
+
 SectionStack scaled(const SectionStack& stack, int exponent) {
   SectionStack result;
   result.sections.reserve(stack.sections.size());
   for (const Section& section : stack.sections) {
-    result.sections.push_back(scaled_in_plane(section, exponent));
-    result.sections.raw().back().z = std::ldexp(section.z, exponent);
+    result.sections.push_back(scaled(section, exponent));
   }
   return result;
 }

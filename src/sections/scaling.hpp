@@ -7,11 +7,14 @@
 
 namespace tetloft::internal::sections {
 
+/// Makes all its coordinates numbers of the unit.
+void include(const Section& section, UnitOfLength& unit);
 /// The unit of all coordinates.
 [[nodiscard]] UnitOfLength unit_of(const SectionStack& stack);
 
 /// All coordinates times 2^exponent.
 [[nodiscard]] SectionStack scaled(const SectionStack& stack, int exponent);
+[[nodiscard]] Section scaled(const Section& section, int exponent);
 /// The same of the contours; z stays as it is.
 [[nodiscard]] Section scaled_in_plane(const Section& section, int exponent);
 

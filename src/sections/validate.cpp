@@ -117,25 +117,24 @@ std::string number(double value) {
 }
 
 // What to do about heights that do not increase.
-std::string order_remedy(const SectionStack& stack, bool same) {
+std::string order_remedy(const std::vector<double>& heights, bool same) {
   if (same) return "put all contours of one height into one section";
-  const std::vector<Section>& sections = stack.sections.raw();
-  const auto rise = std::adjacent_find(sections.begin(), sections.end(),
-                                       [](const auto& a, const auto& b) { return !(a.z > b.z); });
-  return rise == sections.end() ? "the sections descend; put them in the opposite order"
-                                : "the sections are not sorted; put them in the order of their z";
+  const auto rise = std::adjacent_find(heights.begin(), heights.end(),
+                                       [](double a, double b) { return !(a > b); });
+  return rise == heights.end() ? "the sections descend; put them in the opposite order"
+                               : "the sections are not sorted; put them in the order of their z";
 }
 
-std::optional<std::string> height_defect(const SectionStack& stack, std::size_t s) {
-  const double z = stack.sections[SectionId(s)].z;
+std::optional<std::string> height_defect(const std::vector<double>& heights, std::size_t s) {
+  const double z = heights[s];
   if (const char* reason = coordinate_reason(z)) {
     return std::string("z: ") + reason + " (" + number(z) + ')';
   }
   if (s == 0) return std::nullopt;
-  const double below = stack.sections[SectionId(s - 1)].z;
+  const double below = heights[s - 1];
   if (z > below) return std::nullopt;
   return "z does not increase (" + number(z) + " after " + number(below) +
-         "): " + order_remedy(stack, z == below);
+         "): " + order_remedy(heights, z == below);
 }
 
 Error error_at(const Section& section, std::size_t s, const Defect& defect) {
@@ -150,18 +149,31 @@ Error error_at(const Section& section, std::size_t s, const Defect& defect) {
   return error;
 }
 
-std::optional<Error> section_error(const SectionStack& stack, std::size_t s, Nesting& nesting) {
-  const Section& section = stack.sections[SectionId(s)];
-  if (const auto reason = height_defect(stack, s)) {
-    Error error{ErrorCode::invalid_input, *reason, {}};
-    error.where.section = s;
-    return error;
-  }
-  if (const auto defect = contour_defect(section, nesting)) return error_at(section, s, *defect);
-  return std::nullopt;
+}  // namespace
+
+std::optional<Error> sections::height_error(const std::vector<double>& heights, std::size_t s) {
+  const auto reason = height_defect(heights, s);
+  if (!reason) return std::nullopt;
+  Error error{ErrorCode::invalid_input, *reason, {}};
+  error.where.section = s;
+  return error;
 }
 
-}  // namespace
+Result<Nesting> sections::nest_section_if_valid(const Section& section, std::size_t s) {
+  Nesting nesting;
+  if (const auto defect = contour_defect(section, nesting)) return error_at(section, s, *defect);
+  return nesting;
+}
+
+Error sections::no_section_error() {
+  return {ErrorCode::invalid_input, "the stack has no section", {}};
+}
+
+Error sections::no_contour_error() {
+  Error error{ErrorCode::invalid_input, "the stack has no contour: all its sections are empty", {}};
+  error.where.section = 0;
+  return error;
+}
 
 std::size_t SectionStack::contour_count() const {
   std::size_t count = 0;
@@ -180,9 +192,9 @@ std::size_t SectionStack::vertex_count() const {
 Result<IdVector<SectionId, Nesting>> sections::nest_if_valid(const SectionStack& stack,
                                                              WatchedWork& work) {
   if (Result<void> sound = fp_self_check(); !sound) return sound.error();
-  if (stack.sections.empty()) {
-    return Error{ErrorCode::invalid_input, "the stack has no section", {}};
-  }
+  if (stack.sections.empty()) return no_section_error();
+  std::vector<double> heights;
+  for (const Section& section : stack.sections) heights.push_back(section.z);
   IdVector<SectionId, Nesting> nestings(stack.sections.size());
   // Sections above a faulty one need no look: the lowest is reported.
   std::atomic<std::size_t> lowest{stack.sections.size()};
@@ -191,7 +203,15 @@ Result<IdVector<SectionId, Nesting>> sections::nest_if_valid(const SectionStack&
   parallel_for(stack.sections.size(), work.execution().threads, [&](std::size_t s) {
     if (s > lowest.load()) return;
     work.go_on();
-    std::optional<Error> error = section_error(stack, s, nestings[SectionId(s)]);
+    std::optional<Error> error = height_error(heights, s);
+    if (!error) {
+      Result<Nesting> nested = nest_section_if_valid(stack.sections[SectionId(s)], s);
+      if (nested) {
+        nestings[SectionId(s)] = *std::move(nested);
+      } else {
+        error = nested.error();
+      }
+    }
     work.step_done();
     if (!error) return;
     const std::lock_guard lock(told);
@@ -200,10 +220,8 @@ Result<IdVector<SectionId, Nesting>> sections::nest_if_valid(const SectionStack&
     of_lowest = std::move(error);
   });
   if (of_lowest) return *std::move(of_lowest);
-  if (stack.contour_count() > 0) return nestings;
-  Error error{ErrorCode::invalid_input, "the stack has no contour: all its sections are empty", {}};
-  error.where.section = 0;
-  return error;
+  if (stack.contour_count() == 0) return no_contour_error();
+  return nestings;
 }
 
 Result<IdVector<SectionId, Nesting>> nest_if_valid(const SectionStack& stack,

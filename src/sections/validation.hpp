@@ -1,7 +1,10 @@
 // validate() as a part of longer work.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include <tetloft/nesting.hpp>
 #include <tetloft/result.hpp>
@@ -18,6 +21,16 @@ namespace tetloft::internal::sections {
                                                                  WatchedWork& work);
 /// The same without nestings: validate() that tells a step of `work` for each section.
 [[nodiscard]] Result<void> validate_within(const SectionStack& stack, WatchedWork& work);
+
+/// validate() of one section: its nesting, or its first defect, as of section `s` of its stack. How
+/// high it lies is not looked at.
+[[nodiscard]] Result<Nesting> nest_section_if_valid(const Section& section, std::size_t s);
+/// Why the height of section `s` is none, or not above the one below; of all sections, or as many
+/// as are known, for the remedy.
+[[nodiscard]] std::optional<Error> height_error(const std::vector<double>& heights, std::size_t s);
+[[nodiscard]] Error no_section_error();
+/// Of a stack whose sections all are empty.
+[[nodiscard]] Error no_contour_error();
 
 /// For those who have the nestings of nest_if_valid(), and the stack as it was then.
 struct ValidStackMaker {
