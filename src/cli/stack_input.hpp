@@ -13,6 +13,7 @@
 #include "cli/console.hpp"
 #include "cli/mending_options.hpp"
 #include "cli/read_options.hpp"
+#include "pieces/section_store.hpp"
 
 namespace tetloft::cli {
 
@@ -59,6 +60,13 @@ struct StackInput {
     return valid != nullptr ? valid->stack() : std::get<SectionStack>(given);
   }
 };
+
+/// take() of the stack, as pieces::stage_plan() and its like are given it.
+template <class Take>
+auto with_given(const StackInput& input, const Take& take) {
+  if (input.opened) return take(internal::pieces::GivenSections{*input.opened->sections});
+  return std::visit(take, input.given);
+}
 
 /// Checks the options' values without touching a file. Labels and decisions stay empty.
 [[nodiscard]] Result<CorrespondenceOptions> correspondence_options(const Arguments& arguments,
