@@ -1,4 +1,5 @@
 // Writing files of whichever format, and their bytes.
+#include <cmath>
 #include <functional>
 #include <string>
 #include <utility>
@@ -76,7 +77,12 @@ Written write_placed(Sink& sink, const Model& model, const Target& target, Model
   if (Result<void> formed = check_well_formed(model); !formed) return formed.error();
   if (model.frame == Frame{}) return write(sink, model, target);
   Model placed = model;
-  for (Point3& p : placed.points) p = place(model.frame, p);
+  for (Point3& p : placed.points) {
+    p = place(model.frame, p);
+    if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) continue;
+    return Error{
+        ErrorCode::unrepresentable, "the frame places a vertex where no doubles reach", {}};
+  }
   Target told = target;
   told.stack_points = &model.points;
   return write(sink, placed, told);

@@ -199,7 +199,7 @@ Result<PlanHead> plan_head_from_record(std::string_view bytes, const std::string
     in.require(head.facts.sections > 0, "has no section");
     in.require(head.facts.components <= head.contours, "has more components than contours");
     in.require(head.component_names.empty() || head.component_names.size() == head.facts.components,
-               "has names of other components");
+               "names other components than it counts");
     in.require(std::abs(std::int64_t{head.facts.exponent}) <= kLargestExponent,
                "has a unit that no stack has");
     if (Result<void> read = in.end(); !read) return read.error();

@@ -1,7 +1,6 @@
 #include "reconstruct/window.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <utility>
 
@@ -58,10 +57,10 @@ class WindowMaker {
     for (std::size_t k = 0; k < plans.size(); ++k) {
       if (auto error = add_section(slabs_.first + k, plans[k])) return *error;
     }
+    if (auto error = check_ends()) return *error;
     for (std::size_t k = 0; k + 1 < plans.size(); ++k) {
       if (auto error = add_slab(SlabId(k), plans[k])) return *error;
     }
-    if (auto error = check_ends()) return *error;
     if (below) {
       if (auto error = add_below(*std::move(below))) return *error;
     }
@@ -75,6 +74,18 @@ class WindowMaker {
   }
 
  private:
+  [[nodiscard]] std::optional<Error> check_ends() const {
+    const EndPlanes& ends = window_.plan.ends;
+    const auto& sections = window_.prepared.stack.sections.raw();
+    if (ends.below && !(*ends.below < sections.front().z)) {
+      return no_fit(slabs_.first, "is not above the end below it");
+    }
+    if (ends.above && !(*ends.above > sections.back().z)) {
+      return no_fit(slabs_.end, "is not below the end above it");
+    }
+    return std::nullopt;
+  }
+
   // A section of the whole that is valid, of the regions that its plan tells of.
   [[nodiscard]] Result<Nesting> nesting_of(std::size_t s, const SectionPlan& plan) const {
     Nesting nesting;
@@ -180,19 +191,6 @@ class WindowMaker {
     }
     window_.prepared.beyond_above = {std::move(plan.section), *std::move(nesting),
                                      std::move(decision.links)};
-    return std::nullopt;
-  }
-
-  // The prisms beyond the stack end beyond it, at finite heights.
-  [[nodiscard]] std::optional<Error> check_ends() const {
-    const IdVector<SectionId, Section>& sections = window_.prepared.stack.sections;
-    const auto& [below, above] = window_.plan.ends;
-    if (below && !(std::isfinite(*below) && *below < sections.raw().front().z)) {
-      return no_fit(slabs_.first, "is not above the plane where its prisms end");
-    }
-    if (above && !(std::isfinite(*above) && *above > sections.raw().back().z)) {
-      return no_fit(slabs_.end, "is not below the plane where its prisms end");
-    }
     return std::nullopt;
   }
 

@@ -95,6 +95,19 @@ TEST(WriteVtu, RefusesArraysOfWrongLength) {
   EXPECT_TRUE(folder.names().empty());
 }
 
+// Which no reader would take.
+TEST(WriteVtu, RefusesVerticesThatTheFramePlacesNowhere) {
+  Model model;
+  model.points.raw() = {{2, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}};
+  model.tets.raw() = {{VertexId(0), VertexId(1), VertexId(2), VertexId(3)}};
+  model.frame.axes[0].x = 0x1p1022;
+  EXPECT_TRUE(format_vtu(model).ok());
+  model.frame.axes[0].x = 0x1p1023;
+  const auto refused = format_vtu(model);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().code, ErrorCode::unrepresentable);
+}
+
 TEST(WriteVtu, TellsWhatCannotBeWritten) {
   TempFolder folder;
   const auto written = write_vtu(folder.file("none/m.vtu"), test::hard_model());

@@ -41,17 +41,17 @@ TEST(PlanHead, OfAUnitThatNoStackHasIsRefused) {
   }
 }
 
-TEST(PlanHead, OfComponentsThatItsContoursAreNotIsRefused) {
+TEST(PlanHead, ThatCountsComponentsOtherwiseThanItNamesThemIsRefused) {
   PlanHead head = some_head();
-  head.contours = 2;
-  head.facts.components = 2;
+  head.contours = head.facts.components = 2;
   EXPECT_TRUE(plan_head_from_record(to_record(head), "name").ok());
-  head.component_names.push_back("a");
-  EXPECT_FALSE(plan_head_from_record(to_record(head), "name").ok());
-  head.component_names.push_back("b");
+  head.component_names.raw() = {"a", "b"};
   EXPECT_TRUE(plan_head_from_record(to_record(head), "name").ok());
-  head.facts.components = 3;
-  head.component_names.clear();
+  for (const std::size_t components : {std::size_t{1}, std::size_t{3}}) {
+    head.facts.components = components;
+    EXPECT_FALSE(plan_head_from_record(to_record(head), "name").ok()) << components;
+  }
+  head.component_names.clear();  // more than contours
   EXPECT_FALSE(plan_head_from_record(to_record(head), "name").ok());
 }
 

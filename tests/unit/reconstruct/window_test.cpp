@@ -4,9 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -230,45 +228,58 @@ TEST(Windows, RefuseSectionsBeyondThatDoNotFit) {
   }
 }
 
-void expect_no_window(const Result<BuiltStack>& window, std::size_t section) {
-  ASSERT_FALSE(window);
-  EXPECT_EQ(window.error().code, ErrorCode::invalid_input);
-  EXPECT_EQ(window.error().where.section, section) << to_string(window.error());
-}
-
-TEST(Windows, RefuseEndsWithinTheStackAndComponentsThatThereAreNot) {
-  const SectionStack stack =
-      stack_of_boxes({{box(0, 0, 4, 2)}, {box(1, 0, 6, 2)}, {box(1, 0, 6, 2)}});
+// Likewise: slabs beyond the ends would be turned inside out.
+TEST(Windows, RefuseEndsInsideTheStack) {
+  const SectionStack stack = stack_of_boxes({{box(0, 0, 4, 2)}, {box(1, 0, 6, 2)}});
   ReconstructOptions options;
   options.ends = Ends::half;
   WatchedWork work(options.execution, 0);
   const Result<BuiltStack> planned = plan_stack(Unit::as_given, stack, options, work);
   ASSERT_TRUE(planned) << to_string(planned.error());
-  const StackFacts facts = facts_of(*planned);
-  const IdVector<SectionId, SectionPlan> plans = section_plans(*planned);
-  const auto all = [&](const StackFacts& forged, const IdVector<SectionId, SectionPlan>& of) {
-    return window_of(forged, {0, 2}, of.raw(), {}, {});
+  const auto window_with = [&](const EndPlanes& ends) {
+    StackFacts facts = facts_of(*planned);
+    facts.ends = ends;
+    const IdVector<SectionId, SectionPlan> plans = section_plans(*planned);
+    return window_of(facts, {0, 1}, plans.raw(), std::nullopt, std::nullopt);
   };
-  ASSERT_TRUE(all(facts, plans));
-  const double none = std::numeric_limits<double>::infinity();
-  for (const double z : {stack.sections[SectionId(0)].z, 0.5, none, -none, std::nan("")}) {
-    StackFacts forged = facts;
-    forged.ends.below = z;
-    expect_no_window(all(forged, plans), 0);
+  EXPECT_TRUE(window_with({-0.5, 1.5}));
+  EXPECT_TRUE(window_with({}));
+  const std::vector<std::pair<std::size_t, EndPlanes>> forgeries{
+      {0, {0, 1.5}}, {0, {0.25, 1.5}}, {1, {-0.5, 1}}, {1, {-0.5, 0.25}}};
+  for (const auto& [section, ends] : forgeries) {
+    const Result<BuiltStack> window = window_with(ends);
+    ASSERT_FALSE(window);
+    EXPECT_EQ(window.error().code, ErrorCode::invalid_input);
+    EXPECT_EQ(window.error().where.section, section);
   }
-  for (const double z : {stack.sections[SectionId(2)].z, 0.5, none, -none, std::nan("")}) {
-    StackFacts forged = facts;
-    forged.ends.above = z;
-    expect_no_window(all(forged, plans), 2);
-  }
+}
+
+// Models are as large as the numbers of their components.
+TEST(Windows, RefuseComponentsThatThereAreNot) {
+  const SectionStack stack = stack_of_boxes({{box(0, 0, 4, 2)}, {box(1, 0, 6, 2)}});
+  const ReconstructOptions options;
+  WatchedWork work(options.execution, 0);
+  const Result<BuiltStack> planned = plan_stack(Unit::as_given, stack, options, work);
+  ASSERT_TRUE(planned) << to_string(planned.error());
+  const auto window_with = [&](const std::function<void(SectionComponents&)>& forge) {
+    IdVector<SectionId, SectionPlan> plans = section_plans(*planned);
+    forge(plans[SectionId(1)].regions);
+    return window_of(facts_of(*planned), {0, 1}, plans.raw(), std::nullopt, std::nullopt);
+  };
+  EXPECT_TRUE(window_with([](SectionComponents&) {}));
   for (const std::uint32_t c : {1U, 0xFFFFFFFEU}) {
-    ASSERT_EQ(facts.components, 1U);
-    IdVector<SectionId, SectionPlan> forged = plans;
-    forged[SectionId(1)].regions.of_region[RegionId(0)] = ComponentId(c);
-    expect_no_window(all(facts, forged), 1);
-    forged = plans;
-    forged[SectionId(2)].regions.of_contour[ContourId(0)] = ComponentId(c);
-    expect_no_window(all(facts, forged), 2);
+    const std::function<void(SectionComponents&)> forge_region = [&](SectionComponents& of) {
+      of.of_region[RegionId(0)] = ComponentId(c);
+    };
+    const std::function<void(SectionComponents&)> forge_contour = [&](SectionComponents& of) {
+      of.of_contour[ContourId(0)] = ComponentId(c);
+    };
+    for (const auto& forge : {forge_region, forge_contour}) {
+      const Result<BuiltStack> window = window_with(forge);
+      ASSERT_FALSE(window) << c;
+      EXPECT_EQ(window.error().code, ErrorCode::invalid_input);
+      EXPECT_EQ(window.error().where.section, 1U);
+    }
   }
 }
 
