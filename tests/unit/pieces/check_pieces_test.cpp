@@ -211,6 +211,28 @@ void double_tet(Model& model, TetId t) {
   twice(model.kind);
 }
 
+// A small one in the middle of it, which touches nothing.
+void put_tet_inside(Model& model, TetId t) {
+  const TetVertices outer = model.tets[t];
+  Point3 middle{0, 0, 0};
+  for (const VertexId v : outer) {
+    const Point3& p = model.points[v];
+    middle = {middle.x + p.x / 4, middle.y + p.y / 4, middle.z + p.z / 4};
+  }
+  TetVertices inner{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Point3& p = model.points[outer[i]];
+    inner[i] =
+        model.points.push_back({middle.x + (p.x - middle.x) / 8, middle.y + (p.y - middle.y) / 8,
+                                middle.z + (p.z - middle.z) / 8});
+    model.section.push_back(SectionId());
+    model.contour.push_back(ContourId());
+    model.origin.push_back(PointOrigin::lifted);
+  }
+  double_tet(model, t);
+  model.tets[t] = inner;
+}
+
 struct Damage {
   const char* name;
   void (*make)(Damager&);
@@ -278,6 +300,7 @@ const std::vector<Damage> kDamages{
      }},
     {"a tet doubled", [](Damager& d) { double_tet(d.model(), d.some_tet()); }},
     {"a tet at a seam doubled", [](Damager& d) { double_tet(d.model(), d.seam_tet()); }},
+    {"a tet inside another", [](Damager& d) { put_tet_inside(d.model(), d.some_tet()); }},
     {"a tet with another vertex",
      [](Damager& d) { d.model().tets[d.some_tet()][d.below(4)] = d.some_vertex(); }},
     {"a tet at a seam with another vertex",
