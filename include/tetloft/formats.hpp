@@ -5,7 +5,9 @@
 // file, usage where an option, or an output's extension, names no format.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -19,6 +21,7 @@
 #include <tetloft/point.hpp>
 #include <tetloft/result.hpp>
 #include <tetloft/section_stack.hpp>
+#include <tetloft/section_stream.hpp>
 #include <tetloft/slice.hpp>
 
 namespace tetloft {
@@ -97,6 +100,15 @@ struct WriteOptions {
   std::string format = {};               ///< by name; empty: as the extension says
 };
 
+/// The sections of a file, one after the other.
+struct OpenedSections {
+  std::unique_ptr<SectionStream> sections;
+  std::size_t count = 0;  ///< how many there are
+  std::vector<Warning> warnings;
+  Labels labels = {};      ///< that the file gives its contours
+  bool in_memory = false;  ///< all of it was read
+};
+
 struct ReadModel {
   Model model;
   std::vector<Warning> warnings;
@@ -133,6 +145,17 @@ struct Formatted {
 [[nodiscard]] TETLOFT_API Result<ReadValidStack> parse_valid_stack(std::string_view bytes,
                                                                    const std::string& name,
                                                                    const ReadOptions& options = {});
+/// The sections that read_stack() reads, bit for bit, with its warnings and its errors, each in its
+/// words, all when it is opened: a file that is faulty is refused here. A .cnt is then read once
+/// more, section by section: memory of some sections, whatever their number, but for 32 bytes each;
+/// and the file, which stays open, may be larger than kLargestFile. Where it has changed meanwhile,
+/// next() ends with an error, io, or what is wrong with it now. Read as a whole, and handed out
+/// from memory, is what is no regular file, of another format (volumes too: which sections they
+/// have the last slice tells), or to be closed on the frame; with Validity::unchecked; and a .cnt
+/// whose numbers are not plainly pairs, for which the counts of all sections have to be looked at
+/// again.
+[[nodiscard]] TETLOFT_API Result<OpenedSections> open_sections(const std::string& path,
+                                                               const ReadOptions& options = {});
 [[nodiscard]] TETLOFT_API Result<std::vector<Warning>> write_stack(
     const std::string& path, const SectionStack& stack, const WriteOptions& options = {});
 [[nodiscard]] TETLOFT_API Result<Formatted> format_stack(const SectionStack& stack,

@@ -86,7 +86,8 @@ Result<Arguments> Arguments::parse(const Usage& usage, const std::vector<std::st
     }
   }
   const std::size_t expected = usage.operands.size();
-  if (arguments.operands_.size() < expected && !arguments.has("--help")) {
+  const bool spared = arguments.has(usage.spared) && arguments.operands_.empty();
+  if (arguments.operands_.size() < expected && !spared && !arguments.has("--help")) {
     return usage_error("missing " + usage.operands[arguments.operands_.size()] + see_help(usage));
   }
   const std::size_t most = expected + usage.further.size();

@@ -26,13 +26,14 @@ struct Option {
 struct Usage {
   std::string_view command;
   std::string_view summary;
-  std::vector<std::string> operands;  ///< all are required
+  std::vector<std::string> operands;  ///< all are required, but see `spared`
   std::vector<Option> options;
   std::string notes;  ///< further help, one paragraph
   /// Of a command whose operand is a word: those that there are.
   std::vector<std::string> words = {};
   std::vector<std::string> further = {};  ///< operands that may follow
   bool repeats = false;                   ///< the last operand may be given several times
+  std::string_view spared = {};           ///< an option that stands for all operands
 
   /// All operands, for help, each behind a space: " IN [OUT]", " MODEL...".
   [[nodiscard]] std::string operand_line() const;

@@ -104,7 +104,6 @@ void take_labels(Labels labels, CorrespondenceOptions& options) {
 
 Result<void> read_label_option(const Arguments& arguments, const StackInput& input,
                                CorrespondenceOptions& options) {
-  const SectionStack& stack = input.stack();
   const auto path = arguments.text("--labels");
   if (!path) {
     Labels labels = input.labels;
@@ -112,6 +111,7 @@ Result<void> read_label_option(const Arguments& arguments, const StackInput& inp
     take_labels(std::move(labels), options);
     return {};
   }
+  const SectionStack& stack = input.stack();
   Result<Labels> read = read_labels(*path);
   if (!read) return read.error();
   for (const Label& label : read->labels) {

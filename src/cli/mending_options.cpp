@@ -179,13 +179,23 @@ RepairReport report_of(const Repaired& repaired, FillRule fill) {
 
 }  // namespace
 
-void warn_of_reader(const SectionStack& stack, const std::vector<Warning>& warnings,
-                    const Mending& mending, Console& console) {
-  const std::vector<Warning> gaps = suspicious_gaps(stack);
+namespace {
+
+// One of suspicious_gaps(), as it ends.
+bool is_of_gap(const Warning& warning) {
+  constexpr std::string_view kEnd =
+      "one slice written as two planes; if so, put its contours into "
+      "one section";
+  const std::string_view message = warning.message;
+  return message.size() >= kEnd.size() && message.substr(message.size() - kEnd.size()) == kEnd;
+}
+
+}  // namespace
+
+void warn_of_reader(const std::vector<Warning>& warnings, const Mending& mending,
+                    Console& console) {
   for (Warning warning : warnings) {
-    const bool of_gap = std::any_of(gaps.begin(), gaps.end(), [&](const Warning& gap) {
-      return gap.message == warning.message;
-    });
+    const bool of_gap = is_of_gap(warning);
     if (of_gap && mending.planes) continue;
     if (of_gap) warning.message += kMergeRemedy;
     console.warn(warning);
@@ -197,7 +207,7 @@ Result<MendedStack> mend_read(const ReadStack& read, const std::string& path,
   MendedStack mended;
   mended.stack = read.stack;
   Lines lines = read.lines;
-  warn_of_reader(read.stack, read.warnings, mending, console);
+  warn_of_reader(read.warnings, mending, console);
   const auto warn_each = [&](const std::vector<Warning>& warnings, const char* what) {
     for (Warning warning : warnings) {
       locate_in(warning.where, path, lines);

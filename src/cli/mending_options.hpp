@@ -51,8 +51,7 @@ struct MendedStack {
 
 /// Warns of what the reader warned of, with the option that may help; but not of gaps between
 /// planes that are to be arranged.
-void warn_of_reader(const SectionStack& stack, const std::vector<Warning>& warnings,
-                    const Mending& mending, Console& console);
+void warn_of_reader(const std::vector<Warning>& warnings, const Mending& mending, Console& console);
 
 /// What was read from `path`, unchecked, mended; valid, unless nothing is left. Changes are told as
 /// warnings.

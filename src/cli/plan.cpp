@@ -29,7 +29,7 @@ Usage plan_usage() {
               "Decides what has to be decided over the whole stack, for building it in pieces.",
               {input_word("STACK", Contents::stack)},
               {{"--output", "PLAN", "the plan", "-o"}},
-              "A piece of the stack is built by `tetloft reconstruct STACK --plan PLAN --slabs A:B "
+              "A piece of the stack is built by `tetloft reconstruct --plan PLAN --slabs A:B "
               "-o PIECE.vtu`, on any machine, in any order; `tetloft join PIECES... -o OUT` makes "
               "of all pieces the solid that `tetloft reconstruct STACK -o OUT` makes with the "
               "options of the plan, bit for bit, however the stack was cut. The plan has the "
@@ -78,7 +78,7 @@ Result<int> run_plan(const Arguments& arguments, Console& console) {
   if (const auto labels = arguments.text("--labels")) taken.push_back(*labels);
   const Result<void> fine = check_output("--output (-o)", *output, {}, taken);
   if (!fine) return fine.error();
-  const auto input = read_stack_input(request->input, request->preparation, console);
+  const auto input = open_stack_input(arguments, request->input, request->preparation, console);
   if (!input) return input.error();
   const Result<void> labelled =
       read_label_option(arguments, *input, request->options.correspondence);
@@ -88,12 +88,10 @@ Result<int> run_plan(const Arguments& arguments, Console& console) {
   Result<internal::pieces::StagedPlan> plan = [&] {
     Progress progress(!console.quiet());
     request->options.execution.progress = progress.callback();
-    return std::visit(
-        [&](const auto& stack) {
-          return internal::pieces::stage_plan(*output, stack, request->options, *source,
-                                              temporary_watcher());
-        },
-        input->given);
+    return with_given(*input, [&](const auto& given) {
+      return internal::pieces::stage_plan(*output, given, request->options, *source,
+                                          temporary_watcher());
+    });
   }();
   if (!plan) return in_file(plan.error(), request->input);
   console.warn_of(request->input, plan->warnings);

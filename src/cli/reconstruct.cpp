@@ -45,6 +45,7 @@ Usage reconstruct_usage() {
       "in which a log of JSON lines tells of each. Run again, it goes on: what the log "
       "knows as done, input, options and output by their contents, is skipped. Those that "
       "fail keep none from being made; the exit code is that of the first."};
+  usage.spared = "--plan";
   for (const Option& option : stack_options()) usage.options.push_back(option);
   for (const Option& option : solid_options()) usage.options.push_back(option);
   for (const Option& option : batch_options()) usage.options.push_back(option);
@@ -56,7 +57,9 @@ Usage reconstruct_usage() {
                {},
                {"nonato", "geiger"}},
         Option{"--plan", "PLAN",
-               "build a piece of this plan of IN (tetloft plan), as it was decided there"},
+               "build a piece of this plan (tetloft plan), as it was decided there; IN, if given, "
+               "must be the "
+               "stack of the plan"},
         Option{
             "--slabs", "A:B",
             "with --plan: the piece's slabs, A to B - 1; slab k is between sections k and k + 1"},
@@ -182,15 +185,6 @@ Result<void> check_stream(const Arguments& arguments, const ReconstructRequest& 
   return {};
 }
 
-// make(stack), while its progress is shown.
-template <class Make>
-auto with_progress(const StackInput& input, ReconstructRequest& request, const Console& console,
-                   const Make& make) {
-  Progress progress(!console.quiet());
-  request.options.execution.progress = progress.callback();
-  return std::visit(make, input.given);
-}
-
 // The solid and its files, which have not appeared. Of a stream the model has its tables alone.
 struct Made {
   Reconstruction solid;
@@ -200,11 +194,14 @@ struct Made {
 Result<Made> make_streamed(const StackInput& input, ReconstructRequest& request, Seconds& seconds,
                            Console& console) {
   const Stopwatch making;
-  Result<internal::pieces::StagedStream> made =
-      with_progress(input, request, console, [&](const auto& stack) {
-        return internal::pieces::stage_streamed(*request.outputs.solid, stack, request.options,
-                                                request.outputs.encoding, temporary_watcher());
-      });
+  Result<internal::pieces::StagedStream> made = [&] {
+    Progress progress(!console.quiet());
+    request.options.execution.progress = progress.callback();
+    return with_given(input, [&](const auto& given) {
+      return internal::pieces::stage_streamed(*request.outputs.solid, given, request.options,
+                                              request.outputs.encoding, temporary_watcher());
+    });
+  }();
   if (!made) return in_file(made.error(), request.input);
   console.warn_of(request.input, made->warnings);
   seconds.write = making.seconds() - made->report.seconds_total;
@@ -217,9 +214,12 @@ Result<Made> make_streamed(const StackInput& input, ReconstructRequest& request,
 
 Result<Made> make_whole(const StackInput& input, ReconstructRequest& request, Seconds& seconds,
                         Console& console) {
-  Result<Reconstruction> result = with_progress(input, request, console, [&](const auto& stack) {
-    return reconstruct(stack, request.options);
-  });
+  Result<Reconstruction> result = [&] {
+    Progress progress(!console.quiet());
+    request.options.execution.progress = progress.callback();
+    return std::visit([&](const auto& stack) { return reconstruct(stack, request.options); },
+                      input.given);
+  }();
   if (!result) return in_file(result.error(), request.input);
   console.warn_of(request.input, result->warnings);
   if (request.verify) {
@@ -236,7 +236,7 @@ Result<Made> make_whole(const StackInput& input, ReconstructRequest& request, Se
 }
 
 Result<int> run_reconstruct(const Arguments& arguments, Console& console) {
-  if (names_many(arguments)) {
+  if (arguments.operand_count() > 0 && names_many(arguments)) {
     return reconstruct_batch(arguments, reconstruct_usage().options, console);
   }
   if (Result<void> fine = check_no_batch_options(arguments); !fine) return fine.error();
@@ -261,22 +261,26 @@ Result<int> run_reconstruct(const Arguments& arguments, Console& console) {
   }
   Seconds seconds;
   Stopwatch reading;
-  const auto input = read_stack_input(request->input, request->preparation, console);
+  const auto input =
+      stream ? open_stack_input(arguments, request->input, request->preparation, console)
+             : read_stack_input(request->input, request->preparation, console);
   if (!input) return input.error();
   const Result<void> labelled =
       read_label_option(arguments, *input, request->options.correspondence);
   if (!labelled) return labelled.error();
   seconds.read = reading.seconds();
-  if (request->options.thickness && input->stack().sections.size() > 1) {
+  if (request->options.thickness && input->section_count() > 1) {
     console.warn({"--thickness has no effect on more than one section", {}});
   }
 
   Result<Made> made = stream ? make_streamed(*input, *request, seconds, console)
                              : make_whole(*input, *request, seconds, console);
   if (!made) return made.error();
-  const Result<void> staged =
-      stage_repaired(request->outputs.repaired, input->stack(), made->files, console);
-  if (!staged) return staged.error();
+  if (!input->opened) {
+    const Result<void> staged =
+        stage_repaired(request->outputs.repaired, input->stack(), made->files, console);
+    if (!staged) return staged.error();
+  }
   seconds.total = all.seconds();
   std::string told;
   if (console.json()) {

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "cli/commands.hpp"
 #include "cli/engine_option.hpp"
@@ -72,9 +73,10 @@ Error another_stack(const std::string& input, const PlanSource& planned) {
   return error;
 }
 
-// The sections come from the plan: another stack would go unnoticed.
-Result<void> check_input(const std::string& input, const std::string& plan) {
-  if (input == "-") return {};
+// The sections come from the plan: another stack would go unnoticed. None may be given.
+Result<void> check_input(const std::optional<std::string>& given, const std::string& plan) {
+  if (!given || *given == "-") return {};
+  const std::string& input = *given;
   const Result<PlanSummary> planned = read_plan(plan);
   if (!planned) return planned.error();
   if (planned->source == PlanSource{}) return {};
@@ -136,10 +138,13 @@ Result<int> reconstruct_piece(const Arguments& arguments, const std::vector<Opti
   if (Result<void> fine = check_options(arguments, known); !fine) return fine.error();
   const Result<SlabRange> slabs = slabs_of(*arguments.text("--slabs"));
   if (!slabs) return slabs.error();
-  const std::string input = arguments.operand(0);
+  std::optional<std::string> input;
+  if (arguments.operand_count() > 0) input = arguments.operand(0);
   const std::string plan = *arguments.text("--plan");
   const std::string output = *arguments.text("--output");
-  Result<void> fine = check_output("--output (-o)", output, {".vtu"}, {input, plan});
+  std::vector<std::string> taken{plan};
+  if (input) taken.insert(taken.begin(), *input);
+  Result<void> fine = check_output("--output (-o)", output, {".vtu"}, taken);
   if (!fine) return fine.error();
   PieceOptions options;
   const auto encoding = encoding_of(arguments);
@@ -155,7 +160,7 @@ Result<int> reconstruct_piece(const Arguments& arguments, const std::vector<Opti
     return internal::pieces::stage_piece(output, plan, *slabs, options, temporary_watcher());
   }();
   if (!piece) return in_file(piece.error(), plan);
-  console.warn_of(input, piece->warnings);
+  console.warn_of(input.value_or(plan), piece->warnings);
   std::string told;
   if (console.json()) {
     told = json_of(*piece, output, console);

@@ -11,6 +11,7 @@
 #include "core/option_rules.hpp"
 #include "core/spelling.hpp"
 #include "io/numbers.hpp"
+#include "io/stack_files.hpp"
 #include "io/vtu_frame.hpp"
 #include "pieces/piece_file.hpp"
 
@@ -208,7 +209,7 @@ Result<StackInput> read_valid(const std::string& path, const ReadOptions& readin
                               Console& console) {
   Result<ReadValidStack> read = read_valid_stack(path, reading);
   if (!read) return with_remedy(read.error());
-  warn_of_reader(read->stack.stack(), read->warnings, {}, console);
+  warn_of_reader(read->warnings, {}, console);
   StackInput input;
   input.name = read->stack.stack().about.name;
   input.unit = read->stack.stack().about.unit;
@@ -282,6 +283,22 @@ Result<StackInput> read_stack_input(const std::string& operand, const Preparatio
   if (preparation.snap) done = snap_input(input, *preparation.snap, console);
   if (done && preparation.refine) done = refine_input(input, *preparation.refine);
   if (!done) return in_file(done.error(), path);
+  return input;
+}
+
+Result<StackInput> open_stack_input(const Arguments& arguments, const std::string& operand,
+                                    const Preparation& preparation, Console& console) {
+  const std::string path = input_path(operand);
+  const bool whole = preparation.mending.any() || preparation.snap || preparation.refine ||
+                     arguments.has("--labels") || arguments.has("--repaired");
+  if (whole || !io::is_read_by_section(path, preparation.read)) {
+    return read_stack_input(operand, preparation, console);
+  }
+  Result<OpenedSections> opened = open_sections(path, preparation.read);
+  if (!opened) return with_remedy(opened.error());
+  warn_of_reader(opened->warnings, {}, console);
+  StackInput input;
+  input.opened = *std::move(opened);
   return input;
 }
 

@@ -13,6 +13,7 @@
 #include "cli/console.hpp"
 #include "cli/mending_options.hpp"
 #include "cli/read_options.hpp"
+#include "pieces/section_store.hpp"
 
 namespace tetloft::cli {
 
@@ -40,19 +41,32 @@ struct Preparation {
 
 struct StackInput {
   std::variant<SectionStack, ValidStack> given;  ///< as it is worked on; valid if a reader says so
-  Labels labels;                                 ///< that the file gives its contours
-  std::string name;                              ///< of the structure that was read
-  std::string unit;                              ///< of length, where the file names one
+  /// In place of `given`: the sections one after the other.
+  std::optional<OpenedSections> opened;
+  Labels labels;     ///< that the file gives its contours
+  std::string name;  ///< of the structure that was read
+  std::string unit;  ///< of length, where the file names one
   std::optional<PlanesReport> planes;
   std::optional<RepairReport> repaired;
   std::optional<SnapReport> snapped;
   std::optional<std::size_t> inserted;  ///< vertices, by refining
 
+  [[nodiscard]] std::size_t section_count() const {
+    return opened ? opened->count : stack().sections.size();
+  }
+  /// Of what was read as a whole.
   [[nodiscard]] const SectionStack& stack() const {
     const auto* valid = std::get_if<ValidStack>(&given);
     return valid != nullptr ? valid->stack() : std::get<SectionStack>(given);
   }
 };
+
+/// take() of the stack, as pieces::stage_plan() and its like are given it.
+template <class Take>
+auto with_given(const StackInput& input, const Take& take) {
+  if (input.opened) return take(internal::pieces::GivenSections{*input.opened->sections});
+  return std::visit(take, input.given);
+}
 
 /// Checks the options' values without touching a file. Labels and decisions stay empty.
 [[nodiscard]] Result<CorrespondenceOptions> correspondence_options(const Arguments& arguments,
@@ -62,6 +76,11 @@ struct StackInput {
 
 /// Reads and prepares the stack; "-" is standard input. Warnings go to the console.
 [[nodiscard]] Result<StackInput> read_stack_input(const std::string& path,
+                                                  const Preparation& preparation, Console& console);
+/// The same for what takes sections one after the other: StackInput::opened, where the file can be
+/// read so and nothing that is asked for needs all of them.
+[[nodiscard]] Result<StackInput> open_stack_input(const Arguments& arguments,
+                                                  const std::string& path,
                                                   const Preparation& preparation, Console& console);
 /// --model-format.
 [[nodiscard]] Option model_format_option();

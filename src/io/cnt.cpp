@@ -2,6 +2,7 @@
 #include <string>
 
 #include "io/cnt_read.hpp"
+#include "io/cnt_sections.hpp"
 #include "io/cursor.hpp"
 #include "io/drawing/written_stack.hpp"
 #include "io/format.hpp"
@@ -56,6 +57,7 @@ extern constinit const Format cnt_format{.name = "cnt",
                                          .recognise = is_cnt,
                                          .takes_text = true,
                                          .read_stack = read_cnt_source,
+                                         .open_sections = open_cnt_sections,
                                          .write_stack = write_sections};
 
 }  // namespace tetloft::internal::io

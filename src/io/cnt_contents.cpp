@@ -32,22 +32,6 @@ class Numbers {
   std::size_t size_;
 };
 
-// The third number of a vertex, where it is not the section's height.
-struct OffPlane {
-  std::size_t section = 0;
-  std::size_t contour = 0;
-  std::size_t vertex = 0;
-  double value = 0;
-};
-
-struct Reading {
-  bool in_threes = true;              // every contour has a multiple of three numbers, one has some
-  bool counts_are_twos = true;        // the announced counts are those of pairs
-  bool counts_are_threes = true;      // … of triples
-  bool counts_are_fours = true;       // … of two pairs of digits around a decimal comma each
-  std::optional<OffPlane> off_plane;  // the first
-};
-
 // Calls take(section, contour, numbers) for every contour.
 template <class Take>
 void for_each_contour(const CntContents& contents, Take&& take) {
@@ -57,30 +41,6 @@ void for_each_contour(const CntContents& contents, Take&& take) {
       take(s, c, Numbers(section.contours[ContourId(c)]));
     }
   }
-}
-
-Reading look_at(const CntContents& contents) {
-  Reading reading;
-  std::vector<std::size_t> numbers(contents.stack.sections.size(), 0);
-  for_each_contour(contents, [&](std::size_t s, std::size_t c, const Numbers& in) {
-    numbers[s] += in.size();
-    if (in.size() % 3 != 0) reading.in_threes = false;
-    const double z = contents.stack.sections[SectionId(s)].z;
-    for (std::size_t i = 2; i < in.size() && !reading.off_plane; i += 3) {
-      if (in[i] != z) reading.off_plane = OffPlane{s, c, i / 3, in[i]};
-    }
-  });
-  std::size_t all = 0;
-  for (std::size_t s = 0; s < numbers.size(); ++s) {
-    const double announced = contents.announced[SectionId(s)];
-    const auto total = static_cast<double>(numbers[s]);
-    if (total != 2 * announced) reading.counts_are_twos = false;
-    if (total != 3 * announced) reading.counts_are_threes = false;
-    if (total != 4 * announced) reading.counts_are_fours = false;
-    all += numbers[s];
-  }
-  if (all == 0) reading.in_threes = reading.counts_are_threes = reading.counts_are_fours = false;
-  return reading;
 }
 
 bool valid_pairs(const CntContents& contents) {
@@ -117,7 +77,7 @@ std::optional<std::size_t> first_contour_line(const CntContents& contents) {
   return std::nullopt;
 }
 
-Error off_plane_error(const CntContents& contents, const OffPlane& off) {
+Error off_plane_error(const CntContents& contents, const CntReading::OffPlane& off) {
   Error error{ErrorCode::invalid_input,
               "three numbers to a vertex, of which the third (" + text_of(off.value) +
                   ") is not the height of its section (" +
@@ -141,12 +101,39 @@ Error odd_error(const CntContents::Odd& odd, const std::string& remark = {}) {
 
 }  // namespace
 
+void CntReading::add(const CntContents& part) {
+  odd_ = odd_ || part.odd;
+  commas_ = commas_ || part.commas;
+  std::vector<std::size_t> numbers(part.stack.sections.size(), 0);
+  for_each_contour(part, [&](std::size_t s, std::size_t c, const Numbers& in) {
+    numbers[s] += in.size();
+    if (in.size() % 3 != 0) in_threes_ = false;
+    const double z = part.stack.sections[SectionId(s)].z;
+    for (std::size_t i = 2; i < in.size() && !off_plane_; i += 3) {
+      if (in[i] != z) off_plane_ = OffPlane{part.first + s, c, i / 3, in[i]};
+    }
+  });
+  for (std::size_t s = 0; s < numbers.size(); ++s) {
+    const double announced = part.announced[SectionId(s)];
+    const auto total = static_cast<double>(numbers[s]);
+    if (total != 2 * announced) counts_are_twos_ = false;
+    if (total != 3 * announced) counts_are_threes_ = false;
+    if (total != 4 * announced) counts_are_fours_ = false;
+    numbers_ += numbers[s];
+  }
+}
+
+bool CntReading::plain_pairs() const {
+  return !odd_ && (counts_are_twos_ || !(decimal_commas() || in_threes()));
+}
+
 Result<std::optional<Warning>> settle_vertices(CntContents& contents) {
   using Settled = std::optional<Warning>;
-  const Reading reading = look_at(contents);
-  const bool odd = contents.odd.has_value();
-  if (!odd && reading.counts_are_twos) return Settled();
-  if (contents.commas && reading.counts_are_fours) {
+  CntReading reading;
+  reading.add(contents);
+  if (reading.plain_pairs()) return Settled();
+  const bool odd = reading.odd();
+  if (reading.decimal_commas()) {
     Error error{ErrorCode::invalid_input,
                 "twice as many numbers as the announced vertices have: the commas seem to be "
                 "decimal ones; write decimal points",
@@ -154,21 +141,19 @@ Result<std::optional<Warning>> settle_vertices(CntContents& contents) {
     error.where.line = first_contour_line(contents);
     return error;
   }
-  if (!reading.in_threes) {
-    if (odd) return odd_error(*contents.odd);
-    return Settled();
-  }
+  if (!reading.in_threes()) return odd_error(*contents.odd);
   // An odd number of numbers, or three times the announced vertices: no pairs, unless they are
   // valid as such. The height at every third place of an invalid stack: neither.
-  const bool evident = odd || reading.counts_are_threes;
-  if (reading.off_plane || !evident) {
+  const std::optional<CntReading::OffPlane>& off_plane = reading.off_plane();
+  const bool evident = odd || reading.counts_are_threes();
+  if (off_plane || !evident) {
     if (!odd && valid_pairs(contents)) return Settled();
-    if (reading.off_plane) {
-      if (!reading.counts_are_threes && odd) {
+    if (off_plane) {
+      if (!reading.counts_are_threes() && odd) {
         return odd_error(*contents.odd,
                          "; if it has three numbers to a vertex, leave out the third");
       }
-      if (evident) return off_plane_error(contents, *reading.off_plane);
+      if (evident) return off_plane_error(contents, *off_plane);
       return Settled();
     }
   }
@@ -193,38 +178,18 @@ std::optional<double> conspicuous_closing(const Contour& contour) {
   return closing / longest;
 }
 
-namespace {
-
-// The box of all contours.
-class FrameOfAll {
- public:
-  explicit FrameOfAll(const SectionStack& stack) {
-    for (const Section& section : stack.sections.raw()) {
-      for (const Contour& contour : section.contours.raw()) {
-        for (const Point2& p : contour.vertices) {
-          low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
-          high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y)};
-        }
-      }
+void FrameOfAll::add(const Section& section) {
+  for (const Contour& contour : section.contours.raw()) {
+    for (const Point2& p : contour.vertices) {
+      low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
+      high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y)};
     }
   }
-
-  // The sides that hold a point, a bit each.
-  [[nodiscard]] unsigned sides(const Point2& p) const {
-    return (p.x == low_.x ? 1U : 0U) | (p.x == high_.x ? 2U : 0U) | (p.y == low_.y ? 4U : 0U) |
-           (p.y == high_.y ? 8U : 0U);
-  }
-
- private:
-  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  Point2 low_{kInfinity, kInfinity};
-  Point2 high_{-kInfinity, -kInfinity};
-};
-
-}  // namespace
+}
 
 std::vector<ContourOfSection> lines_to_the_frame(const SectionStack& stack) {
-  const FrameOfAll frame(stack);
+  FrameOfAll frame;
+  for (const Section& section : stack.sections.raw()) frame.add(section);
   std::vector<ContourOfSection> lines;
   for (const SectionId s : stack.sections.ids()) {
     for (const ContourId c : stack.sections[s].contours.ids()) {
@@ -240,31 +205,50 @@ std::vector<ContourOfSection> lines_to_the_frame(const SectionStack& stack) {
   return lines;
 }
 
-std::vector<Warning> open_lines(const SectionStack& stack, std::size_t most) {
-  const FrameOfAll frame(stack);
-  std::vector<Warning> warnings;
-  for (std::size_t s = 0; s < stack.sections.size(); ++s) {
-    const auto& contours = stack.sections[SectionId(s)].contours;
-    for (std::size_t c = 0; c < contours.size() && warnings.size() < most; ++c) {
-      const std::vector<Point2>& v = contours[ContourId(c)].vertices;
-      if (v.empty()) continue;
-      const unsigned first = frame.sides(v.front());
-      const unsigned last = frame.sides(v.back());
-      // Along one side of the frame is how such a line is to be closed.
-      if (first == 0 || last == 0 || (first & last) != 0) continue;
-      const auto times = conspicuous_closing(contours[ContourId(c)]);
+// Along one side of the frame is how such a line is to be closed.
+bool OpenLines::crosses_frame(const Point2& front, const Point2& back) const {
+  const unsigned first = frame_.sides(front);
+  const unsigned last = frame_.sides(back);
+  return first != 0 && last != 0 && (first & last) == 0;
+}
+
+// The box grows: what lies inside of it will not come to lie on a side again.
+void OpenLines::add(const CntContents& part) {
+  for (const Section& section : part.stack.sections.raw()) frame_.add(section);
+  for (const SectionId s : part.stack.sections.ids()) {
+    const auto& contours = part.stack.sections[s].contours;
+    for (const ContourId c : contours.ids()) {
+      const std::vector<Point2>& v = contours[c].vertices;
+      if (v.empty() || !crosses_frame(v.front(), v.back())) continue;
+      const auto times = conspicuous_closing(contours[c]);
       if (!times) continue;
-      Warning warning{
-          "the contour may be an open line, cut off at the frame of all sections: it is closed by "
-          "an edge from one side of the frame to another, " +
-              std::to_string(static_cast<long long>(std::min(*times, 1e9))) +
-              " times as long as its longest other; if so, close it along the frame "
-              "(--close-on-frame)",
-          {}};
-      warning.where.section = s;
-      warning.where.contour = c;
-      warnings.push_back(std::move(warning));
+      lines_.push_back(
+          {part.first + s.index(), c.index(), part.lines[s][c], v.front(), v.back(), *times});
     }
+  }
+  constexpr std::size_t kFew = 1024;
+  if (lines_.size() < 2 * kept_ + kFew) return;
+  const auto inside = [&](const Line& line) { return !crosses_frame(line.front, line.back); };
+  lines_.erase(std::remove_if(lines_.begin(), lines_.end(), inside), lines_.end());
+  kept_ = lines_.size();
+}
+
+std::vector<Warning> OpenLines::warnings(std::size_t most) const {
+  std::vector<Warning> warnings;
+  for (const Line& line : lines_) {
+    if (warnings.size() == most) break;
+    if (!crosses_frame(line.front, line.back)) continue;
+    Warning warning{
+        "the contour may be an open line, cut off at the frame of all sections: it is closed by "
+        "an edge from one side of the frame to another, " +
+            std::to_string(static_cast<long long>(std::min(line.times, 1e9))) +
+            " times as long as its longest other; if so, close it along the frame "
+            "(--close-on-frame)",
+        {}};
+    warning.where.section = line.section;
+    warning.where.contour = line.contour;
+    warning.where.line = line.line;
+    warnings.push_back(std::move(warning));
   }
   return warnings;
 }

@@ -43,8 +43,9 @@ inline constexpr TokenEnds kWhiteOrComment("#");
 
 class TextCursor {
  public:
-  /// Skips a UTF-8 byte order mark at the start.
-  explicit TextCursor(std::string_view text) : at_(text.data()), end_(text.data() + text.size()) {
+  /// Skips a UTF-8 byte order mark at the start. `line`: where the text begins in its file.
+  explicit TextCursor(std::string_view text, std::size_t line = 1)
+      : at_(text.data()), end_(text.data() + text.size()), line_(line) {
     if (text.substr(0, 3) == "\xEF\xBB\xBF") at_ += 3;
   }
 
@@ -88,7 +89,7 @@ class TextCursor {
  private:
   const char* at_;
   const char* end_;
-  std::size_t line_ = 1;
+  std::size_t line_;
 };
 
 }  // namespace tetloft::internal::io

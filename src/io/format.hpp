@@ -3,6 +3,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -68,6 +69,12 @@ struct Format {
   Result<StackOfFile> (*read_stack)(const Source&, const ReadOptions&) = nullptr;
   Result<Drawing> (*read_drawing)(const Source&, const ReadOptions&) = nullptr;
   Result<std::unique_ptr<Volume>> (*open_volume)(const Source&, const ReadOptions&) = nullptr;
+  /// Beside read_stack, of a regular file with this name whose contents are recognised, or said to
+  /// be of this format: its sections one after the other, and what read_stack tells of a file.
+  /// Takes the file, unless it has to be read as a whole, which nothing stands for.
+  Result<std::optional<OpenedSections>> (*open_sections)(std::unique_ptr<ByteSource>& file,
+                                                         const std::string& name,
+                                                         const ReadOptions&) = nullptr;
   Result<ReadModel> (*read_model)(const Source&, const ReadOptions&) = nullptr;
   Result<ReadPoints> (*read_points)(const Source&, const ReadOptions&) = nullptr;
   /// A surface, for slicing: finite points; corners that are points.

@@ -163,6 +163,12 @@ Result<const Format*> choose_reader(FormatTable table, Contents contents, const 
   return error;
 }
 
+const Format* choose_by_section(FormatTable table, const Source& source, const std::string& named) {
+  const Result<const Format*> chosen = choose_reader(table, Contents::stack, source, named);
+  if (!chosen || (*chosen)->open_sections == nullptr) return nullptr;
+  return !named.empty() || (*chosen)->recognise(source.bytes) ? *chosen : nullptr;
+}
+
 Result<const Format*> choose_writer(FormatTable table, Contents contents, const std::string& path,
                                     const std::string& named) {
   if (!named.empty()) return by_name(table, contents, Direction::writing, named);

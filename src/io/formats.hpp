@@ -30,6 +30,12 @@ using FormatTable = std::span<const Format* const>;
 [[nodiscard]] Result<const Format*> choose_reader(FormatTable table, Contents contents,
                                                   const Source& source, const std::string& named);
 
+/// The format of a stack, if source.bytes, the beginning of a regular file, tell it, or it is
+/// named, and its sections are read one after the other; else null. A name, or text that nothing
+/// recognises, are no reason to hold what follows for anything.
+[[nodiscard]] const Format* choose_by_section(FormatTable table, const Source& source,
+                                              const std::string& named);
+
 /// The writer of `contents` for a path: the one that is named, else that of the extension, the
 /// longest where several fit. Error usage naming the formats that can be written.
 [[nodiscard]] Result<const Format*> choose_writer(FormatTable table, Contents contents,

@@ -1,4 +1,5 @@
 // Reading files of whichever format.
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -120,20 +121,28 @@ Result<Out> parse_bytes(Contents contents, Reader<Out> reader, std::string_view 
   return guard_internal([&] { return parse_source(contents, reader, {bytes, name, {}}, options); });
 }
 
+constexpr std::size_t kFirstBytes = std::size_t{1} << 16;
+
+Result<std::string> beginning_of(const io::ByteSource& file) {
+  std::string beginning(static_cast<std::size_t>(std::min<std::uint64_t>(kFirstBytes, file.size())),
+                        '\0');
+  const Result<std::size_t> got = file.read_at(0, beginning);
+  if (!got) return got.error();
+  beginning.resize(*got);
+  return beginning;
+}
+
 // A volume is read slice by slice from its file; what its beginning tells to be anything else, as a
 // whole.
 template <class Out>
 Result<std::optional<Out>> read_volume(Contents contents, Reader<Out> reader,
                                        const std::string& path, const ReadOptions& options) {
-  constexpr std::size_t kBeginning = std::size_t{1} << 16;
   const Result<std::unique_ptr<io::ByteSource>> file = io::open_bytes(path);
   if (!file) return file.error();
-  if (*file == nullptr || (*file)->size() <= kBeginning) return std::optional<Out>();
-  std::string beginning(kBeginning, '\0');
-  const Result<std::size_t> got = (*file)->read_at(0, beginning);
-  if (!got) return got.error();
-  beginning.resize(*got);
-  const io::Source source{beginning, path, io::folder_of(path), file->get()};
+  if (*file == nullptr || (*file)->size() <= kFirstBytes) return std::optional<Out>();
+  const Result<std::string> beginning = beginning_of(**file);
+  if (!beginning) return beginning.error();
+  const io::Source source{*beginning, path, io::folder_of(path), file->get()};
   const Result<const io::Format*> format =
       io::choose_reader(io::format_table(), contents, source, options.format);
   if (!format || (*format)->open_volume == nullptr) return std::optional<Out>();
@@ -156,6 +165,60 @@ Result<Out> read_path(Contents contents, Reader<Out> reader, const std::string& 
     if (!bytes) return bytes.error();
     return parse_source(contents, reader, {*bytes, path, io::folder_of(path)}, options);
   });
+}
+
+// Of a stack that was read; each section is handed over, and gone then.
+class SectionsRead final : public SectionStream {
+ public:
+  SectionsRead(ReadStack read, std::string name) : read_(std::move(read)), name_(std::move(name)) {}
+
+  [[nodiscard]] Result<std::optional<Section>> next() override {
+    if (next_ == read_.stack.sections.size()) return std::optional<Section>();
+    return std::optional(std::move(read_.stack.sections[SectionId(next_++)]));
+  }
+  [[nodiscard]] Frame frame() const override { return read_.stack.frame; }
+  [[nodiscard]] Description about() const override { return read_.stack.about; }
+  [[nodiscard]] Place located(Place where) override {
+    where.file = name_;
+    if (where.line || !where.section || *where.section >= read_.lines.size()) return where;
+    const auto& lines = read_.lines[SectionId(*where.section)];
+    if (where.contour && *where.contour < lines.size()) {
+      const std::size_t line = lines[ContourId(*where.contour)];
+      if (line != 0) where.line = line;
+    }
+    return where;
+  }
+
+ private:
+  ReadStack read_;
+  std::string name_;
+  std::size_t next_ = 0;
+};
+
+Result<std::optional<OpenedSections>> open_file_sections(const std::string& path,
+                                                         const ReadOptions& options) {
+  using Opened = std::optional<OpenedSections>;
+  Result<std::unique_ptr<io::ByteSource>> file = io::open_bytes(path);
+  if (!file) return file.error();
+  if (*file == nullptr) return Opened();
+  const Result<std::string> beginning = beginning_of(**file);
+  if (!beginning) return beginning.error();
+  const io::Source source{*beginning, path, {}, file->get()};
+  const io::Format* const format =
+      io::choose_by_section(io::format_table(), source, options.format);
+  return format == nullptr ? Opened() : format->open_sections(*file, path, options);
+}
+
+Result<OpenedSections> open_whole(const std::string& path, const ReadOptions& options) {
+  Result<ReadStack> read = read_stack(path, options);
+  if (!read) return read.error();
+  OpenedSections opened;
+  opened.count = read->stack.sections.size();
+  opened.warnings = std::move(read->warnings);
+  opened.labels = std::move(read->labels);
+  opened.in_memory = true;
+  opened.sections = std::make_unique<SectionsRead>(*std::move(read), path);
+  return opened;
 }
 
 // Of the functions of io.hpp, each for one format.
@@ -188,6 +251,15 @@ Result<ReadValidStack> read_valid_stack(const std::string& path, const ReadOptio
 Result<ReadValidStack> parse_valid_stack(std::string_view bytes, const std::string& name,
                                          const ReadOptions& options) {
   return parse_bytes(Contents::stack, valid_stack_by, bytes, name, options);
+}
+Result<OpenedSections> open_sections(const std::string& path, const ReadOptions& options) {
+  return guard_internal([&]() -> Result<OpenedSections> {
+    if (Result<void> known = check_options(options); !known) return known.error();
+    Result<std::optional<OpenedSections>> opened = open_file_sections(path, options);
+    if (!opened) return opened.error();
+    if (opened->has_value()) return **std::move(opened);
+    return open_whole(path, options);
+  });
 }
 Result<FileSummary> inspect(const std::string& path, const ReadOptions& options) {
   return read_path(Contents::stack, summary_by, path, options);

@@ -44,6 +44,14 @@ bool is_stack_file(const std::string& path, const std::string& format) {
   return std::any_of(format_table().begin(), format_table().end(), tells);
 }
 
+bool is_read_by_section(const std::string& path, const ReadOptions& options) {
+  if (options.close_on_frame || options.validity != Validity::required) return false;
+  const FileBeginning file = file_beginning(path);
+  if (file.bytes == nullptr) return false;
+  const Source source{file.first, path, {}, file.bytes.get()};
+  return choose_by_section(format_table(), source, options.format) != nullptr;
+}
+
 std::vector<std::string> stack_files(const std::string& path, const std::string& format) {
   std::vector<std::string> files{path};
   const FileBeginning file = file_beginning(path);

@@ -19,4 +19,8 @@ namespace tetloft::internal::io {
 [[nodiscard]] std::vector<std::string> stack_files(const std::string& path,
                                                    const std::string& format);
 
+/// Whether open_sections() reads the sections of a file one after the other, as far as its
+/// beginning and the options tell.
+[[nodiscard]] bool is_read_by_section(const std::string& path, const ReadOptions& options);
+
 }  // namespace tetloft::internal::io

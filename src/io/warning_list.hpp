@@ -18,15 +18,27 @@ class WarningList {
 
   /// `line` is one-based; 0: none.
   void add(std::string message, std::size_t line = 0) {
+    Warning warning{std::move(message), {}};
+    if (line != 0) warning.where.line = line;
+    add(std::move(warning));
+  }
+  /// At its place, in the file.
+  void add(Warning warning) {
     if (warnings_.size() >= kMost) {
       ++untold_;
       return;
     }
-    Warning warning{std::move(message), {}};
     warning.where.file = name_;
-    if (line != 0) warning.where.line = line;
     warnings_.push_back(std::move(warning));
   }
+  /// Those of `other`, a list of the same file, behind these; as if each had been added here.
+  void append(WarningList other) {
+    for (Warning& warning : other.warnings_) add(std::move(warning));
+    untold_ += other.untold_;
+  }
+
+  /// The most that are told one by one.
+  static constexpr std::size_t kMost = 1000;
 
   [[nodiscard]] std::vector<Warning> take() {
     if (untold_ != 0) {
@@ -39,8 +51,6 @@ class WarningList {
   }
 
  private:
-  static constexpr std::size_t kMost = 1000;
-
   std::string name_;
   std::vector<Warning> warnings_;
   std::size_t untold_ = 0;

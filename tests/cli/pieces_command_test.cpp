@@ -195,6 +195,26 @@ TEST_F(PiecesCommand, AreOfThePlannedStack) {
       0);
 }
 
+TEST_F(PiecesCommand, AreMadeWithoutTheStack) {
+  test::put(folder_.file("a.cnt"), test::kTube);
+  make_plan(folder_.file("a.cnt"));
+  const Words words{"--plan", plan_, "--slabs", "0:1", "-o", piece(0)};
+  ASSERT_EQ(run(with({"reconstruct", folder_.file("a.cnt")}, words)).code, 0);
+  const std::string with_stack = test::get(piece(0));
+  std::filesystem::remove(piece(0));
+  std::filesystem::remove(folder_.file("a.cnt"));
+  const JsonValue told = test::run_json(with({"reconstruct"}, words));
+  EXPECT_EQ(told.at("written").string, piece(0));
+  EXPECT_TRUE(test::get(piece(0)) == with_stack);
+  // Only a plan stands for the stack.
+  expect_failure({"reconstruct", "--slabs", "0:1", "-o", piece(0)}, 2, "usage", "missing IN", {});
+  expect_failure({"reconstruct", "-o", piece(0)}, 2, "usage", "missing IN", {});
+  expect_failure({"reconstruct", "--plan", plan_, "--slabs", "0:1", "-o", plan_ + ".vtu", "a", "b"},
+                 2, "usage", "unexpected argument", {plan_ + ".vtu"});
+  expect_failure({"reconstruct", "--plan", plan_, "--slabs", "0:1", "-o", plan_}, 2, "usage",
+                 ".vtu", {});
+}
+
 // A stream is read once: its plan tells no file that pieces could be compared with.
 TEST_F(PiecesCommand, AreOfAnyStackWhereThePlannedOneWasAStream) {
   int ends[2];
