@@ -182,7 +182,7 @@ TEST_F(PiecesCommand, AreOfThePlannedStackHoweverLargeItsFile) {
   const auto source = plan_source(large);
   ASSERT_TRUE(source.ok());
   const auto stack = parse_cnt(test::kTube, "tube");
-  ASSERT_TRUE(stack.ok() && write_plan(plan_, *stack, {}, *source).ok());
+  ASSERT_TRUE(stack.ok() && write_plan(plan_, stack->stack, {}, *source).ok());
   const Words words{"reconstruct", large, "--plan", plan_, "--slabs", "0:1", "-o", piece(0)};
   EXPECT_EQ(run(words).code, 0);
   std::filesystem::remove(piece(0));
