@@ -213,6 +213,13 @@ TEST_F(PiecesCommand, AreOfThePlannedStack) {
       0);
 }
 
+TEST_F(PiecesCommand, TakeAPlanThatWasWrittenIntoAPipe) {
+  make_plan(data("torus.cnt"));
+  const Outcome piped = run({"plan", data("torus.cnt"), "-o", "/dev/stdout", "--quiet"});
+  EXPECT_EQ(piped.code, 0) << piped.err;
+  EXPECT_TRUE(piped.out == test::get(plan_));
+}
+
 TEST_F(PiecesCommand, AreMadeWithoutTheStack) {
   test::put(folder_.file("a.cnt"), test::kTube);
   make_plan(folder_.file("a.cnt"));
