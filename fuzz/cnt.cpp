@@ -1,12 +1,55 @@
 // The .cnt reader: any bytes give a valid stack or a clean error, and what was read is the same
-// after mending, snapping and validating again; repaired stacks are valid.
+// after mending, snapping and validating again; repaired stacks are valid. Sections that are read
+// one after the other, in blocks of any size, are those of the whole, told of in the same words.
 #include <cmath>
+#include <memory>
 #include <optional>
+#include <string>
 
 #include <tetloft/io.hpp>
 #include <tetloft/sections.hpp>
 
 #include "fuzz/target.hpp"
+#include "io/cnt_sections.hpp"
+
+namespace {
+
+using namespace tetloft;
+using namespace tetloft::fuzz;
+
+void compare_sections(std::string_view text, const Result<ReadStack>& whole) {
+  using namespace internal::io;
+  const std::string name = "fuzz.cnt";
+  const CntBlocks blocks{1 + text.size() % 61, 1 + text.size() % 127, kLargestFile};
+  auto file = std::make_unique<MemoryBytes>(text);
+  auto survey = survey_cnt(*file, name, blocks, {});
+  if (!survey) {
+    require(!whole && to_string(survey.error()) == to_string(whole.error()),
+            "sections are refused in other words: " + to_string(survey.error()));
+    return;
+  }
+  if (!survey->has_value()) return;
+  require(whole.ok(), "sections of a faulty file are handed out");
+  const auto& warnings = (*survey)->warnings;
+  require(warnings.size() == whole->warnings.size(), "another number of warnings");
+  for (std::size_t i = 0; i < warnings.size(); ++i) {
+    require(to_string(warnings[i]) == to_string(whole->warnings[i]), "another warning");
+  }
+  CntSections sections(std::move(file), name, **std::move(survey), blocks);
+  for (const Section& section : whole->stack.sections) {
+    const auto next = sections.next();
+    require(next.ok() && next->has_value(), "a section is missing");
+    require((*next)->z == section.z && (*next)->contours.size() == section.contours.size(),
+            "another section");
+    for (const ContourId c : section.contours.ids()) {
+      require((*next)->contours[c].vertices == section.contours[c].vertices, "another contour");
+    }
+  }
+  const auto end = sections.next();
+  require(end.ok() && !end->has_value(), "a section too many");
+}
+
+}  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace tetloft;
@@ -33,6 +76,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
   }
   const auto read = parse_cnt(text_of(data, size), "fuzz.cnt");
+  compare_sections(text_of(data, size), read);
   if (!read) {
     require_clean(read.error());
     require(!read.error().where.file.empty(), "an error without the file's name");

@@ -22,6 +22,7 @@
 #include <string>
 #include <vector>
 
+#include <tetloft/check.hpp>
 #include <tetloft/execution.hpp>
 #include <tetloft/export.hpp>
 #include <tetloft/formats.hpp>
@@ -197,5 +198,39 @@ struct WrittenIndex {
 [[nodiscard]] TETLOFT_API Result<WrittenIndex> write_index(const std::string& path,
                                                            std::span<const std::string> pieces,
                                                            const JoinOptions& options = {});
+
+/// A piece that an index lists.
+struct ListedPiece {
+  std::string path;                   ///< of its file
+  std::optional<PieceSummary> piece;  ///< what it says of itself
+  std::size_t vertices = 0;           ///< as its file announces them
+  std::size_t tets = 0;
+  std::optional<Error> wrong;  ///< why it says nothing: it is missing, damaged, or no piece
+};
+struct IndexSummary {
+  std::vector<ListedPiece> pieces;  ///< as they are listed
+  /// Why these are not all of one stack, each once, without open slabs: the first reason. None:
+  /// they are.
+  std::optional<Error> wrong;
+};
+/// What a .pvtu lists. The heads of its pieces are read, one after the other; their solids are not
+/// looked at.
+[[nodiscard]] TETLOFT_API Result<IndexSummary> read_index(const std::string& path);
+
+/// As check() of what join_pieces() makes of these, the same verdict, piece by piece: in memory are
+/// two pieces, the stack, and what follows from it. Places name the files of pieces where they
+/// speak of their tets and vertices; numbers are those of the whole.
+///
+/// Two pieces share one section, whose vertices lie in its plane, and all else of them lies on its
+/// two sides. Where that is not so, which is a failure, the pieces on both sides are in memory
+/// together; of another stack, all. Equal are verdicts, their conditions and counts, and figures,
+/// but for: the volume, a sum by pieces; counts of 3.3 beyond a thousand, a limit that each piece
+/// has; which places are told first; and 3.4 where guarantee 1 fails, too.
+///
+/// Refused as check() and join_pieces() do; (usage) where slabs are left open: an index that
+/// write_index() made has none. A .pvtu stands for the pieces that it lists.
+[[nodiscard]] TETLOFT_API Result<CheckReport> check_pieces(std::span<const std::string> pieces,
+                                                           const SectionStack& stack,
+                                                           const CheckOptions& options = {});
 
 }  // namespace tetloft

@@ -17,20 +17,20 @@ constexpr const char* kName = "cavities and tunnels";
 
 class CavityCheck {
  public:
-  CavityCheck(const ModelView& view, const StackVoids& stack, const ExpectedCavities& expected,
-              const CheckOptions& options)
-      : view_(view),
+  CavityCheck(std::span<const Deviation> deviations, const StackVoids& stack,
+              const ExpectedCavities& expected, const CheckOptions& options)
+      : listed_(deviations),
         stack_(stack),
         expected_(expected),
         regions_(stack.regions()),
         strict_(options.strict),
         findings_(5, kName, options.places) {}
 
-  Findings run(const OnContours& on, const ModelVoids& voids) {
+  Findings run(std::span<const SlabPart> parts, const ModelVoids& voids) {
     check_links();
     check_voids(voids);
     std::vector<std::map<std::size_t, long>> chi(expected_.slabs.size());
-    for (const SlabPart& part : slab_parts(view_, on, regions_)) {
+    for (const SlabPart& part : parts) {
       if (part.slab >= 0 && static_cast<std::size_t>(part.slab) < chi.size()) {
         count(part, expected_.slabs[static_cast<std::size_t>(part.slab)],
               chi[static_cast<std::size_t>(part.slab)]);
@@ -60,7 +60,7 @@ class CavityCheck {
   void check_voids(const ModelVoids& voids) {
     for (const TriangleVertices& bubble : voids.bubbles) {
       findings_.fail(3, "a boundary surface meets no contour: a bubble",
-                     [&] { return "surface of " + face_text(bubble); });
+                     [&] { return "surface of " + face_text({}, bubble); });
     }
     const auto compare = [&](const std::vector<std::size_t>& one,
                              const std::vector<std::size_t>& other, int condition,
@@ -120,7 +120,7 @@ class CavityCheck {
         if (!expected.holds(got)) deviations[{s, group}] = {expected.least, expected.most, got};
       }
     }
-    for (const Deviation& listed : view_.deviations) {
+    for (const Deviation& listed : listed_) {
       const std::optional<std::size_t> group = group_of(listed);
       const auto at =
           group.has_value() ? deviations.find({listed.slab.index(), *group}) : deviations.end();
@@ -141,7 +141,7 @@ class CavityCheck {
 
   void refuse_exceptions() {
     constexpr const char* kWhat = "an exception, which strict does not allow";
-    for (const Deviation& listed : view_.deviations) {
+    for (const Deviation& listed : listed_) {
       findings_.fail(10, kWhat, [&] { return deviation_text(listed); });
     }
     const auto links = [&](std::size_t number, const char* text) {
@@ -181,7 +181,7 @@ class CavityCheck {
            numbers_text(deviation.least, deviation.most, deviation.got);
   }
 
-  const ModelView& view_;
+  std::span<const Deviation> listed_;
   const StackVoids& stack_;
   const ExpectedCavities& expected_;
   const Regions& regions_;
@@ -192,10 +192,10 @@ class CavityCheck {
 }  // namespace
 
 Result<ExpectedCavities> expected_cavities(const StackVoids& stack, const VoidOptions& options,
-                                           const ModelView& view,
+                                           std::span<const VoidLink> claims,
                                            const Components::Expected& components) {
   const std::vector<Faces> faces = stack.faces();
-  auto voids = expected_voids(stack, faces, components.links, options, view.void_links);
+  auto voids = expected_voids(stack, faces, components.links, options, claims);
   if (!voids.ok()) return voids.error();
   std::vector<SlabTopology> slabs = expected_topology(stack, faces, components.links, *voids);
   ExpectedCavities expected{*std::move(voids), std::move(slabs), {}, 0, {}};
@@ -209,10 +209,10 @@ Result<ExpectedCavities> expected_cavities(const StackVoids& stack, const VoidOp
   return expected;
 }
 
-Findings check_cavities(const ModelView& view, const OnContours& on, const StackVoids& stack,
+Findings check_cavities(std::span<const SlabPart> parts, const StackVoids& stack,
                         const ModelVoids& voids, const ExpectedCavities& expected,
-                        const CheckOptions& options) {
-  return CavityCheck(view, stack, expected, options).run(on, voids);
+                        std::span<const Deviation> listed, const CheckOptions& options) {
+  return CavityCheck(listed, stack, expected, options).run(parts, voids);
 }
 
 Findings no_cavities_asked() { return {5, kName, 0}; }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "check/components.hpp"
@@ -24,13 +25,14 @@ struct ExpectedCavities {
 /// Refused (invalid_input) where labels or decisions on voids are.
 [[nodiscard]] Result<ExpectedCavities> expected_cavities(const StackVoids& stack,
                                                          const VoidOptions& options,
-                                                         const ModelView& view,
+                                                         std::span<const VoidLink> claims,
                                                          const Components::Expected& components);
 
-/// Conditions 5.1 to 5.9 of README.md. Requires that guarantees 1, 2 and 4 hold.
-[[nodiscard]] Findings check_cavities(const ModelView& view, const OnContours& on,
-                                      const StackVoids& stack, const ModelVoids& voids,
-                                      const ExpectedCavities& expected,
+/// Conditions 5.1 to 5.9 of README.md, of a model with these parts, whose regions are sorted.
+/// Requires that guarantees 1, 2 and 4 hold.
+[[nodiscard]] Findings check_cavities(std::span<const SlabPart> parts, const StackVoids& stack,
+                                      const ModelVoids& voids, const ExpectedCavities& expected,
+                                      std::span<const Deviation> listed,
                                       const CheckOptions& options);
 
 /// Of no failures, to say that nothing was asked.

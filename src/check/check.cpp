@@ -2,21 +2,17 @@
 #include <tetloft/check.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <utility>
+#include <vector>
 
-#include <tetloft/predicates.hpp>
-
-#include "check/cavities.hpp"
-#include "check/components.hpp"
+#include "check/conclusions.hpp"
 #include "check/embedded.hpp"
 #include "check/figures.hpp"
 #include "check/manifold.hpp"
 #include "check/resampling.hpp"
 #include "check/view.hpp"
 #include "core/guard.hpp"
-#include "core/option_rules.hpp"
 #include "core/parallel.hpp"
 #include "core/watched_work.hpp"
 
@@ -29,25 +25,15 @@ namespace {
 // Half-faces are numbered in 32 bits.
 constexpr std::size_t kMostTets = std::size_t{1} << 30;
 
-Result<void> check_arguments(const Model& model, const SectionStack& stack,
-                             const CheckOptions& options) {
-  if (auto fp = fp_self_check(); !fp.ok()) return fp;
-  if (!(options.split_ulps >= 0) || !std::isfinite(options.split_ulps)) {
-    return Error{ErrorCode::usage, "split_ulps must be finite and not negative", {}};
-  }
-  const Result<void> sensible = check_correspondence_options(options.correspondence);
-  if (!sensible) return sensible;
-  if (model.tets.size() >= kMostTets) {
-    return Error{ErrorCode::invalid_input, "2^30 tets or more", {}};
-  }
-  return validate(stack, untold(options.execution));
-}
-
 // The checks, each on its own of the same view: run one after the other or at the same time.
 class Checks {
  public:
   Checks(const Model& model, const SectionStack& stack, const CheckOptions& options)
-      : model_(model), stack_(stack), options_(options), work_(options.execution, kSteps) {}
+      : model_(model),
+        stack_(stack),
+        options_(options),
+        work_(options.execution, kSteps),
+        tables_{model.links, model.motions, model.void_links, model.deviations} {}
 
   Result<CheckReport> run() {
     work_.step_done_go_on();
@@ -59,16 +45,20 @@ class Checks {
       if (part == 0) embedded_ = checking::check_embedded(view_, surface_, options_).verdict();
       if (part == 1) check_sections();
       if (part == 2) manifold_ = checking::check_manifold(view_, options_).verdict();
-      if (part == 3) measure();
+      if (part == 3) {
+        figures_ = checking::measure(model_, view_, stack_, {0, stack_.sections.size()});
+      }
       work_.step_done();
     });
     if (refused_) return *std::move(refused_);
     work_.go_on();
-    GuaranteeVerdict cavities = cavities_verdict();
+    CheckReport report =
+        conclusions_->report(std::move(manifold_), std::move(resampling_), std::move(embedded_),
+                             patches_.all(), std::move(parts_), tables_);
+    figures_.add(on_contours_);
+    figures_.tell(report);
     work_.step_done();
-    report_.guarantees = {std::move(manifold_), std::move(resampling_), std::move(embedded_),
-                          std::move(components_), std::move(cavities)};
-    return std::move(report_);
+    return report;
   }
 
  private:
@@ -78,85 +68,40 @@ class Checks {
   static constexpr std::size_t kSteps = 2 + kParts + 3;
 
   void check_sections() {
-    checking::Resampling resampling = checking::check_resampling(view_, stack_, options_);
+    conclusions_.emplace(stack_, options_);
+    SectionStack refined = stack_;
+    checking::Resampling resampling = checking::check_resampling(
+        view_, stack_, conclusions_->numbers(), {0, stack_.sections.size()}, options_, refined);
     resampling_ = resampling.findings.verdict();
-    report_.largest_split_ulps = resampling.on_contours.largest_split_ulps;
-    report_.inner_vertices = resampling.on_contours.off_contours;
-    work_.step_done_go_on();
-    const auto components = checking::check_components(view_, stack_, resampling, options_);
+    checking::SolidComponents components(conclusions_->numbers());
+    components.add(view_);
+    components.meet(view_, resampling.on_contours, view_.component);
+    patches_.add(view_, surface_);
+    patches_.meet(view_, resampling.on_contours, surface_.component, conclusions_->void_at());
+    checking::SlabParts parts = checking::slab_parts(view_);
+    checking::add_regions(view_, resampling.on_contours, parts.part_of, conclusions_->region_at(),
+                          parts.parts);
+    parts_ = std::move(parts.parts);
     on_contours_ = std::move(resampling.on_contours);
-    if (!components.ok()) {
-      refused_ = components.error();
-      return;
-    }
-    components_ = components->findings.verdict();
-    report_.dropped_links = components->dropped_links;
     work_.step_done_go_on();
-    stack_voids_.emplace(stack_);
-    if (components->expected.has_value()) expect_cavities(*components->expected);
-  }
-
-  void expect_cavities(const checking::Components::Expected& components) {
-    const VoidOptions& voids = options_.correspondence.voids;
-    if (voids.rule == VoidRule::free) return;
-    auto expected = checking::expected_cavities(*stack_voids_, voids, view_, components);
-    if (!expected.ok()) {
-      refused_ = expected.error();
-      return;
-    }
-    report_.expected_cavities = expected->cavities;
-    report_.least_genus = expected->genus.least;
-    report_.most_genus = expected->genus.most;
-    report_.forced_voids = expected->voids.forced.size();
-    report_.unrealisable_voids = expected->voids.unrealisable;
-    expected_ = *std::move(expected);
-  }
-
-  GuaranteeVerdict cavities_verdict() {
-    const checking::Findings none = checking::no_cavities_asked();
-    std::optional<checking::ModelVoids> voids;
-    if (manifold_.pass && resampling_.pass) {
-      voids = checking::model_voids(view_, surface_, on_contours_, stack_voids_->voids());
-      report_.cavities = voids->cavities;
-    }
-    if (options_.correspondence.voids.rule == VoidRule::free) {
-      return none.not_asked("cavities and tunnels are as they come", true);
-    }
-    if (!voids.has_value() || !components_.pass || !expected_.has_value()) {
-      return none.not_asked("it needs guarantees 1, 2 and 4", false);
-    }
-    return checking::check_cavities(view_, on_contours_, *stack_voids_, *voids, *expected_,
-                                    options_)
-        .verdict();
-  }
-
-  void measure() {
-    report_.components = view_.component_count;
-    report_.deviations = model_.deviations.size();
-    for (const SurfaceTopology& topology : surface_.topology) {
-      report_.genus.push_back(topology.genus());
-    }
-    Model sound;
-    sound.points = model_.points;
-    sound.tets = IdVector<TetId, TetVertices>(view_.tets);
-    sound.frame = model_.frame;
-    report_.volume = volume(sound);
-    report_.overshoot = checking::overshoot(view_, stack_);
-    report_.smallest_dihedral_degrees = checking::smallest_dihedral_degrees(view_);
+    const Result<void> decided = conclusions_->decide(components, refined, tables_, work_);
+    if (!decided) refused_ = decided.error();
   }
 
   const Model& model_;
   const SectionStack& stack_;
   const CheckOptions& options_;
   WatchedWork work_;
+  checking::ModelTables tables_;
   checking::ModelView view_;
   SurfaceComponents surface_;
-  GuaranteeVerdict manifold_, resampling_, embedded_, components_;
+  GuaranteeVerdict manifold_, resampling_, embedded_;
   checking::OnContours on_contours_;
-  std::optional<checking::StackVoids> stack_voids_;
-  std::optional<checking::ExpectedCavities> expected_;
+  checking::ViewFigures figures_;
+  std::optional<checking::Conclusions> conclusions_;
+  checking::SurfacePatches patches_;
+  std::vector<checking::SlabPart> parts_;
   std::optional<Error> refused_;
-  CheckReport report_;
 };
 
 }  // namespace
@@ -169,7 +114,10 @@ bool CheckReport::pass() const {
 Result<CheckReport> check(const Model& model, const SectionStack& stack,
                           const CheckOptions& given_options) {
   return guard_threads(given_options, [&](const CheckOptions& options) -> Result<CheckReport> {
-    if (auto good = check_arguments(model, stack, options); !good.ok()) return good.error();
+    if (model.tets.size() >= kMostTets) {
+      return Error{ErrorCode::invalid_input, "2^30 tets or more", {}};
+    }
+    if (auto good = checking::check_arguments(stack, options); !good.ok()) return good.error();
     return Checks(model, stack, options).run();
   });
 }

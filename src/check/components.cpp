@@ -3,6 +3,7 @@
 // that were dropped, as far as that may be.
 #include "check/components.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,46 +17,6 @@ namespace tetloft::internal::checking {
 namespace {
 
 constexpr std::uint32_t kNone = 0xFFFFFFFFU;
-
-// Where a contour of the one sequence is, in words.
-std::string numbered_contour_text(const OnContours& on, std::size_t contour) {
-  std::size_t s = 0;
-  while (on.first[s + 1] <= contour) ++s;
-  return contour_text(s, contour - on.first[s]);
-}
-
-// The component of each contour, kNone if no tet touches it. Reports contours of several.
-std::vector<std::uint32_t> components_of_contours(const ModelView& view, const OnContours& on,
-                                                  Findings& findings) {
-  std::vector<std::uint32_t> component(on.chain.size(), kNone);
-  std::vector<std::uint8_t> reported(on.chain.size(), 0);
-  std::vector<std::uint8_t> has_contour(view.component_count, 0);
-  for (std::size_t t = 0; t < view.tets.size(); ++t) {
-    for (const VertexId v : view.tets[t]) {
-      const std::uint32_t contour = on.contour[v.index()];
-      if (contour == OnContours::kNone) continue;
-      has_contour[view.component[t]] = 1;
-      if (component[contour] == kNone) component[contour] = view.component[t];
-      if (component[contour] == view.component[t] || reported[contour] != 0) continue;
-      reported[contour] = 1;
-      findings.fail(2, "a contour lies on no component, or on several",
-                    [&] { return numbered_contour_text(on, contour); });
-    }
-  }
-  for (std::size_t t = 0; t < view.tets.size(); ++t) {
-    std::uint8_t& seen = has_contour[view.component[t]];
-    if (seen != 0) continue;
-    seen = 1;
-    findings.fail(1, "a component contains no contour",
-                  [&] { return "component of " + tet_text(view.id[t]); });
-  }
-  for (std::size_t c = 0; c < component.size(); ++c) {
-    if (component[c] != kNone) continue;
-    findings.fail(2, "a contour lies on no component, or on several",
-                  [&] { return numbered_contour_text(on, c); });
-  }
-  return component;
-}
 
 // Calls report(first, c) for each contour c whose group differs from that of the first
 // contour of its class.
@@ -84,15 +45,86 @@ void report_claims(const ExpectedPartition& partition, Findings& findings) {
 
 }  // namespace
 
-Result<Components> check_components(const ModelView& view, const SectionStack& stack,
-                                    const Resampling& resampling, const CheckOptions& options) {
+SolidComponents::SolidComponents(const ContourNumbers& numbers)
+    : numbers_(numbers), first_(numbers.size(), kNone) {}
+
+std::uint32_t SolidComponents::add(const ModelView& view) {
+  const auto base = static_cast<std::uint32_t>(sets_.size());
+  for (std::size_t t = 0; t < view.tets.size(); ++t) {
+    // They are numbered by their first tet.
+    if (base + view.component[t] < sets_.size()) continue;
+    sets_.add();
+    first_tet_.push_back(view.id[t]);
+    has_contour_.push_back(0);
+  }
+  return base;
+}
+
+void SolidComponents::meet(const ModelView& view, const OnContours& on,
+                           std::span<const std::uint32_t> component) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> more;
+  for (std::size_t t = 0; t < view.tets.size(); ++t) {
+    for (const VertexId v : view.tets[t]) {
+      const std::uint32_t contour = on.contour[v.index()];
+      if (contour == OnContours::kNone) continue;
+      has_contour_[component[t]] = 1;
+      std::uint32_t& first = first_[contour];
+      if (first == kNone) first = component[t];
+      if (first != component[t]) more.emplace_back(contour, component[t]);
+    }
+  }
+  sort_distinct(more);
+  more_.insert(more_.end(), more.begin(), more.end());
+}
+
+std::size_t SolidComponents::count() const {
+  std::size_t count = 0;
+  for (std::size_t c = 0; c < sets_.size(); ++c) {
+    if (sets_.find(c) == c) ++count;
+  }
+  return count;
+}
+
+std::vector<std::uint32_t> SolidComponents::of_contours(Findings& findings) const {
+  constexpr const char* kWhat = "a contour lies on no component, or on several";
+  std::vector<std::uint32_t> component(first_.size(), kNone);
+  for (std::size_t c = 0; c < first_.size(); ++c) {
+    if (first_[c] == kNone) continue;
+    component[c] = static_cast<std::uint32_t>(sets_.find(first_[c]));
+  }
+  std::vector<std::uint32_t> several;
+  for (const auto& [contour, other] : more_) {
+    if (sets_.find(other) != component[contour]) several.push_back(contour);
+  }
+  for (std::uint32_t c = 0; c < component.size(); ++c) {
+    if (component[c] == kNone) several.push_back(c);
+  }
+  sort_distinct(several);
+  for (const std::uint32_t c : several) {
+    findings.fail(2, kWhat, [&] { return numbers_.text(c); });
+  }
+  std::vector<std::uint8_t> has_contour(sets_.size(), 0);
+  for (std::size_t c = 0; c < sets_.size(); ++c) {
+    if (has_contour_[c] != 0) has_contour[sets_.find(c)] = 1;
+  }
+  for (std::size_t c = 0; c < sets_.size(); ++c) {
+    if (sets_.find(c) != c || has_contour[c] != 0) continue;
+    findings.fail(1, "a component contains no contour",
+                  [&] { return "component of " + tet_text(first_tet_[c]); });
+  }
+  return component;
+}
+
+Result<Components> check_components(const SolidComponents& components, const SectionStack& stack,
+                                    const SectionStack& refined, const Claims& claims,
+                                    const CheckOptions& options) {
   Components result{Findings(4, "components", options.places)};
   Findings& findings = result.findings;
-  const OnContours& on = resampling.on_contours;
-  const std::vector<std::uint32_t> component = components_of_contours(view, on, findings);
+  const ContourNumbers& numbers = components.numbers();
+  const std::vector<std::uint32_t> component = components.of_contours(findings);
 
-  auto partition = expected_partition(stack, resampling.refined, options.correspondence,
-                                      {view.links, view.motions}, options.recompute_motions);
+  auto partition =
+      expected_partition(stack, refined, options.correspondence, claims, options.recompute_motions);
   if (!accepted(partition)) {
     // What conform() makes of a contour that the model bends badly is the model's fault.
     if (partition.error().code == ErrorCode::invalid_input) return partition.error();
@@ -111,7 +143,7 @@ Result<Components> check_components(const ModelView& view, const SectionStack& s
   report_claims(*partition, findings);
   result.dropped_links = partition->dropped;
   const auto pair_text = [&](std::size_t a, std::size_t b) {
-    return numbered_contour_text(on, a) + " and " + numbered_contour_text(on, b);
+    return numbers.text(a) + " and " + numbers.text(b);
   };
   compare_within_classes(
       partition->set, partition->set.size(), [&](std::size_t c) { return component[c]; },
@@ -121,11 +153,13 @@ Result<Components> check_components(const ModelView& view, const SectionStack& s
       });
   // The other way round, over contours that lie in some component.
   std::vector<std::size_t> by_component(component.begin(), component.end());
-  for (std::size_t& c : by_component) {
-    if (c == kNone) c = view.component_count;
+  std::size_t none = 0;  // a number that no component has
+  for (const std::uint32_t c : component) {
+    if (c != kNone) none = std::max(none, std::size_t{c} + 1);
   }
+  std::replace(by_component.begin(), by_component.end(), std::size_t{kNone}, none);
   compare_within_classes(
-      by_component, view.component_count + 1,
+      by_component, none + 1,
       [&](std::size_t c) {
         return component[c] == kNone ? kNone : static_cast<std::uint32_t>(partition->set[c]);
       },

@@ -19,10 +19,11 @@ namespace {
 // The model's vertices of one plane by (x, y).
 class PlaneVertices {
  public:
-  PlaneVertices(const ModelView& view, std::size_t planes) : view_(view), sorted_(planes) {
+  PlaneVertices(const ModelView& view, const SectionRange& sections)
+      : view_(view), first_(sections.first), sorted_(sections.end - sections.first) {
     for (std::size_t v = 0; v < view.points.size(); ++v) {
-      if (on_plane(view.level[v])) {
-        sorted_[static_cast<std::size_t>(view.level[v] / 2)].push_back(VertexId(v));
+      if (sections.holds_plane(view.level[v])) {
+        sorted_[static_cast<std::size_t>(view.level[v] / 2) - first_].push_back(VertexId(v));
       }
     }
     for (auto& vertices : sorted_) {
@@ -33,11 +34,13 @@ class PlaneVertices {
     }
   }
 
-  [[nodiscard]] const std::vector<VertexId>& of(std::size_t plane) const { return sorted_[plane]; }
+  [[nodiscard]] const std::vector<VertexId>& of(std::size_t plane) const {
+    return sorted_[plane - first_];
+  }
 
   /// The first vertex at a point, preferring one that tets use; invalid if there is none.
   [[nodiscard]] VertexId at(std::size_t plane, const Point2& p) const {
-    const auto& vertices = sorted_[plane];
+    const auto& vertices = of(plane);
     const auto begin = std::lower_bound(vertices.begin(), vertices.end(), p,
                                         [&](VertexId v, const Point2& q) { return less(v, q); });
     VertexId found;
@@ -53,18 +56,22 @@ class PlaneVertices {
     return canonical_less(view_.xy(v), p);
   }
   const ModelView& view_;
+  std::size_t first_;
   std::vector<std::vector<VertexId>> sorted_;
 };
 
 class ContourFollower {
  public:
-  ContourFollower(const ModelView& view, const SectionStack& stack, const InPlaneComplex& complex,
+  ContourFollower(const ModelView& view, const SectionStack& stack, const ContourNumbers& numbers,
+                  const SectionRange& sections, const InPlaneComplex& complex,
                   const CheckOptions& options, Findings& findings)
       : view_(view),
         stack_(stack),
+        numbers_(numbers),
+        sections_(sections),
         options_(options),
         findings_(findings),
-        vertices_(view, stack.sections.size()),
+        vertices_(view, sections),
         next_(view.points.size()),
         passed_(view.points.size(), 0),
         is_input_(view.points.size(), 0),
@@ -77,22 +84,21 @@ class ContourFollower {
 
   OnContours run() {
     report_coincident();
-    std::size_t contours = 0;
-    for (const Section& section : stack_.sections) {
-      result_.first.push_back(contours);
-      contours += section.contours.size();
-    }
-    result_.first.push_back(contours);
     result_.contour.assign(view_.points.size(), OnContours::kNone);
-    result_.chain.resize(contours);
-    input_.resize(contours);
-    for (std::size_t s = 0; s < stack_.sections.size(); ++s) find_input_vertices(s);
-    for (std::size_t s = 0; s < stack_.sections.size(); ++s) follow_section(s);
+    result_.chain.resize(local(sections_.end, 0));
+    input_.resize(result_.chain.size());
+    for (std::size_t s = sections_.first; s < sections_.end; ++s) find_input_vertices(s);
+    for (std::size_t s = sections_.first; s < sections_.end; ++s) follow_section(s);
     report_leftovers();
     return std::move(result_);
   }
 
  private:
+  // Its number among those that are followed.
+  [[nodiscard]] std::size_t local(std::size_t s, std::size_t c) const {
+    return numbers_.of(s, c) - numbers_.of(sections_.first, 0);
+  }
+
   // Each boundary edge starts where exactly one does: else the boundary is branched.
   void link_boundary(const InPlaneComplex& complex) {
     for (const InPlaneComplex::Edge& edge : complex.edges) {
@@ -108,14 +114,12 @@ class ContourFollower {
   }
 
   void report_stray(VertexId from, VertexId to) {
-    findings_.fail(9, "an in-plane triangle ends at an edge that is on no contour", [&] {
-      return "edge " + std::to_string(from.value()) + " " + std::to_string(to.value()) + ", " +
-             vertex_text(view_, from);
-    });
+    findings_.fail(9, "an in-plane triangle ends at an edge that is on no contour",
+                   [&] { return edge_text(view_, from, to) + ", " + vertex_text(view_, from); });
   }
 
   void report_coincident() {
-    for (std::size_t plane = 0; plane < stack_.sections.size(); ++plane) {
+    for (std::size_t plane = sections_.first; plane < sections_.end; ++plane) {
       const auto& vertices = vertices_.of(plane);
       for (std::size_t i = 1; i < vertices.size(); ++i) {
         if (view_.xy(vertices[i]) != view_.xy(vertices[i - 1])) continue;
@@ -129,7 +133,7 @@ class ContourFollower {
     const Section& section = stack_.sections[SectionId(s)];
     for (std::size_t c = 0; c < section.contours.size(); ++c) {
       const Contour& contour = section.contours[ContourId(c)];
-      std::vector<VertexId>& found = input_[result_.number(s, c)];
+      std::vector<VertexId>& found = input_[local(s, c)];
       for (std::size_t i = 0; i < contour.vertices.size(); ++i) {
         const VertexId v = vertices_.at(s, contour.vertices[i]);
         found.push_back(v);
@@ -138,7 +142,7 @@ class ContourFollower {
           continue;
         }
         is_input_[v.index()] = 1;
-        result_.contour[v.index()] = result_.number(s, c);
+        result_.contour[v.index()] = numbers_.of(s, c);
       }
     }
   }
@@ -164,8 +168,8 @@ class ContourFollower {
     for (std::size_t k = 0; k < n; ++k) {
       const std::size_t from = reversed ? (n - k) % n : k;
       const std::size_t to = reversed ? n - k - 1 : (k + 1) % n;
-      const VertexId begin = input_[result_.number(s, c)][from];
-      const VertexId end = input_[result_.number(s, c)][to];
+      const VertexId begin = input_[local(s, c)][from];
+      const VertexId end = input_[local(s, c)][to];
       if (!begin.valid() || !end.valid()) {
         complete = false;
         continue;
@@ -189,7 +193,7 @@ class ContourFollower {
       check_inserted(s, c, points[from], points[to],
                      {chain.begin() + static_cast<std::ptrdiff_t>(first), chain.end()});
     }
-    if (complete) result_.chain[result_.number(s, c)] = std::move(chain);
+    if (complete) result_.chain[local(s, c)] = std::move(chain);
   }
 
   void check_inserted(std::size_t s, std::size_t c, const Point2& a, const Point2& b,
@@ -197,7 +201,7 @@ class ContourFollower {
     Point2 previous = a;
     for (const VertexId v : inserted) {
       const Point2 p = view_.xy(v);
-      result_.contour[v.index()] = result_.number(s, c);
+      result_.contour[v.index()] = numbers_.of(s, c);
       const EdgeDistance distance = distance_from_edge(a, b, p, options_.split_ulps);
       result_.largest_split_ulps = std::max(result_.largest_split_ulps, distance.ulps);
       if (!distance.within) {
@@ -220,7 +224,8 @@ class ContourFollower {
   void report_leftovers() {
     for (std::size_t v = 0; v < view_.points.size(); ++v) {
       if (next_[v].valid() && passed_[v] == 0) report_stray(VertexId(v), next_[v]);
-      if (!on_plane(view_.level[v]) || result_.contour[v] != OnContours::kNone) continue;
+      if (!sections_.holds_plane(view_.level[v]) || result_.contour[v] != OnContours::kNone)
+        continue;
       if (is_corner_[v] != 0) {
         ++result_.off_contours;
       } else {
@@ -243,6 +248,8 @@ class ContourFollower {
 
   const ModelView& view_;
   const SectionStack& stack_;
+  const ContourNumbers& numbers_;
+  SectionRange sections_;
   const CheckOptions& options_;
   Findings& findings_;
   PlaneVertices vertices_;
@@ -252,7 +259,7 @@ class ContourFollower {
   std::vector<std::uint8_t> passed_;
   std::vector<std::uint8_t> is_input_;
   std::vector<std::uint8_t> is_corner_;  // of an in-plane face that is not flat
-  // input_[c][i]: the model vertex of vertex i of contour c, or invalid.
+  // input_[c][i]: the model vertex of vertex i of contour c, a local number; or invalid.
   std::vector<std::vector<VertexId>> input_;
   OnContours result_;
 };
@@ -260,9 +267,10 @@ class ContourFollower {
 }  // namespace
 
 OnContours follow_contours(const ModelView& view, const SectionStack& stack,
+                           const ContourNumbers& numbers, const SectionRange& sections,
                            const InPlaneComplex& complex, const CheckOptions& options,
                            Findings& findings) {
-  return ContourFollower(view, stack, complex, options, findings).run();
+  return ContourFollower(view, stack, numbers, sections, complex, options, findings).run();
 }
 
 }  // namespace tetloft::internal::checking

@@ -3,7 +3,9 @@
 #include "check/embedded.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include <tetloft/predicates.hpp>
 
@@ -17,14 +19,26 @@ namespace {
 // Of a model in ruins not every contact is of interest.
 constexpr std::size_t kMostContacts = 1000;
 
+constexpr const char* kEmbedded = "embedded";
+
+void fail_contact(const ModelView& view, const Contact& contact, Findings& findings) {
+  findings.fail(3, "two boundary triangles touch beyond what they share", [&] {
+    return face_text(view, view.boundary[contact.first]) + " and " +
+           face_text(view, view.boundary[contact.second]);
+  });
+}
+
+std::size_t most_contacts(const CheckOptions& options) {
+  return std::max(kMostContacts, options.places);
+}
+
 }  // namespace
 
-Findings check_embedded(const ModelView& view, const SurfaceComponents& surface,
-                        const CheckOptions& options) {
-  Findings findings(3, "embedded", options.places);
+Findings check_tets_and_contacts(const ModelView& view, const CheckOptions& options) {
+  Findings findings(3, kEmbedded, options.places);
   for (const VertexId v : view.not_finite) {
     findings.fail(1, "a coordinate is not finite",
-                  [&] { return "vertex " + std::to_string(v.value()); });
+                  [&] { return "vertex " + std::to_string(view.number(v).value()); });
   }
   for (std::size_t t = 0; t < view.tets.size(); ++t) {
     const TetVertices& tet = view.tets[t];
@@ -32,13 +46,37 @@ Findings check_embedded(const ModelView& view, const SurfaceComponents& surface,
     if (orient3d(point(0), point(1), point(2), point(3)) == Sign::positive) continue;
     findings.fail(2, "a tet is not positive", [&] { return tet_text(view.id[t]); });
   }
-  const std::size_t limit = std::max(kMostContacts, options.places);
-  for (const Contact& contact : find_contacts(view.points, view.boundary, limit)) {
-    findings.fail(3, "two boundary triangles touch beyond what they share", [&] {
-      return face_text(view.boundary[contact.first]) + " and " +
-             face_text(view.boundary[contact.second]);
-    });
+  for (const Contact& contact : find_contacts(view.points, view.boundary, most_contacts(options))) {
+    fail_contact(view, contact, findings);
   }
+  return findings;
+}
+
+Findings check_contacts_at_seam(const ModelView& view, std::size_t first_upper,
+                                const CheckOptions& options) {
+  // 0 and 1: of the lower and the upper side, 2: in the seam.
+  std::vector<std::uint8_t> side;
+  for (std::size_t i = 0; i < view.boundary.size(); ++i) {
+    const bool upper = view.boundary_face[i].index() / 4 >= first_upper;
+    side.push_back(view.in_seam(view.boundary[i]) ? 2 : (upper ? 1 : 0));
+  }
+  Findings findings(3, kEmbedded, options.places);
+  for (const Contact& contact :
+       find_contacts(view.points, view.boundary, most_contacts(options), side)) {
+    if (side[contact.first] == 1 && side[contact.second] == 1) continue;
+    fail_contact(view, contact, findings);
+  }
+  return findings;
+}
+
+void fail_winding(Findings& findings, const std::string& place) {
+  findings.fail(4, "tets lie on the outer side of a boundary surface",
+                [&] { return "surface at " + place; });
+}
+
+Findings check_embedded(const ModelView& view, const SurfaceComponents& surface,
+                        const CheckOptions& options) {
+  Findings findings = check_tets_and_contacts(view, options);
   // Winding numbers need an embedded surface.
   if (!findings.pass()) return findings;
   const std::vector<long> winding =
@@ -46,9 +84,7 @@ Findings check_embedded(const ModelView& view, const SurfaceComponents& surface,
   std::vector<std::size_t> first(winding.size(), 0);
   for (std::size_t i = view.boundary.size(); i-- > 0;) first[surface.component[i]] = i;
   for (std::size_t c = 0; c < winding.size(); ++c) {
-    if (winding[c] == 0) continue;
-    findings.fail(4, "tets lie on the outer side of a boundary surface",
-                  [&] { return "surface at " + face_text(view.boundary[first[c]]); });
+    if (winding[c] != 0) fail_winding(findings, face_text(view, view.boundary[first[c]]));
   }
   return findings;
 }

@@ -76,16 +76,20 @@ class RegionDistance {
 
 }  // namespace
 
-double overshoot(const ModelView& view, const SectionStack& stack) {
-  UnitOfLength unit = sections::unit_of(stack);
+double overshoot(const ModelView& view, const SectionStack& stack, const SectionRange& sections) {
+  SectionStack part;
+  for (std::size_t s = sections.first; s < sections.end; ++s) {
+    part.sections.push_back(stack.sections[SectionId(s)]);
+  }
+  UnitOfLength unit = sections::unit_of(part);
   for (std::size_t v = 0; v < view.points.size(); ++v) {
     if (view.used[v] != 0) unit.include(view.points[v]);
   }
   const int exponent = unit.largest_to_one();
-  const SectionStack in_unit = sections::scaled(stack, exponent);
+  const SectionStack in_unit = sections::scaled(part, exponent);
   std::vector<RegionDistance> region;
   for (const Section& section : in_unit.sections) region.emplace_back(section);
-  const auto z = [&](std::size_t s) { return in_unit.sections[SectionId(s)].z; };
+  const auto z = [&](std::size_t s) { return in_unit.sections[SectionId(s - sections.first)].z; };
   const std::size_t n = stack.sections.size();
 
   double largest = 0;
@@ -103,8 +107,9 @@ double overshoot(const ModelView& view, const SectionStack& stack) {
 
     double distance = kFarthest;
     for (const std::size_t s : {low, high}) {
-      if (region[s].empty() || distance <= largest * gap) continue;
-      distance = std::min(distance, region[s]({p.x, p.y}, largest * gap));
+      const RegionDistance& of = region[s - sections.first];
+      if (of.empty() || distance <= largest * gap) continue;
+      distance = std::min(distance, of({p.x, p.y}, largest * gap));
     }
     if (distance < kFarthest) largest = std::max(largest, distance / gap);
   }
@@ -124,6 +129,40 @@ double smallest_dihedral_degrees(const ModelView& view) {
     for (const double angle : dihedral_degrees(corner)) smallest = std::min(smallest, angle);
   }
   return view.tets.empty() ? 180 : smallest;
+}
+
+void ViewFigures::add(const OnContours& on) {
+  largest_split_ulps = std::max(largest_split_ulps, on.largest_split_ulps);
+  inner_vertices += on.off_contours;
+}
+
+void ViewFigures::add(const ViewFigures& more) {
+  volume += more.volume;
+  overshoot = std::max(overshoot, more.overshoot);
+  smallest_dihedral_degrees = std::min(smallest_dihedral_degrees, more.smallest_dihedral_degrees);
+  largest_split_ulps = std::max(largest_split_ulps, more.largest_split_ulps);
+  inner_vertices += more.inner_vertices;
+}
+
+void ViewFigures::tell(CheckReport& report) const {
+  report.volume = volume;
+  report.overshoot = overshoot;
+  report.smallest_dihedral_degrees = smallest_dihedral_degrees;
+  report.largest_split_ulps = largest_split_ulps;
+  report.inner_vertices = inner_vertices;
+}
+
+ViewFigures measure(const Model& model, const ModelView& view, const SectionStack& stack,
+                    const SectionRange& sections) {
+  Model sound;
+  sound.points = model.points;
+  sound.tets = IdVector<TetId, TetVertices>(view.tets);
+  sound.frame = model.frame;
+  ViewFigures figures;
+  figures.volume = volume(sound);
+  figures.overshoot = overshoot(view, stack, sections);
+  figures.smallest_dihedral_degrees = smallest_dihedral_degrees(view);
+  return figures;
 }
 
 }  // namespace tetloft::internal::checking

@@ -27,6 +27,20 @@ class Findings {
     if (failure.places.size() < places_) failure.places.push_back(place());
   }
 
+  /// Those of a part, whose places are named with this in front.
+  void add(const Findings& part, const std::string& in_front) {
+    for (const auto& [condition, failure] : part.failures_) {
+      CheckFailure& sum = failures_[condition];
+      sum.what = failure.what;
+      sum.count += failure.count;
+      for (const std::string& place : failure.places) {
+        if (sum.places.size() < places_) sum.places.push_back(in_front + place);
+      }
+    }
+  }
+  /// As if it had not been asked.
+  void forget(int condition) { failures_.erase(condition); }
+
   [[nodiscard]] bool pass() const { return failures_.empty(); }
   [[nodiscard]] bool failed(int condition) const { return failures_.count(condition) != 0; }
 

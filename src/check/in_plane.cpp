@@ -19,7 +19,7 @@ struct FaceUse {
   [[nodiscard]] auto face() const { return std::tie(plane, sorted); }
 };
 
-std::vector<FaceUse> in_plane_faces(const ModelView& view) {
+std::vector<FaceUse> in_plane_faces(const ModelView& view, const SectionRange& sections) {
   std::vector<FaceUse> faces;
   for (const TetVertices& tet : view.tets) {
     for (std::size_t apex = 0; apex < 4; ++apex) {
@@ -28,7 +28,7 @@ std::vector<FaceUse> in_plane_faces(const ModelView& view) {
         face[k] = tet[static_cast<std::size_t>(kFaceVertex[apex][k])];
       }
       const Level level = view.level[face[0].index()];
-      if (!on_plane(level) || view.level[face[1].index()] != level ||
+      if (!sections.holds_plane(level) || view.level[face[1].index()] != level ||
           view.level[face[2].index()] != level) {
         continue;
       }
@@ -57,9 +57,9 @@ InPlaneTriangle as_triangle(const ModelView& view, const FaceUse& face) {
 
 }  // namespace
 
-InPlaneComplex in_plane_complex(const ModelView& view) {
+InPlaneComplex in_plane_complex(const ModelView& view, const SectionRange& sections) {
   InPlaneComplex complex;
-  const std::vector<FaceUse> faces = in_plane_faces(view);
+  const std::vector<FaceUse> faces = in_plane_faces(view, sections);
   for (std::size_t i = 0; i < faces.size();) {
     InPlaneTriangle triangle = as_triangle(view, faces[i]);
     const std::size_t first = i;

@@ -39,6 +39,7 @@ struct InPlaneComplex {
   [[nodiscard]] bool has_edge(VertexId a, VertexId b) const;
 };
 
-[[nodiscard]] InPlaneComplex in_plane_complex(const ModelView& view);
+/// Of the planes of these sections.
+[[nodiscard]] InPlaneComplex in_plane_complex(const ModelView& view, const SectionRange& sections);
 
 }  // namespace tetloft::internal::checking

@@ -34,10 +34,12 @@ void check_crossing(const ModelView& view, Findings& findings) {
   }
 }
 
-void check_triangles(const InPlaneComplex& complex, std::size_t planes, Findings& findings) {
+void check_triangles(const ModelView& view, const InPlaneComplex& complex, std::size_t planes,
+                     Findings& findings) {
   for (const InPlaneTriangle& triangle : complex.triangles) {
     const auto place = [&] {
-      return "section " + std::to_string(triangle.plane) + ", " + face_text(triangle.vertices);
+      return "section " + std::to_string(triangle.plane) + ", " +
+             face_text(view, triangle.vertices);
     };
     if (triangle.flat) {
       findings.fail(4, "the vertices of an in-plane face are collinear", place);
@@ -59,51 +61,49 @@ void check_edges(const ModelView& view, const InPlaneComplex& complex, Findings&
   for (const InPlaneComplex::Edge& edge : complex.edges) {
     if (edge.left <= 1 && edge.right <= 1) continue;
     findings.fail(7, "an in-plane edge has more than one in-plane face on one side", [&] {
-      return "edge " + std::to_string(edge.low.value()) + " " + std::to_string(edge.high.value()) +
-             ", " + vertex_text(view, edge.low);
+      return edge_text(view, edge.low, edge.high) + ", " + vertex_text(view, edge.low);
     });
   }
 }
 
 void check_no_other_edges(const ModelView& view, const InPlaneComplex& complex,
-                          Findings& findings) {
+                          const SectionRange& sections, Findings& findings) {
   for (std::size_t t = 0; t < view.tets.size(); ++t) {
     for (const auto& [i, j] : kEdgeVertex) {
       const VertexId a = view.tets[t][static_cast<std::size_t>(i)];
       const VertexId b = view.tets[t][static_cast<std::size_t>(j)];
-      if (view.level[a.index()] != view.level[b.index()] || !on_plane(view.level[a.index()]) ||
-          complex.has_edge(a, b)) {
+      if (view.level[a.index()] != view.level[b.index()] ||
+          !sections.holds_plane(view.level[a.index()]) || complex.has_edge(a, b)) {
         continue;
       }
-      findings.fail(14, "a tet has an edge in a section plane that is in no in-plane face", [&] {
-        return tet_text(view.id[t]) + ", edge " + std::to_string(a.value()) + " " +
-               std::to_string(b.value());
-      });
+      findings.fail(14, "a tet has an edge in a section plane that is in no in-plane face",
+                    [&] { return tet_text(view.id[t]) + ", " + edge_text(view, a, b); });
     }
   }
 }
 
-SectionStack refine(const ModelView& view, const SectionStack& stack, const OnContours& on) {
-  SectionStack refined = stack;
-  for (std::size_t s = 0; s < stack.sections.size(); ++s) {
+void refine(const ModelView& view, const ContourNumbers& numbers, const SectionRange& sections,
+            const OnContours& on, SectionStack& refined) {
+  for (std::size_t s = sections.first; s < sections.end; ++s) {
     Section& section = refined.sections[SectionId(s)];
     for (std::size_t c = 0; c < section.contours.size(); ++c) {
-      const std::vector<VertexId>& chain = on.chain[on.number(s, c)];
+      const std::vector<VertexId>& chain =
+          on.chain[numbers.of(s, c) - numbers.of(sections.first, 0)];
       std::vector<Point2>& vertices = section.contours[ContourId(c)].vertices;
       if (chain.size() <= vertices.size()) continue;
       vertices.clear();
       for (const VertexId v : chain) vertices.push_back(view.xy(v));
     }
   }
-  return refined;
 }
 
 // Inserted vertices bend their contours by rounding. Where that made contours touch, or
 // moved one across another, the boundary of the triangles would not bound the region.
 // Sections where that is so go back to the input.
-void check_refined(const SectionStack& stack, SectionStack& refined, Findings& findings) {
+void check_refined(const SectionStack& stack, const SectionRange& sections, SectionStack& refined,
+                   Findings& findings) {
   constexpr const char* kWhat = "inserted vertices make contours touch or change their nesting";
-  for (std::size_t s = 0; s < stack.sections.size(); ++s) {
+  for (std::size_t s = sections.first; s < sections.end; ++s) {
     const Section& before = stack.sections[SectionId(s)];
     Section& after = refined.sections[SectionId(s)];
     bool changed = false;
@@ -139,18 +139,36 @@ void check_refined(const SectionStack& stack, SectionStack& refined, Findings& f
 
 }  // namespace
 
+ContourNumbers::ContourNumbers(const SectionStack& stack) {
+  std::size_t contours = 0;
+  for (const Section& section : stack.sections) {
+    first_.push_back(contours);
+    contours += section.contours.size();
+  }
+  first_.push_back(contours);
+}
+
+std::string ContourNumbers::text(std::size_t contour) const {
+  const auto behind = std::upper_bound(first_.begin(), first_.end(), contour);
+  const auto s = static_cast<std::size_t>(behind - first_.begin()) - 1;
+  return contour_text(s, contour - first_[s]);
+}
+
 Resampling check_resampling(const ModelView& view, const SectionStack& stack,
-                            const CheckOptions& options) {
+                            const ContourNumbers& numbers, const SectionRange& sections,
+                            const CheckOptions& options, SectionStack& refined) {
   Findings findings(2, "re-sampling", options.places);
-  check_crossing(view, findings);
-  const InPlaneComplex complex = in_plane_complex(view);
-  check_triangles(complex, stack.sections.size(), findings);
+  // Of tets at a seam the segments beside it tell.
+  if (view.part.scope != Scope::seam) check_crossing(view, findings);
+  const InPlaneComplex complex = in_plane_complex(view, sections);
+  check_triangles(view, complex, stack.sections.size(), findings);
   check_edges(view, complex, findings);
-  OnContours on_contours = follow_contours(view, stack, complex, options, findings);
-  SectionStack refined = refine(view, stack, on_contours);
-  check_refined(stack, refined, findings);
-  check_no_other_edges(view, complex, findings);
-  return {std::move(findings), std::move(on_contours), std::move(refined)};
+  OnContours on_contours =
+      follow_contours(view, stack, numbers, sections, complex, options, findings);
+  refine(view, numbers, sections, on_contours, refined);
+  check_refined(stack, sections, refined, findings);
+  check_no_other_edges(view, complex, sections, findings);
+  return {std::move(findings), std::move(on_contours)};
 }
 
 }  // namespace tetloft::internal::checking

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "check/findings.hpp"
@@ -9,20 +10,31 @@
 
 namespace tetloft::internal::checking {
 
-/// What guarantee 2 learned of how the model's vertices lie on the contours.
+/// Contours of all sections of a stack in one sequence.
+class ContourNumbers {
+ public:
+  explicit ContourNumbers(const SectionStack& stack);
+  /// Contour c of section s; of the section behind the last, and 0, their number.
+  [[nodiscard]] std::uint32_t of(std::size_t s, std::size_t c) const {
+    return static_cast<std::uint32_t>(first_[s] + c);
+  }
+  [[nodiscard]] std::size_t size() const { return first_.back(); }
+  [[nodiscard]] std::size_t section_count() const { return first_.size() - 1; }
+  /// Where it is, in words.
+  [[nodiscard]] std::string text(std::size_t contour) const;
+
+ private:
+  std::vector<std::size_t> first_;
+};
+
+/// What guarantee 2 learned of how the model's vertices lie on the contours of some sections.
 struct OnContours {
   static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
 
-  /// Contours of all sections are numbered in one sequence: here, contour c of section s.
-  [[nodiscard]] std::uint32_t number(std::size_t s, std::size_t c) const {
-    return static_cast<std::uint32_t>(first[s] + c);
-  }
-  std::vector<std::size_t> first;  ///< per section; the number of contours at the end
-
   /// contour[v]: the contour that vertex v lies on, or kNone.
   std::vector<std::uint32_t> contour;
-  /// chain[c]: the model vertices along contour c, region on the left, from its first input
-  /// vertex; empty where the model does not follow the contour.
+  /// Of each contour of these sections, in order: the model vertices along it, region on the left,
+  /// from its first input vertex; empty where the model does not follow the contour.
   std::vector<std::vector<VertexId>> chain;
   double largest_split_ulps = 0;
   std::size_t off_contours = 0;  ///< corners of in-plane faces that lie on no contour
@@ -31,14 +43,15 @@ struct OnContours {
 struct Resampling {
   Findings findings;
   OnContours on_contours;
-  /// The stack with the model's inserted vertices; contours that the model does not follow,
-  /// and sections that it bends so that they are not valid, as they are in the input.
-  SectionStack refined;
 };
 
-/// Guarantee 2, conditions 2.1 to 2.14 of README.md: the model meets each section plane in
-/// exactly the section's region. Requires a valid stack.
+/// Guarantee 2, conditions 2.1 to 2.14 of README.md: the model meets the planes of these sections
+/// in exactly their regions. In `refined`, which is the stack, they get the model's inserted
+/// vertices; contours that the model does not follow, and sections that it bends so that they are
+/// not valid, stay as they are in the input. 2.1 is asked of all planes. Requires a valid stack.
 [[nodiscard]] Resampling check_resampling(const ModelView& view, const SectionStack& stack,
-                                          const CheckOptions& options);
+                                          const ContourNumbers& numbers,
+                                          const SectionRange& sections, const CheckOptions& options,
+                                          SectionStack& refined);
 
 }  // namespace tetloft::internal::checking

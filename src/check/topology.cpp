@@ -24,17 +24,6 @@ std::optional<std::int64_t> slab_of(const ModelView& view, const TetVertices& te
   return low < 0 ? -1 : low / 2;
 }
 
-// Of contours or voids of all sections in one sequence: which one each contour bounds.
-std::vector<std::size_t> bounded_by(const OnContours& on, const Regions& regions) {
-  std::vector<std::size_t> result;
-  for (std::size_t s = 0; s + 1 < on.first.size(); ++s) {
-    for (std::size_t c = 0; on.first[s] + c < on.first[s + 1]; ++c) {
-      result.push_back(regions.of(s, c));
-    }
-  }
-  return result;
-}
-
 // Some tets of a model, that hang together by faces where they do so at all.
 class PartCount {
  public:
@@ -68,9 +57,7 @@ class PartCount {
 
 }  // namespace
 
-std::vector<SlabPart> slab_parts(const ModelView& view, const OnContours& on,
-                                 const Regions& regions) {
-  const std::vector<std::size_t> region_at = bounded_by(on, regions);
+SlabParts slab_parts(const ModelView& view) {
   std::vector<std::optional<std::int64_t>> slab;
   for (const TetVertices& tet : view.tets) slab.push_back(slab_of(view, tet));
   const auto across = [&](std::size_t half_face) -> std::optional<std::size_t> {
@@ -91,9 +78,11 @@ std::vector<SlabPart> slab_parts(const ModelView& view, const OnContours& on,
   std::stable_sort(tets.begin(), tets.end(),
                    [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
 
-  std::vector<SlabPart> parts;
+  SlabParts result;
+  result.part_of.assign(view.tets.size(), SlabParts::kNone);
   for (auto part = tets.begin(); part != tets.end();) {
-    SlabPart& made = parts.emplace_back();
+    const auto number = static_cast<std::uint32_t>(result.parts.size());
+    SlabPart& made = result.parts.emplace_back();
     made.slab = *slab[*part];
     made.first = view.id[*part];
     PartCount count;
@@ -103,38 +92,47 @@ std::vector<SlabPart> slab_parts(const ModelView& view, const OnContours& on,
       for (std::size_t i = 0; i < 4; ++i) {
         if (across(4 * *part + i).has_value()) count.add_inner_half_face();
       }
-      for (const VertexId v : view.tets[*part]) {
-        const std::uint32_t contour = on.contour[v.index()];
-        if (contour != OnContours::kNone) made.regions.push_back(region_at[contour]);
-      }
+      result.part_of[*part] = number;
     }
     made.chi = count.chi();
-    sort_distinct(made.regions);
   }
-  return parts;
+  return result;
 }
 
-ModelVoids model_voids(const ModelView& view, const SurfaceComponents& surface,
-                       const OnContours& on, const Regions& voids) {
-  const std::vector<std::size_t> void_at = bounded_by(on, voids);
-  const std::size_t surfaces = surface.topology.size();
-  // Voids first, then surfaces.
-  UnionFind joined(voids.size() + surfaces);
-  for (std::size_t s = 0; s < voids.section_count(); ++s) joined.unite(0, voids.first[s]);
-  std::vector<std::uint8_t> meets_contour(surfaces, 0);
-  for (std::size_t f = 0; f < view.boundary.size(); ++f) {
-    for (const VertexId v : view.boundary[f]) {
+void add_regions(const ModelView& view, const OnContours& on,
+                 std::span<const std::uint32_t> part_of, std::span<const std::size_t> region_at,
+                 std::vector<SlabPart>& parts) {
+  for (std::size_t t = 0; t < view.tets.size(); ++t) {
+    if (part_of[t] == SlabParts::kNone) continue;
+    std::vector<std::size_t>& regions = parts[part_of[t]].regions;
+    for (const VertexId v : view.tets[t]) {
       const std::uint32_t contour = on.contour[v.index()];
       if (contour == OnContours::kNone) continue;
-      meets_contour[surface.component[f]] = 1;
-      joined.unite(void_at[contour], voids.size() + surface.component[f]);
+      const std::size_t region = region_at[contour];
+      if (std::find(regions.begin(), regions.end(), region) == regions.end()) {
+        regions.push_back(region);
+      }
     }
   }
+}
+
+std::vector<std::size_t> bounded_by(const SectionStack& stack, const Regions& regions) {
+  std::vector<std::size_t> result;
+  for (std::size_t s = 0; s < stack.sections.size(); ++s) {
+    const std::size_t contours = stack.sections[SectionId(s)].contours.size();
+    for (std::size_t c = 0; c < contours; ++c) result.push_back(regions.of(s, c));
+  }
+  return result;
+}
+
+ModelVoids model_voids(std::span<const BoundarySurface> surfaces, const Regions& voids) {
+  // Voids first, then surfaces.
+  UnionFind joined(voids.size() + surfaces.size());
+  for (std::size_t s = 0; s < voids.section_count(); ++s) joined.unite(0, voids.first[s]);
   ModelVoids result;
-  for (std::size_t f = 0; f < view.boundary.size(); ++f) {
-    std::uint8_t& seen = meets_contour[surface.component[f]];
-    if (seen == 0) result.bubbles.push_back(view.boundary[f]);
-    seen = 1;
+  for (std::size_t k = 0; k < surfaces.size(); ++k) {
+    for (const std::size_t v : surfaces[k].bounds) joined.unite(v, voids.size() + k);
+    if (surfaces[k].bounds.empty()) result.bubbles.push_back(surfaces[k].first);
   }
   for (std::size_t v = 0; v < voids.size(); ++v) result.set.push_back(joined.find(v));
   for (std::size_t i = 1; i < joined.size(); ++i) {

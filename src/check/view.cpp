@@ -19,6 +19,9 @@ bool is_finite(const Point3& p) {
 }
 
 void collect_sound_tets(const Model& model, ModelView& view) {
+  const auto number = [&](std::size_t t) {
+    return view.part.tet.empty() ? TetId(t) : view.part.tet[t];
+  };
   std::vector<std::uint8_t> finite(model.points.size());
   for (std::size_t v = 0; v < finite.size(); ++v) {
     finite[v] = is_finite(model.points[VertexId(v)]) ? 1 : 0;
@@ -37,25 +40,26 @@ void collect_sound_tets(const Model& model, ModelView& view) {
       all_finite = all_finite && well_formed && finite[tet[i].index()] != 0;
     }
     if (!well_formed) {
-      view.malformed.push_back(TetId(t));
+      view.malformed.push_back(number(t));
     } else if (all_finite) {
       view.tets.push_back(tet);
-      view.id.push_back(TetId(t));
+      view.id.push_back(number(t));
       for (const VertexId v : tet) view.used[v.index()] = 1;
     }
   }
 }
 
 void find_levels(const SectionStack& stack, ModelView& view) {
-  std::vector<double> z;
-  for (const Section& section : stack.sections) z.push_back(section.z);
+  const std::vector<Section>& planes = stack.sections.raw();
   view.level.assign(view.points.size(), -1);
   for (std::size_t v = 0; v < view.points.size(); ++v) {
     const Point3& p = view.points[v];
     if (!is_finite(p)) continue;
-    const auto at = std::lower_bound(z.begin(), z.end(), p.z);
-    const auto plane = static_cast<Level>(at - z.begin());
-    view.level[v] = at != z.end() && *at == p.z ? 2 * plane : 2 * plane - 1;
+    const auto at =
+        std::lower_bound(planes.begin(), planes.end(), p.z,
+                         [](const Section& section, double z) { return section.z < z; });
+    const auto plane = static_cast<Level>(at - planes.begin());
+    view.level[v] = at != planes.end() && at->z == p.z ? 2 * plane : 2 * plane - 1;
   }
 }
 
@@ -113,15 +117,26 @@ FacesByVertex faces_by_lowest_vertex(const ModelView& view) {
   return faces;
 }
 
+// Are all tets of a face shown?
+bool is_all_shown(const ModelView& view, const TriangleVertices& face) {
+  switch (view.part.scope) {
+    case Scope::whole: return true;
+    case Scope::segment: return !view.in_seam(face);
+    case Scope::seam: break;
+  }
+  return view.in_seam(face[0]) || view.in_seam(face[1]) || view.in_seam(face[2]);
+}
+
 // The half-faces of one face: opposite each other if they are two, on the two sides of it.
 void match_face(std::span<const Corner> group, const TriangleVertices& face,
                 std::vector<std::uint8_t>& on_boundary, ModelView& view) {
+  const bool reports = view.part.scope != Scope::seam || view.in_seam(face);
   if (group.size() == 1) {
     on_boundary[group[0].half_face] = 1;
   } else if (group.size() > 2) {
-    view.crowded_faces.push_back(face);
+    if (reports) view.crowded_faces.push_back(face);
   } else if (group[0].even == group[1].even) {
-    view.doubled_faces.push_back(face);
+    if (reports) view.doubled_faces.push_back(face);
   } else {
     view.opposite[group[0].half_face] = HalfFaceId(group[1].half_face);
     view.opposite[group[1].half_face] = HalfFaceId(group[0].half_face);
@@ -155,24 +170,31 @@ void match_faces(ModelView& view) {
       auto group_end = group + 1;
       while (group_end != end && group_end->middle == group->middle &&
              group_end->high == group->high) {
-        connected.unite(group->half_face / 4, group_end->half_face / 4);
         ++group_end;
       }
-      match_face({group, group_end}, {VertexId(v), VertexId(group->middle), VertexId(group->high)},
-                 on_boundary, view);
+      const TriangleVertices face{VertexId(v), VertexId(group->middle), VertexId(group->high)};
+      if (is_all_shown(view, face)) {
+        for (auto other = group + 1; other != group_end; ++other) {
+          connected.unite(group->half_face / 4, other->half_face / 4);
+        }
+        match_face({group, group_end}, face, on_boundary, view);
+      }
       group = group_end;
     }
   }
   for (std::size_t h = 0; h < on_boundary.size(); ++h) {
-    if (on_boundary[h] != 0) view.boundary.push_back(outward_face(view, h));
+    if (on_boundary[h] == 0) continue;
+    view.boundary.push_back(outward_face(view, h));
+    view.boundary_face.push_back(HalfFaceId(h));
   }
   number_components(connected, view);
 }
 
 }  // namespace
 
-ModelView look_at(const Model& model, const SectionStack& stack) {
+ModelView look_at(const Model& model, const SectionStack& stack, PartOfWhole part) {
   ModelView view;
+  view.part = std::move(part);
   view.points = model.points.raw();
   view.links = model.links;
   view.motions = model.motions;
@@ -186,16 +208,22 @@ ModelView look_at(const Model& model, const SectionStack& stack) {
 
 std::string vertex_text(const ModelView& view, VertexId v) {
   Place place;
-  place.vertex = v.index();
+  place.vertex = view.number(v).index();
   if (v.index() < view.points.size()) place.point = view.points[v.index()];
   return to_string(place);
 }
 
 std::string tet_text(TetId t) { return "tet " + std::to_string(t.value()); }
 
-std::string face_text(const TriangleVertices& face) {
-  return "face " + std::to_string(face[0].value()) + " " + std::to_string(face[1].value()) + " " +
-         std::to_string(face[2].value());
+std::string edge_text(const ModelView& view, VertexId a, VertexId b) {
+  return "edge " + std::to_string(view.number(a).value()) + " " +
+         std::to_string(view.number(b).value());
+}
+
+std::string face_text(const ModelView& view, const TriangleVertices& face) {
+  return "face " + std::to_string(view.number(face[0]).value()) + " " +
+         std::to_string(view.number(face[1]).value()) + " " +
+         std::to_string(view.number(face[2]).value());
 }
 
 std::string contour_text(std::size_t section, std::size_t contour) {

@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <set>
 
 #include <tetloft/predicates.hpp>
 
@@ -20,13 +21,6 @@ namespace tetloft::internal::checking {
 namespace {
 
 Point2 below(const Point3& p) { return {p.x, p.y}; }
-
-struct Probe {
-  std::uint32_t component = 0;
-  std::uint32_t triangle = 0;
-  std::array<Point3, 3> corner;
-  long winding = 0;
-};
 
 // The sign of an affine function at the probe, by its signs at the three corners.
 template <class SignAt>
@@ -95,32 +89,34 @@ class ProbeGrid {
 
 }  // namespace
 
-std::vector<long> outer_winding(std::span<const Point3> points,
-                                std::span<const TriangleVertices> triangles,
-                                std::span<const std::uint32_t> component,
-                                std::size_t component_count) {
+void OuterWinding::keep_first(const UnionFind& sets) {
+  std::set<std::size_t> seen;
+  std::erase_if(probes_,
+                [&](const Probe& probe) { return !seen.insert(sets.find(probe.surface)).second; });
+}
+
+void OuterWinding::add(std::span<const Point3> points, std::span<const TriangleVertices> triangles,
+                       std::span<const std::uint32_t> surface, const UnionFind& sets) {
   const auto corners = [&](std::size_t t) {
     return std::array{points[triangles[t][0].index()], points[triangles[t][1].index()],
                       points[triangles[t][2].index()]};
   };
+  keep_first(sets);
+  std::set<std::size_t> has_probe;
+  for (const Probe& probe : probes_) has_probe.insert(sets.find(probe.surface));
+  std::vector<std::size_t> own(probes_.size(), triangles.size());  // the triangle of each probe
   std::vector<Sign> turn(triangles.size());
-  std::vector<Probe> probes;
-  std::vector<std::uint8_t> has_probe(component_count, 0);
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     const auto [a, b, c] = corners(t);
     turn[t] = orient2d(below(a), below(b), below(c));
-    if (turn[t] == Sign::zero || has_probe[component[t]] != 0) continue;
-    has_probe[component[t]] = 1;
+    if (turn[t] == Sign::zero || !has_probe.insert(sets.find(surface[t])).second) continue;
     // Just below a triangle that faces down the ray meets that triangle itself.
-    probes.push_back({component[t],
-                      static_cast<std::uint32_t>(t),
-                      {a, b, c},
-                      turn[t] == Sign::negative ? -1 : 0});
+    probes_.push_back({surface[t], {a, b, c}, turn[t] == Sign::negative ? -1 : 0});
+    own.push_back(t);
   }
-  std::vector<long> winding(component_count, 0);
-  if (probes.empty()) return winding;
+  if (probes_.empty()) return;
 
-  const ProbeGrid grid(probes);
+  const ProbeGrid grid(probes_);
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     if (turn[t] == Sign::zero) continue;
     const std::array<Point3, 3> triangle = corners(t);
@@ -129,11 +125,9 @@ std::vector<long> outer_winding(std::span<const Point3> points,
     const Point2 low{min_x, min_y};
     const Point2 high{max_x, max_y};
     grid.in_box(low, high, [&](std::uint32_t i) {
-      Probe& probe = probes[i];
+      Probe& probe = probes_[i];
       const Point3& a = probe.corner[0];
-      if (probe.triangle == t || a.x < low.x || a.x > high.x || a.y < low.y || a.y > high.y) {
-        return;
-      }
+      if (own[i] == t || a.x < low.x || a.x > high.x || a.y < low.y || a.y > high.y) return;
       if (!projection_contains(triangle, turn[t], probe)) return;
       // orient3d is positive on the side that sees the triangle counter-clockwise: above
       // it, if its projection is.
@@ -143,7 +137,17 @@ std::vector<long> outer_winding(std::span<const Point3> points,
       if (side == -turn[t]) probe.winding += turn[t] == Sign::positive ? 1 : -1;
     });
   }
-  for (const Probe& probe : probes) winding[probe.component] = probe.winding;
+}
+
+std::vector<long> outer_winding(std::span<const Point3> points,
+                                std::span<const TriangleVertices> triangles,
+                                std::span<const std::uint32_t> component,
+                                std::size_t component_count) {
+  const UnionFind sets(component_count);
+  OuterWinding outer;
+  outer.add(points, triangles, component, sets);
+  std::vector<long> winding(component_count, 0);
+  for (const Probe& probe : outer.probes(sets)) winding[probe.surface] = probe.winding;
   return winding;
 }
 

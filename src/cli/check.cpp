@@ -1,4 +1,6 @@
 // tetloft check: the five guarantees, exactly.
+#include <optional>
+#include <span>
 #include <utility>
 
 #include "cli/check_options.hpp"
@@ -139,18 +141,36 @@ Result<int> run_check(const Arguments& arguments, Console& console) {
   const auto format = chosen_model_format(arguments);
   if (!format) return format.error();
 
-  auto model = read_model_input(arguments.operand(0), *format, console);
-  if (!model) return model.error();
+  const std::string& path = arguments.operand(0);
+  std::optional<Model> model;
+  if (!is_index(path, *format)) {
+    Result<Model> read = read_model_input(path, *format, console);
+    if (!read) return read.error();
+    model = std::move(*read);
+  }
   const auto input = read_stack_input(arguments.operand(1), *prepared, console);
   if (!input) return input.error();
-  put_into_frame(*model, input->stack(), console);
+  const SectionStack& stack = input->stack();
+  if (!model) {
+    // Pieces stay where they are, unless they have to be moved.
+    const Result<bool> moved = lies_elsewhere(path, stack);
+    if (!moved) return moved.error();
+    if (*moved) {
+      Result<Model> joined = read_model_input(path, *format, console);
+      if (!joined) return joined.error();
+      model = std::move(*joined);
+    }
+  }
+  if (model) put_into_frame(*model, stack, console);
   const Result<void> labelled = read_label_option(arguments, *input, options.correspondence);
   if (!labelled) return labelled.error();
 
   const Result<CheckReport> report = [&] {
     Progress progress(!console.quiet());
     options.execution.progress = progress.callback();
-    return check(*model, input->stack(), options);
+    if (model) return check(*model, stack, options);
+    const std::string index = input_path(path);
+    return check_pieces(std::span(&index, 1), stack, options);
   }();
   if (!report) return report.error();
   Result<void> told;

@@ -33,7 +33,7 @@ Usage info_usage() {
       "Depth counts the contours around a contour: even for outer contours, odd for holes. "
       "A region is an outer contour with its immediate holes; areas are those of regions. IN may "
       "also be a plan (tetloft plan), or a piece of a planned stack: all of it is read and "
-      "checked."};
+      "checked; or an index over pieces (.pvtu): what it lists, and whether all are there."};
 }
 
 struct SectionInfo {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdio>
 #include <vector>
 
 #include <tetloft/model.hpp>
@@ -141,11 +142,75 @@ std::string text_of(const PieceSummary& piece, const Model& model) {
   return text;
 }
 
+std::string json_of(const IndexSummary& index, const Console& console) {
+  JsonWriter json;
+  json.begin_object();
+  json.member("format", "index");
+  json.member("complete", !index.wrong.has_value());
+  json.member("wrong", index.wrong ? to_string(*index.wrong) : std::string());
+  json.key("pieces");
+  json.begin_array();
+  for (const ListedPiece& listed : index.pieces) {
+    json.begin_object();
+    json.member("file", listed.path);
+    json.member("wrong", listed.wrong ? to_string(*listed.wrong) : std::string());
+    if (listed.piece) {
+      json.member("plan", in_hex(listed.piece->plan));
+      json.member("slabs", std::array{listed.piece->first, listed.piece->end});
+      json.member("of", listed.piece->sections - 1);
+      json.member("open", listed.piece->open);
+      json.member("vertices", listed.vertices);
+      json.member("tets", listed.tets);
+    }
+    json.end_object();
+  }
+  json.end_array();
+  write_warnings(json, console.warnings());
+  json.end_object();
+  return json.text();
+}
+
+std::string text_of(const IndexSummary& index) {
+  const PieceSummary* any = nullptr;
+  std::size_t tets = 0;
+  for (const ListedPiece& listed : index.pieces) {
+    if (any == nullptr && listed.piece) any = &*listed.piece;
+    tets += listed.tets;
+  }
+  std::string text = "an index over " + counted(index.pieces.size(), "piece");
+  if (any != nullptr) {
+    text += " of the plan " + in_hex(any->plan) + ", " + std::to_string(any->sections - 1) +
+            " slabs, " + counted(tets, "tet");
+  }
+  text += index.wrong ? "; not whole: " + to_string(*index.wrong) + '\n'
+                      : std::string("; all are there\n");
+  text += "      slabs        tets    vertices  file\n";
+  for (const ListedPiece& listed : index.pieces) {
+    const std::string slabs =
+        listed.piece ? std::to_string(listed.piece->first) + ':' + std::to_string(listed.piece->end)
+                     : std::string("?");
+    char line[80];
+    std::snprintf(line, sizeof line, "%11s %11zu %11zu  ", slabs.c_str(), listed.tets,
+                  listed.vertices);
+    text += line + listed.path;
+    if (listed.piece && any != nullptr && listed.piece->plan != any->plan) {
+      text += " (of the plan " + in_hex(listed.piece->plan) + ')';
+    }
+    text += '\n';
+  }
+  return text;
+}
+
 }  // namespace
 
 Result<std::optional<std::string>> plan_or_piece_info(const std::string& path,
                                                       const Console& console) {
   using Told = std::optional<std::string>;
+  if (internal::pieces::is_index(path)) {
+    const Result<IndexSummary> index = read_index(path);
+    if (!index) return index.error();
+    return Told(console.json() ? json_of(*index, console) : text_of(*index));
+  }
   const Result<internal::pieces::Part> part = internal::pieces::part_of(path);
   if (!part) return part.error();
   if (*part == internal::pieces::Part::plan) {

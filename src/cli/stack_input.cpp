@@ -86,7 +86,7 @@ Result<Model> joined_model(const std::string& index, Console& console) {
 
 Result<Model> read_model_input(const std::string& path, const std::string& format,
                                Console& console) {
-  if (format.empty() && internal::pieces::is_index(input_path(path))) {
+  if (is_index(path, format)) {
     return joined_model(input_path(path), console);
   }
   ReadOptions reading;
@@ -95,6 +95,20 @@ Result<Model> read_model_input(const std::string& path, const std::string& forma
   if (!read) return read.error();
   for (const Warning& warning : read->warnings) console.warn(warning);
   return std::move(read->model);
+}
+
+bool is_index(const std::string& path, const std::string& format) {
+  return format.empty() && internal::pieces::is_index(input_path(path));
+}
+
+Result<bool> lies_elsewhere(const std::string& path, const SectionStack& stack) {
+  const std::string index = input_path(path);
+  const auto listed = internal::pieces::listed_pieces(std::span(&index, 1));
+  if (!listed) return listed.error();
+  // All are of one plan, so one tells.
+  const Result<Model> first = read_vtu(listed->front());
+  if (!first) return first.error();
+  return first->frame != stack.frame;
 }
 
 void put_into_frame(Model& model, const SectionStack& stack, Console& console) {

@@ -89,6 +89,10 @@ auto with_given(const StackInput& input, const Take& take) {
 /// Warnings go to the console.
 [[nodiscard]] Result<Model> read_model_input(const std::string& path, const std::string& format,
                                              Console& console);
+/// Whether that would be an index.
+[[nodiscard]] bool is_index(const std::string& path, const std::string& format);
+/// Whether the pieces of an index lie in other coordinates than the stack.
+[[nodiscard]] Result<bool> lies_elsewhere(const std::string& index, const SectionStack& stack);
 /// Puts a model whose file does not tell how the planes of its stack are turned back into the
 /// coordinates of the stack, where that loses nothing; else warns that they lie differently.
 void put_into_frame(Model& model, const SectionStack& stack, Console& console);

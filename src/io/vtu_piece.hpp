@@ -2,6 +2,7 @@
 // a solid. Other readers pass over them.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -23,7 +24,12 @@ inline constexpr std::string_view kPieceArray = "tetloft_piece";
 /// Whether a file is a .vtu that speaks of such bytes, well formed or not.
 [[nodiscard]] bool names_piece(std::string_view file);
 
+struct PieceBytes {
+  std::string bytes;
+  std::size_t points = 0;  ///< as the file announces them; no array is looked at
+  std::size_t tets = 0;
+};
 /// The bytes alone; refused (invalid_input) where there are none.
-[[nodiscard]] Result<std::string> piece_bytes(std::string_view file, const std::string& name);
+[[nodiscard]] Result<PieceBytes> piece_bytes(std::string_view file, const std::string& name);
 
 }  // namespace tetloft::internal::io

@@ -343,7 +343,7 @@ Result<ReadModel> read_vtu_source(const Source& source, const ReadOptions& /*opt
   return ReadModel{*std::move(model), {}};
 }
 
-Result<std::string> piece_bytes(std::string_view file, const std::string& name) {
+Result<PieceBytes> piece_bytes(std::string_view file, const std::string& name) {
   XmlScanner scanner(file, name);
   const Result<VtuDeclaration> grid = scan_vtu(scanner);
   if (!grid) return grid.error();
@@ -358,7 +358,12 @@ Result<std::string> piece_bytes(std::string_view file, const std::string& name) 
     error.where.file = name;
     return error;
   }
-  return **std::move(bytes);
+  PieceBytes piece{**std::move(bytes)};
+  for (const VtuPiece& part : grid->pieces) {
+    piece.points += static_cast<std::size_t>(part.points);
+    piece.tets += static_cast<std::size_t>(part.cells);
+  }
+  return piece;
 }
 
 }  // namespace tetloft::internal::io

@@ -67,6 +67,26 @@ std::string text_of(const SlabRange& slabs) {
              : "slabs " + std::to_string(slabs.first) + ':' + std::to_string(slabs.end);
 }
 
+Result<void> sort_by_slabs(std::vector<PieceAt>& all) {
+  std::stable_sort(all.begin(), all.end(), [](const PieceAt& a, const PieceAt& b) {
+    return a.record.slabs.first < b.record.slabs.first;
+  });
+  return check_cover(all);
+}
+
+Result<void> check_closed(const std::vector<PieceAt>& all) {
+  for (const PieceAt& piece : all) {
+    for (const ClusterSpan& cluster : piece.record.clusters) {
+      if (!cluster.beyond.any()) continue;
+      return piece_set_error(
+          ErrorCode::usage, piece.path,
+          text_of(cluster.slabs) +
+              " was left open where the stack was cut: join the pieces, or list them in an index");
+    }
+  }
+  return {};
+}
+
 Result<std::vector<PieceAt>> read_pieces(std::span<const std::string> paths) {
   if (paths.empty()) return Error{ErrorCode::usage, "there is no piece to join", {}};
   const Result<std::vector<std::string>> files = listed_pieces(paths);
@@ -79,10 +99,7 @@ Result<std::vector<PieceAt>> read_pieces(std::span<const std::string> paths) {
     if (!record) return record.error();
     all.push_back({path, std::move(*record)});
   }
-  std::stable_sort(all.begin(), all.end(), [](const PieceAt& a, const PieceAt& b) {
-    return a.record.slabs.first < b.record.slabs.first;
-  });
-  if (Result<void> whole = check_cover(all); !whole) return whole.error();
+  if (Result<void> whole = sort_by_slabs(all); !whole) return whole.error();
   return all;
 }
 

@@ -24,6 +24,11 @@ struct PieceAt {
 /// slabs out; (usage) where there are none.
 [[nodiscard]] Result<std::vector<PieceAt>> read_pieces(std::span<const std::string> paths);
 
+/// Refused as above where they are not of one plan, or not all slabs of it are there, each once.
+[[nodiscard]] Result<void> sort_by_slabs(std::vector<PieceAt>& all);
+/// Refused (usage) where slabs are left open.
+[[nodiscard]] Result<void> check_closed(const std::vector<PieceAt>& all);
+
 /// What was left open, built from the plan.
 struct SettledPieces {
   std::vector<BuiltRange> ranges;  ///< disjoint, by slab, in the place of what the pieces have

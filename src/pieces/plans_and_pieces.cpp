@@ -132,13 +132,15 @@ PieceSummary summary_of(const PieceRecord& record) {
 }
 
 Result<PieceRecord> piece_record_of(std::string_view file, const std::string& name) {
-  const Result<std::string> bytes = io::piece_bytes(file, name);
-  if (!bytes) return bytes.error();
-  return piece_from_record(*bytes, name);
+  const Result<io::PieceBytes> piece = io::piece_bytes(file, name);
+  if (!piece) return piece.error();
+  return piece_from_record(piece->bytes, name);
 }
 
-Result<Model> piece_model(const std::string& path, const PieceRecord& record) {
-  Result<Model> model = read_vtu(path);
+namespace {
+
+Result<Model> piece_model_of(Result<Model> model, const std::string& path,
+                             const PieceRecord& record) {
   if (!model) return model.error();
   if (digest_of(*model) != record.digest) {
     Error error{ErrorCode::invalid_input,
@@ -150,6 +152,12 @@ Result<Model> piece_model(const std::string& path, const PieceRecord& record) {
   model->component_count = record.components;
   model->component_names = record.names;
   return model;
+}
+
+}  // namespace
+
+Result<Model> piece_model(const std::string& path, const PieceRecord& record) {
+  return piece_model_of(read_vtu(path), path, record);
 }
 
 Result<io::Staged> stage_whole_piece(const std::string& path, WholePiece& piece, Encoding encoding,
@@ -164,7 +172,7 @@ Result<WholePiece> read_whole_piece(const std::string& path) {
     if (!bytes) return bytes.error();
     Result<PieceRecord> record = piece_record_of(*bytes, path);
     if (!record) return record.error();
-    Result<Model> model = piece_model(path, *record);
+    Result<Model> model = piece_model_of(parse_vtu(*bytes, path), path, *record);
     if (!model) return model.error();
     return WholePiece{std::move(*record), std::move(*model)};
   });

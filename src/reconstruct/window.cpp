@@ -38,7 +38,8 @@ void add(SlabDecision decision, SlabId slab, Correspondence& correspondence) {
 // Puts a window together, refusing what does not fit.
 class WindowMaker {
  public:
-  WindowMaker(const StackFacts& facts, const SlabRange& slabs) : slabs_(slabs) {
+  WindowMaker(const StackFacts& facts, const SlabRange& slabs)
+      : slabs_(slabs), components_(facts.components) {
     PreparedStack& prepared = window_.prepared;
     prepared.exponent = window_.plan.exponent = facts.exponent;
     prepared.least_long = facts.least_long;
@@ -86,7 +87,7 @@ class WindowMaker {
   }
 
   // A section of the whole that is valid, of the regions that its plan tells of.
-  static Result<Nesting> nesting_of(std::size_t s, const SectionPlan& plan) {
+  [[nodiscard]] Result<Nesting> nesting_of(std::size_t s, const SectionPlan& plan) const {
     Nesting nesting;
     if (!plan.section.contours.empty()) {
       SectionStack alone;
@@ -98,6 +99,9 @@ class WindowMaker {
     }
     if (plan.regions.of_region.size() != nesting.outer.size()) {
       return no_fit(s, "has other regions than its plan");
+    }
+    if (!has_components(plan.regions.of_region) || !has_components(plan.regions.of_contour)) {
+      return no_fit(s, "is of a component that there is not");
     }
     return nesting;
   }
@@ -190,6 +194,13 @@ class WindowMaker {
     return std::nullopt;
   }
 
+  // Models are as large as their components' numbers.
+  template <class Id>
+  [[nodiscard]] bool has_components(const IdVector<Id, ComponentId>& of) const {
+    return std::all_of(of.begin(), of.end(),
+                       [&](ComponentId c) { return c.index() < components_; });
+  }
+
   static bool has_ends(const SlabDecision& decision, std::size_t below, std::size_t above) {
     const auto has = [&](const Link& link) {
       return link.lower.index() < below && link.upper.index() < above;
@@ -208,6 +219,7 @@ class WindowMaker {
   static Error no_region(std::size_t s) { return no_fit(s, "links a region that there is not"); }
 
   SlabRange slabs_;
+  std::size_t components_;
   BuiltStack window_;
 };
 

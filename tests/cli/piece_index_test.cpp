@@ -193,6 +193,81 @@ TEST_F(PieceIndex, RefusesWhatMakesNoSense) {
                  "piece0.vtu", {index_});
 }
 
+TEST_F(PieceIndex, CheckNamesThePieceAtFault) {
+  make_plan(data("torus.cnt"));
+  const Words pieces = make_pieces({0, 7, 12, 19});
+  ASSERT_EQ(run(with({"join", "--index", "-o", index_}, pieces)).code, 0);
+  const JsonValue right = run_json({"check", index_, stack_});
+  EXPECT_TRUE(right.at("pass").boolean);
+  EXPECT_EQ(right.at("components").number, 1);
+  // Another stack: all fails, by the numbers of the whole.
+  const std::string other = folder_.file("other.cnt");
+  const auto read = read_stack(stack_);
+  SectionStack stack = read->stack;
+  stack.sections[SectionId(9)].contours[ContourId(0)].vertices[0].x *= 1.25;
+  ASSERT_TRUE(write_stack(other, stack).ok());
+  const Outcome wrong = run({"check", index_, other});
+  EXPECT_EQ(wrong.code, 1);
+  EXPECT_NE(wrong.out.find("piece1.vtu: section 9"), std::string::npos) << wrong.out;
+  stack = read->stack;
+  stack.sections[SectionId(12)].contours[ContourId(0)].vertices[0].x *= 1.25;
+  ASSERT_TRUE(write_stack(other, stack).ok());
+  const Outcome at_seam = run({"check", index_, other});
+  EXPECT_EQ(at_seam.code, 1);
+  EXPECT_NE(at_seam.out.find("piece1.vtu and piece2.vtu: section 12"), std::string::npos)
+      << at_seam.out;
+}
+
+TEST_F(PieceIndex, InfoTellsWhatItLists) {
+  make_plan(data("torus.cnt"));
+  const Words pieces = make_pieces({0, 7, 12, 19});
+  const JsonValue made = run_json(with({"join", "--index", "-o", index_}, pieces));
+  JsonValue told = run_json({"info", index_});
+  EXPECT_EQ(told.at("format").string, "index");
+  EXPECT_TRUE(told.at("complete").boolean);
+  EXPECT_EQ(told.at("wrong").string, "");
+  const std::vector<JsonValue>& listed = told.at("pieces").array;
+  ASSERT_EQ(listed.size(), 3U);
+  double tets = 0;
+  for (const JsonValue& one : listed) tets += one.at("tets").number;
+  EXPECT_EQ(tets, made.at("tets").number);
+  EXPECT_EQ(listed[1].at("slabs").array[0].number, 7);
+  EXPECT_EQ(listed[1].at("slabs").array[1].number, 12);
+  EXPECT_EQ(listed[1].at("of").number, 19);
+  EXPECT_EQ(listed[1].at("plan").string, run_json({"info", plan_}).at("identity").string);
+  EXPECT_EQ(listed[1].at("vertices").number, run_json({"info", piece(1)}).at("vertices").number);
+  EXPECT_TRUE(listed[1].at("open").array.empty());
+  const std::string text = run({"info", index_}).out;
+  EXPECT_NE(text.find("; all are there"), std::string::npos) << text;
+  EXPECT_NE(text.find("7:12"), std::string::npos) << text;
+
+  std::filesystem::rename(piece(1), folder_.file("away.vtu"));
+  told = run_json({"info", index_});
+  EXPECT_FALSE(told.at("complete").boolean);
+  EXPECT_NE(told.at("wrong").string.find("piece1.vtu"), std::string::npos);
+  EXPECT_EQ(told.at("pieces").array[0].at("wrong").string, "");
+  EXPECT_NE(told.at("pieces").array[1].at("wrong").string, "");
+  EXPECT_NE(run({"info", index_}).out.find("; not whole: "), std::string::npos);
+  std::filesystem::copy_file(piece(0), piece(1));
+  told = run_json({"info", index_});
+  EXPECT_NE(told.at("wrong").string.find("is twice"), std::string::npos);
+}
+
+// What no join closed.
+TEST_F(OpenPieceIndex, InfoAndCheckTellOfOpenSlabs) {
+  const Words pieces = make_pieces({0, 4, 9});
+  ASSERT_EQ(run(with({"join", "--index", "-o", index_, "--plan", plan_}, pieces)).code, 0);
+  EXPECT_TRUE(run_json({"info", index_}).at("complete").boolean);
+  for (std::size_t k = 0; k < 2; ++k) {
+    std::filesystem::copy_file(piece(k), folder_.file("solid_" + std::to_string(k) + ".vtu"),
+                               std::filesystem::copy_options::overwrite_existing);
+  }
+  const JsonValue told = run_json({"info", index_});
+  EXPECT_FALSE(told.at("complete").boolean);
+  EXPECT_NE(told.at("wrong").string.find("left open"), std::string::npos);
+  expect_failure({"check", index_, stack_}, 2, "usage", "left open");
+}
+
 TEST_F(PieceIndex, InfoTellsOfPlans) {
   const std::string labels = folder_.file("torus.labels");
   put(labels, "3 0 5\npart 12 0 0\n");

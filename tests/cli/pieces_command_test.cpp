@@ -73,6 +73,17 @@ TEST_F(PiecesCommand, APieceThatIsBuiltTwiceHasTheSameBytes) {
   EXPECT_TRUE(test::get(plan_) == plan);
 }
 
+// Decisions, though there are none, are about the whole.
+TEST_F(PiecesCommand, PlansOfSectionsReadOneByOneAreThoseOfTheWhole) {
+  test::put(folder_.file("none.labels"), "");
+  for (const char* name : {"torus.cnt", "bifurcation.cnt", "figures/fig17_branches.cnt"}) {
+    make_plan(data(name));
+    const std::string plan = test::get(plan_);
+    make_plan(data(name), {"--labels", folder_.file("none.labels")});
+    EXPECT_TRUE(test::get(plan_) == plan) << name;
+  }
+}
+
 TEST_F(PiecesCommand, TellWhatTheyAre) {
   const JsonValue plan = run_json({"plan", data("torus.cnt"), "-o", plan_});
   EXPECT_EQ(plan.at("sections").number, 20);

@@ -33,7 +33,7 @@ set(may_reconstruct core arithmetic spatial predicates mesh delaunay2 delaunay3 
 set(may_geiger core predicates mesh delaunay2 delaunay3 sections model slab)
 set(may_check core arithmetic predicates mesh sections motion contact model)
 set(may_io core predicates sections model)
-set(may_pieces core predicates sections model slab correspondence between reconstruct io)
+set(may_pieces core predicates sections model slab correspondence between reconstruct check io)
 set(may_render core mesh sections model io)
 set(may_report core mesh sections model check io render)
 set(modules core arithmetic spatial predicates mesh delaunay2 delaunay3 triangulation2 triangulation3 voronoi periodic sections motion contact model slab correspondence between completion subdivision

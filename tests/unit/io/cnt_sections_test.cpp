@@ -128,7 +128,7 @@ TEST(CntSectionStream, AreMendedWithTheWarningsOfTheWhole) {
 
 TEST(CntSectionStream, TellAThousandWarningsInTheOrderOfTheWhole) {
   std::string text = "S 1\n";
-  for (int s = 0; s < 700; ++s) {
+  for (int s = 0; s < 1100; ++s) {
     text += "v 3 z " + std::to_string(s + (s % 3 == 0 ? 0.9999 : 0)) +
             "\n{0 0 1 1 2 1.5 3 1.7 4 1.7 5 1.5 6 1 7 .05 0 0 0 0}\n";
   }
@@ -139,6 +139,19 @@ TEST(CntSectionStream, TellAThousandWarningsInTheOrderOfTheWhole) {
   // Fewer of each kind than a thousand.
   const std::string few = text.substr(0, text.find("v 3 z 400"));
   EXPECT_EQ(expect_as_whole(few, {.read = 100, .validated = 500}, false), Outcome::streamed);
+}
+
+TEST(CntSectionStream, TellOfOpenLinesOfTheLastBoxAlone) {
+  // Many that end at the box of the first sections, and many that end at that of all.
+  std::string text = "S 1200\n";
+  for (int s = 0; s < 1200; ++s) {
+    text += "v 8 z " + std::to_string(s) + "\n{0 0 1 1 2 1.5 3 1.7 4 1.7 5 1.5 6 1 " +
+            (s < 600 ? "7" : "7.1") + " .05}\n";
+  }
+  const auto whole = parse_valid_stack(text, "t.cnt");
+  ASSERT_TRUE(whole.ok()) << to_string(whole.error());
+  EXPECT_EQ(whole->warnings.size(), 600U);
+  EXPECT_EQ(expect_as_whole(text, {.read = 100, .validated = 500}, false), Outcome::streamed);
 }
 
 std::string section_text(double z, const std::string& contours) {
@@ -203,6 +216,8 @@ TEST(CntSectionStream, OfFaultyFilesAreRefusedInTheWordsOfTheWhole) {
                                  "S 1\nv 3 z 0 {0 0 1 0,,v 0 1}",
                                  "S 1\nv 3 z 0 {0 0 1 0 0 1}\nv3z1}v {0 0 1 0 0 1}",
                                  "S 1\nv v 3 z 1",
+                                 "S 1\nv 0 z 1 }v23456789012345678901234567890123456789012345",
+
                                  "S 1\nv 3 v 3 z 1",
                                  "S 1\nv 3 z 0 {0 0 1 0 0 1}\n\n\n}v 3 z 1"}) {
     EXPECT_EQ(expect_as_whole(text), Outcome::refused);

@@ -64,5 +64,33 @@ TEST(StackFiles, OfAnythingElseAreOne) {
             std::vector<std::string>{folder.file("missing")});
 }
 
+TEST(StackFiles, ThatAreReadBySectionAreRecognisedOrNamed) {
+  const test::TempFolder folder;
+  const auto by_section = [&](const std::string& name, const std::string& bytes,
+                              const ReadOptions& options = {}) {
+    test::put(folder.file(name), bytes);
+    return is_read_by_section(folder.file(name), options);
+  };
+  ReadOptions named;
+  named.format = "cnt";
+  ReadOptions other;
+  other.format = "geojson";
+  ReadOptions closing;
+  closing.close_on_frame = true;
+  ReadOptions unchecked;
+  unchecked.validity = Validity::unchecked;
+  EXPECT_TRUE(by_section("a.cnt", kSquares));
+  EXPECT_TRUE(by_section("a.dat", kSquares));
+  EXPECT_TRUE(by_section("a.cnt", "# no stack", named));
+  EXPECT_FALSE(by_section("a.cnt", "# no stack"));
+  EXPECT_FALSE(by_section("a.cnt", metaimage("LOCAL\n12345678")));
+  EXPECT_FALSE(by_section("a.cnt", ""));
+  for (const ReadOptions& options : {other, closing, unchecked}) {
+    EXPECT_FALSE(by_section("a.cnt", kSquares, options));
+  }
+  EXPECT_FALSE(is_read_by_section(folder.file("missing"), named));
+  EXPECT_FALSE(is_read_by_section(folder.file(""), named));
+}
+
 }  // namespace
 }  // namespace tetloft::internal::io

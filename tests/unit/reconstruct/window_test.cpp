@@ -254,6 +254,35 @@ TEST(Windows, RefuseEndsInsideTheStack) {
   }
 }
 
+// Models are as large as the numbers of their components.
+TEST(Windows, RefuseComponentsThatThereAreNot) {
+  const SectionStack stack = stack_of_boxes({{box(0, 0, 4, 2)}, {box(1, 0, 6, 2)}});
+  const ReconstructOptions options;
+  WatchedWork work(options.execution, 0);
+  const Result<BuiltStack> planned = plan_stack(Unit::as_given, stack, options, work);
+  ASSERT_TRUE(planned) << to_string(planned.error());
+  const auto window_with = [&](const std::function<void(SectionComponents&)>& forge) {
+    IdVector<SectionId, SectionPlan> plans = section_plans(*planned);
+    forge(plans[SectionId(1)].regions);
+    return window_of(facts_of(*planned), {0, 1}, plans.raw(), std::nullopt, std::nullopt);
+  };
+  EXPECT_TRUE(window_with([](SectionComponents&) {}));
+  for (const std::uint32_t c : {1U, 0xFFFFFFFEU}) {
+    const std::function<void(SectionComponents&)> forge_region = [&](SectionComponents& of) {
+      of.of_region[RegionId(0)] = ComponentId(c);
+    };
+    const std::function<void(SectionComponents&)> forge_contour = [&](SectionComponents& of) {
+      of.of_contour[ContourId(0)] = ComponentId(c);
+    };
+    for (const auto& forge : {forge_region, forge_contour}) {
+      const Result<BuiltStack> window = window_with(forge);
+      ASSERT_FALSE(window) << c;
+      EXPECT_EQ(window.error().code, ErrorCode::invalid_input);
+      EXPECT_EQ(window.error().where.section, 1U);
+    }
+  }
+}
+
 TEST(Windows, SoIsASingleSection) {
   Prng prng(912);
   Seen seen;
