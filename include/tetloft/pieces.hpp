@@ -41,6 +41,7 @@ struct PlanSource {
   std::string name;  ///< without folders
   std::uint64_t bytes = 0;
   std::uint64_t checksum = 0;
+  std::uint64_t sampled = 0;  ///< checksum of parts of it, all over the file, some MiB in all
   friend bool operator==(const PlanSource&, const PlanSource&) = default;
 };
 /// Of a file as it is now. Reads all of it.

@@ -13,6 +13,7 @@
 #include "cli/console.hpp"
 #include "cli/read_options.hpp"
 #include "core/text.hpp"
+#include "io/drawing/text_lines.hpp"
 #include "io/files.hpp"
 #include "io/formats.hpp"
 #include "io/numbers.hpp"
@@ -73,7 +74,7 @@ Result<BatchInputs> stacks_of_list(const std::string& list) {
   if (!bytes) return bytes.error();
   BatchInputs inputs;
   std::map<std::string, std::size_t> lines;  // where each path stands
-  std::string_view left = *bytes;
+  std::string_view left = io::without_mark(*bytes);
   for (std::size_t number = 1; !left.empty(); ++number) {
     const std::size_t end = std::min(left.find('\n'), left.size());
     std::string line(left.substr(0, end));

@@ -18,6 +18,7 @@
 #include "core/text.hpp"
 #include "io/numbers.hpp"
 #include "pieces/piece_file.hpp"
+#include "pieces/plan_source.hpp"
 
 namespace tetloft::cli {
 
@@ -83,9 +84,15 @@ Result<void> check_input(const std::optional<std::string>& given, const std::str
   std::error_code code;
   const auto bytes = std::filesystem::file_size(input_path(input), code);
   if (!code && bytes != planned->source.bytes) return another_stack(input, planned->source);
-  // Of more, reading all would cost many pieces more than building them: the size has to do.
+  // Of more, reading all would cost many pieces more than building them.
   constexpr std::uint64_t kCheap = std::uint64_t{1} << 26;
-  if (!code && bytes > kCheap) return {};
+  if (!code && bytes > kCheap) {
+    const Result<std::uint64_t> sampled =
+        internal::pieces::sampled_checksum(input_path(input), bytes);
+    if (!sampled) return sampled.error();
+    if (*sampled != planned->source.sampled) return another_stack(input, planned->source);
+    return {};
+  }
   const Result<PlanSource> source = plan_source(input_path(input));
   if (!source) return source.error();
   if (source->checksum != planned->source.checksum) return another_stack(input, planned->source);

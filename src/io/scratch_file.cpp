@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdlib>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "io/output_place.hpp"
@@ -29,6 +31,12 @@ int open_scratch(const std::string& folder) {
   unlink(name.c_str());
   fcntl(descriptor, F_SETFD, FD_CLOEXEC);
   return descriptor;
+}
+
+std::string temporary_folder() {
+  std::error_code ignored;
+  const std::filesystem::path folder = std::filesystem::temp_directory_path(ignored);
+  return folder.empty() ? "/tmp" : folder.string();
 }
 
 }  // namespace
@@ -74,8 +82,10 @@ ScratchFile::ScratchFile(const std::string& path) : state_(std::make_unique<Stat
     state_->failure = place.error();
     return;
   }
+  // What is no file, a pipe say, has no folder with room: there is none beside it to fill.
+  const std::string folder = place->direct ? temporary_folder() : folder_of(place->target);
   errno = 0;
-  state_->descriptor = open_scratch(folder_of(place->target));
+  state_->descriptor = open_scratch(folder);
   if (state_->descriptor < 0) state_->fail(errno);
 }
 

@@ -19,7 +19,7 @@ namespace tetloft::internal::io {
 class ScratchFile final : public Sink {
  public:
   /// A temporary in the folder where a file at `path` would appear: what fits there twice can be
-  /// put together from it.
+  /// put together from it. Of a pipe or device in the system's folder of temporaries.
   explicit ScratchFile(const std::string& path);
   ~ScratchFile() override;
   ScratchFile(ScratchFile&&) noexcept;

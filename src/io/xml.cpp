@@ -11,10 +11,17 @@ namespace tetloft::internal::io {
 
 namespace {
 
-// The five named entities of XML; others do not occur in attributes of VTK files and stay.
+// The five named entities of XML, and white space as xml_text() writes it; others do not occur in
+// attributes of VTK files and stay.
 std::string decode_entities(std::string_view raw) {
-  static constexpr std::array<std::pair<std::string_view, char>, 5> kEntities{
-      {{"&lt;", '<'}, {"&gt;", '>'}, {"&amp;", '&'}, {"&quot;", '"'}, {"&apos;", '\''}}};
+  static constexpr std::array<std::pair<std::string_view, char>, 8> kEntities{{{"&lt;", '<'},
+                                                                               {"&gt;", '>'},
+                                                                               {"&amp;", '&'},
+                                                                               {"&quot;", '"'},
+                                                                               {"&apos;", '\''},
+                                                                               {"&#9;", '\t'},
+                                                                               {"&#10;", '\n'},
+                                                                               {"&#13;", '\r'}}};
   std::string text;
   text.reserve(raw.size());
   while (!raw.empty()) {

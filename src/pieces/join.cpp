@@ -29,8 +29,9 @@ using pieces::SettledPieces;
 using pieces::StagedJoin;
 using pieces::Stretch;
 
+// What no other file is the matter of, as of that which is written.
 Error of_piece(Error error, const PieceAt* piece) {
-  if (piece != nullptr) error.where.file = piece->path;
+  if (piece != nullptr && error.where.file.empty()) error.where.file = piece->path;
   return error;
 }
 

@@ -155,6 +155,7 @@ std::string to_record(const PlanHead& head) {
   out.put_text(head.source.name);
   out.put(head.source.bytes);
   out.put(head.source.checksum);
+  out.put(head.source.sampled);
   for (const std::size_t count : {head.contours, head.vertices, head.cavities}) {
     out.put(static_cast<std::uint64_t>(count));
   }
@@ -185,6 +186,7 @@ Result<PlanHead> plan_head_from_record(std::string_view bytes, const std::string
     head.source.name = in.get_text();
     head.source.bytes = in.get<std::uint64_t>();
     head.source.checksum = in.get<std::uint64_t>();
+    head.source.sampled = in.get<std::uint64_t>();
     for (std::size_t* const count : {&head.contours, &head.vertices, &head.cavities}) {
       *count = in.get<std::uint64_t>();
     }

@@ -1,6 +1,5 @@
 // Plans and pieces as files.
 #include <algorithm>
-#include <filesystem>
 #include <fstream>
 #include <string>
 #include <utility>
@@ -10,7 +9,6 @@
 #include "core/guard.hpp"
 #include "core/parallel.hpp"
 #include "core/watched_work.hpp"
-#include "io/bytes/checksum.hpp"
 #include "io/files.hpp"
 #include "io/vtu_piece.hpp"
 #include "model/digest.hpp"
@@ -212,30 +210,6 @@ Result<PlanSummary> summary_of_plan(const pieces::PlanFile& plan) {
 }
 
 }  // namespace
-
-Result<PlanSource> plan_source(const std::string& path) {
-  return guard_internal([&]() -> Result<PlanSource> {
-    std::ifstream file(path, std::ios::binary);
-    PlanSource source{std::filesystem::path(path).filename().string(), 0, 0};
-    std::uint32_t crc = io::kCrcOfNothing;
-    std::uint32_t adler = io::kAdlerOfNothing;
-    std::string piece(std::size_t{1} << 20, '\0');
-    while (file) {
-      file.read(piece.data(), static_cast<std::streamsize>(piece.size()));
-      const auto count = static_cast<std::size_t>(file.gcount());
-      crc = io::crc32(crc, std::string_view(piece).substr(0, count));
-      adler = io::adler32(adler, std::string_view(piece).substr(0, count));
-      source.bytes += count;
-    }
-    if (!file.eof()) {
-      Error error{ErrorCode::io, "the file cannot be read", {}};
-      error.where.file = path;
-      return error;
-    }
-    source.checksum = std::uint64_t{crc} << 32 | adler;
-    return source;
-  });
-}
 
 Result<WrittenPlan> write_plan(const std::string& path, const SectionStack& stack,
                                const ReconstructOptions& options, const PlanSource& source) {

@@ -76,6 +76,7 @@ class StoreFiller {
         error->where = sections_.located(std::move(error->where));
         return *error;
       }
+      if (scratch_.failure()) return *scratch_.failure();
     }
     if (store_.size() == 0) return sections::no_section_error();
     if (store_.contours_ == 0) {
@@ -122,7 +123,7 @@ class StoreFiller {
       if (!nestings[k]) return nestings[k].error();
       add(batch[k], *nestings[k]);
     }
-    return scratch_.failure();
+    return std::nullopt;
   }
 
   void add(const Section& section, const Nesting& nesting) {

@@ -103,8 +103,9 @@ TEST_F(BatchCommand, TakesTheStacksOfAList) {
   put(folder_.file("a/x.cnt"), kTube);
   put(folder_.file("b/X.cnt"), kFork);
   const std::string list = folder_.file("stacks.list");
-  put(list, "# two of one name\n" + folder_.file("a/x.cnt") + "\r\n\n" + folder_.file("b/X.cnt") +
-                "\n  # and one that is not there\n" + stack("missing") + '\n' + stack("tube"));
+  put(list, "\xEF\xBB\xBF# two of one name\n" + folder_.file("a/x.cnt") + "\r\n\n" +
+                folder_.file("b/X.cnt") + "\n  # and one that is not there\n" + stack("missing") +
+                '\n' + stack("tube"));
   const JsonValue told = run_json({"reconstruct", list, "-o", out_}, 4);
   EXPECT_EQ(told.at("done").number, 3);
   EXPECT_EQ(told.at("stacks").array.at(2).at("error").at("code").string, "io");

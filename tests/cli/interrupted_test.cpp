@@ -125,6 +125,25 @@ TEST_F(Interrupted, WithoutRoomForTheFileItSaysSoAndLeavesTheEarlierOne) {
   }
 }
 
+// What has no room are its temporaries, beside the file: no fault of the stack.
+TEST_F(Interrupted, WithoutRoomForAStreamOrAPlanItNamesTheFileThatWasToAppear) {
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  const auto handler = ::signal(SIGXFSZ, SIG_IGN);
+  using Words = std::vector<std::string>;
+  for (const Words& words :
+       {Words{"reconstruct", in_, "--stream", "-o", out_}, Words{"plan", in_, "-o", out_}}) {
+    const rlimit small{1000, before.rlim_max};
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+    const test::Outcome outcome = run(words);
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
+    EXPECT_EQ(outcome.code, 4) << outcome.err;
+    EXPECT_NE(outcome.err.find("error: " + out_ + ": "), std::string::npos) << outcome.err;
+    EXPECT_EQ(test::get(out_), earlier_);
+  }
+  ::signal(SIGXFSZ, handler);
+}
+
 // A file system of 64 KB of its own, seen by the child alone. Everything worth knowing comes
 // back as its exit code.
 enum Verdict { all_well, no_file_system, no_first_file, wrong_code, wrong_message, changed, left };

@@ -69,6 +69,17 @@ TEST_F(PieceIndex, CallsThePiecesFromItsFolder) {
   EXPECT_EQ(sources[1], "../a &amp; &quot;b&quot;.vtu");
 }
 
+TEST_F(PieceIndex, FindsPiecesWhateverTheyAreCalled) {
+  make_plan(data("torus.cnt"));
+  const Words pieces = make_pieces({0, 7, 19});
+  const std::string odd = folder_.file("a\n\t\r & <'b'>.vtu");
+  std::filesystem::rename(piece(1), odd);
+  ASSERT_EQ(run({"join", "--index", "-o", index_, piece(0), odd}).code, 0);
+  ASSERT_EQ(run({"join", "-o", folder_.file("listed.vtu"), index_}).code, 0);
+  ASSERT_EQ(run({"join", "-o", folder_.file("named.vtu"), piece(0), odd}).code, 0);
+  EXPECT_TRUE(get(folder_.file("listed.vtu")) == get(folder_.file("named.vtu")));
+}
+
 // The pieces of an index are pieces like others: joined they are the single run's solid.
 TEST_F(OpenPieceIndex, WritesAnewWhatWasLeftOpen) {
   const std::string whole = folder_.file("whole.vtu");

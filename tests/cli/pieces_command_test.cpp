@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cstdint>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -183,6 +185,22 @@ TEST_F(PiecesCommand, ThatDoNotBelongTogetherAreNamed) {
   refused({piece(0), damaged, piece(2)}, 3, "invalid_input", "damaged.vtu");
 }
 
+// Of a large file samples are compared.
+TEST_F(PiecesCommand, AreOfThePlannedStackHoweverLargeItsFile) {
+  const std::string large = folder_.file("large.cnt");
+  test::put(large, "");
+  std::filesystem::resize_file(large, (std::uintmax_t{1} << 26) + 1);
+  const auto source = plan_source(large);
+  ASSERT_TRUE(source.ok());
+  const auto stack = parse_cnt(test::kTube, "tube");
+  ASSERT_TRUE(stack.ok() && write_plan(plan_, stack->stack, {}, *source).ok());
+  const Words words{"reconstruct", large, "--plan", plan_, "--slabs", "0:1", "-o", piece(0)};
+  EXPECT_EQ(run(words).code, 0);
+  std::filesystem::remove(piece(0));
+  std::fstream(large, std::ios::in | std::ios::out | std::ios::binary).seekp(1 << 26).put('!');
+  expect_failure(words, 3, "invalid_input", "not the stack of the plan", {piece(0)});
+}
+
 TEST_F(PiecesCommand, AreOfThePlannedStack) {
   test::put(folder_.file("a.cnt"), test::kTube);
   test::put(folder_.file("longer.cnt"), test::kTube + ' ');
@@ -204,6 +222,13 @@ TEST_F(PiecesCommand, AreOfThePlannedStack) {
       run({"reconstruct", folder_.file("b.cnt"), "--plan", plan_, "--slabs", "0:1", "-o", piece(0)})
           .code,
       0);
+}
+
+TEST_F(PiecesCommand, TakeAPlanThatWasWrittenIntoAPipe) {
+  make_plan(data("torus.cnt"));
+  const Outcome piped = run({"plan", data("torus.cnt"), "-o", "/dev/stdout", "--quiet"});
+  EXPECT_EQ(piped.code, 0) << piped.err;
+  EXPECT_TRUE(piped.out == test::get(plan_));
 }
 
 TEST_F(PiecesCommand, AreMadeWithoutTheStack) {

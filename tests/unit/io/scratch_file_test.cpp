@@ -2,9 +2,12 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "io/scratch_column.hpp"
@@ -28,6 +31,24 @@ TEST(ScratchSequence, IsWhatWasAppendedToAllColumns) {
   EXPECT_EQ(all.at(3), 3);
   EXPECT_FALSE(below.failure() || above.failure());
   EXPECT_TRUE(folder.names().empty());
+}
+
+// Beside which there is no folder with room.
+TEST(ScratchSequence, IsThereForPipesAndDevices) {
+  for (const char* const path : {"/dev/full", "/dev/null"}) {
+    ScratchColumn<double> column(path);
+    for (std::size_t i = 0; i < 20'000; ++i) column.push_back(static_cast<double>(i));
+    ScratchSequence<double> all({&column});
+    EXPECT_EQ(all.at(19'999), 19'999);
+    EXPECT_FALSE(column.failure());
+  }
+  std::array<int, 2> ends{};
+  ASSERT_EQ(pipe(ends.data()), 0);
+  ScratchColumn<double> column("/dev/fd/" + std::to_string(ends[1]));
+  column.push_back(7);
+  EXPECT_FALSE(column.failure()) << to_string(*column.failure());
+  close(ends[0]);
+  close(ends[1]);
 }
 
 // The disk turns out to be full when the sequence is read already.

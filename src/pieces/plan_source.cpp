@@ -1,0 +1,87 @@
+// Which file a stack was read from.
+#include "pieces/plan_source.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <string_view>
+
+#include "core/guard.hpp"
+#include "io/bytes/checksum.hpp"
+
+namespace tetloft {
+
+using namespace internal;
+
+namespace internal::pieces {
+
+namespace {
+
+// What a few pages of each part of a file cost is nothing beside opening it: 4 MiB in all.
+constexpr std::uint64_t kSamples = 64;
+constexpr std::uint64_t kSampleBytes = std::uint64_t{1} << 16;
+
+class SourceChecksum {
+ public:
+  void add(std::string_view bytes) {
+    crc_ = io::crc32(crc_, bytes);
+    adler_ = io::adler32(adler_, bytes);
+  }
+  [[nodiscard]] std::uint64_t value() const { return std::uint64_t{crc_} << 32 | adler_; }
+
+ private:
+  std::uint32_t crc_ = io::kCrcOfNothing;
+  std::uint32_t adler_ = io::kAdlerOfNothing;
+};
+
+Error unreadable_source(const std::string& path) {
+  Error error{ErrorCode::io, "the file cannot be read", {}};
+  error.where.file = path;
+  return error;
+}
+
+}  // namespace
+
+Result<std::uint64_t> sampled_checksum(const std::string& path, std::uint64_t bytes) {
+  return guard_internal([&]() -> Result<std::uint64_t> {
+    std::ifstream file(path, std::ios::binary);
+    SourceChecksum checksum;
+    std::string sample(static_cast<std::size_t>(std::min(kSampleBytes, bytes)), '\0');
+    const std::uint64_t apart = (bytes - sample.size()) / (kSamples - 1);
+    for (std::uint64_t k = 0; k < kSamples; ++k) {
+      const std::uint64_t at = k + 1 < kSamples ? k * apart : bytes - sample.size();
+      file.seekg(static_cast<std::streamoff>(at));
+      file.read(sample.data(), static_cast<std::streamsize>(sample.size()));
+      if (!file) return unreadable_source(path);
+      checksum.add(sample);
+    }
+    return checksum.value();
+  });
+}
+
+}  // namespace internal::pieces
+
+Result<PlanSource> plan_source(const std::string& path) {
+  return guard_internal([&]() -> Result<PlanSource> {
+    std::ifstream file(path, std::ios::binary);
+    PlanSource source;
+    source.name = std::filesystem::path(path).filename().string();
+    pieces::SourceChecksum checksum;
+    std::string piece(std::size_t{1} << 20, '\0');
+    while (file) {
+      file.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+      const auto count = static_cast<std::size_t>(file.gcount());
+      checksum.add(std::string_view(piece).substr(0, count));
+      source.bytes += count;
+    }
+    if (!file.eof()) return pieces::unreadable_source(path);
+    source.checksum = checksum.value();
+    const Result<std::uint64_t> sampled = pieces::sampled_checksum(path, source.bytes);
+    if (!sampled) return sampled.error();
+    source.sampled = *sampled;
+    return source;
+  });
+}
+
+}  // namespace tetloft
