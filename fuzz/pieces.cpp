@@ -231,7 +231,7 @@ void change_piece_record(const PlannedCase& of, std::size_t which, Bytes& bytes)
   const auto record = io::piece_bytes(bytes_of_file(of.pieces[which]), "piece");
   const auto model = read_vtu(of.pieces[which]);
   require(record.ok() && model.ok(), "a piece that was written is refused");
-  std::string changed = *record;
+  std::string changed = record->bytes;
   for (std::size_t changes = 0; changes < 4 && !bytes.empty(); ++changes) {
     change_record(changed, bytes);
   }
