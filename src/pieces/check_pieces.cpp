@@ -126,6 +126,11 @@ class PieceGroups {
       segment.name += (k == first ? "" : " and ") + file;
     }
     segment.model = joined.take();
+    // Half-faces are numbered in 32 bits.
+    if (segment.model.tets.size() >= std::size_t{1} << 30) {
+      return Error{
+          ErrorCode::invalid_input, "2^30 tets or more that are to be checked together", {}};
+    }
     segment.sections = {all_[first].record.slabs.first, all_[end - 1].record.slabs.end + 1};
     if (all_.size() == end - first) segment.sections = {0, stack_.sections.size()};
     segment.first_tet = places_[first].tets;
