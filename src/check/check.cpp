@@ -63,9 +63,9 @@ class Checks {
 
  private:
   static constexpr std::size_t kParts = 4;
-  // Arguments checked, the view made, the parts; components, and what is expected of cavities, are
-  // two more; cavities.
-  static constexpr std::size_t kSteps = 2 + kParts + 3;
+  // Arguments checked, the view made, the parts; what of sections' part comes before components,
+  // these, and what is expected of cavities, are three more; cavities.
+  static constexpr std::size_t kSteps = 2 + kParts + 4;
 
   void check_sections() {
     conclusions_.emplace(stack_, options_);

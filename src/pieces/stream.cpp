@@ -40,11 +40,12 @@ constexpr std::size_t kWindowsOfThread = 2;
 
 class Streaming {
  public:
-  Streaming(const PlanFile& plan, io::VtuStream& stream, const Execution& execution)
+  Streaming(const PlanFile& plan, io::VtuStream& stream, const Execution& execution,
+            WatchedWork& work)
       : plan_(plan),
         stream_(stream),
         threads_(thread_count(execution.threads)),
-        work_(execution, plan.slabs() + 1),
+        work_(work),
         alone_(untold(execution)) {
     const std::size_t windows = kWindowsOfThread * threads_;
     window_ = std::clamp((plan.slabs() + windows - 1) / windows, kLeastWindow, kWindowSlabs);
@@ -173,7 +174,7 @@ class Streaming {
   const PlanFile& plan_;
   io::VtuStream& stream_;
   unsigned threads_;
-  WatchedWork work_;
+  WatchedWork& work_;
   Execution alone_;
   std::size_t window_ = 0;  // slabs
   std::size_t told_ = 0;    // slabs whose steps were told
@@ -197,12 +198,9 @@ struct ScratchPlan {
 };
 
 Result<ScratchPlan> scratch_plan(const std::string& path, const SectionStore& store, Unit unit,
-                                 const ReconstructOptions& options) {
-  const Execution quiet = untold(options.execution);
-  WatchedWork planning(quiet, 0);
+                                 const ReconstructOptions& options, WatchedWork& work) {
   io::ScratchFile scratch(path);
-  Result<PlannedStack> planned =
-      pieces::plan_stored(store, unit, options, {}, path, planning, scratch);
+  Result<PlannedStack> planned = pieces::plan_stored(store, unit, options, {}, path, work, scratch);
   if (!planned) return planned.error();
   if (scratch.failure()) return *scratch.failure();
   Result<PlanFile> file = PlanFile::of(pieces::ArchiveReader::of(std::move(scratch), path), path);
@@ -219,18 +217,23 @@ class StreamedStack {
   // Nothing where the model, made in this unit, is none in the one given.
   Result<std::optional<StagedStream>> stage_in(Unit unit, const ReconstructOptions& options) {
     const auto start = Clock::now();
-    Result<ScratchPlan> plan = scratch_plan(path_, store_, unit, options);
+    WatchedWork work(options.execution, 2 * store_.size() - 1);  // sections planned, slabs built
+    Result<ScratchPlan> plan = scratch_plan(path_, store_, unit, options, work);
     if (!plan) return plan.error();
     StagedStream made;
     made.warnings = std::move(plan->warnings);
     made.report.seconds = plan->seconds;
     core::give_back_freed();
     io::VtuStream stream(path_);
-    Streaming streaming(plan->file, stream, options.execution);
+    Streaming streaming(plan->file, stream, options.execution, work);
     Result<bool> streamed = streaming.run();
     if (!streamed) return streamed.error();
     if (!*streamed && streaming.loses_bits()) return std::optional<StagedStream>();
-    if (!*streamed) return in_memory(options);
+    if (!*streamed) {
+      ReconstructOptions again = options;
+      again.execution = untold(options.execution);
+      return in_memory(again);
+    }
     add_up(streaming.report(), made.report);
     made.report.slices = store_.size();
     made.report.contours = store_.contours();

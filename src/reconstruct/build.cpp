@@ -27,6 +27,7 @@ SlabBuilds::SlabBuilds(PreparedStack& prepared, Decision* decision, Plan& plan,
       outcome_(prepared.slab_count()),
       clusters_(prepared.slab_count()),
       refinements_(prepared.slab_count()) {
+  plan.between.resize(prepared.slab_count());
   // What links rest on must not change for what they imply.
   plan.may_ask.assign(prepared.slab_count(), depends_on_triangulations() ? 0 : 1);
 }

@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <mutex>
+#include <span>
 #include <stdexcept>
 #include <stop_token>
 #include <string>
@@ -84,6 +85,34 @@ class LongFunctions : public ::testing::Test {
     });
   }
 
+  // What writes files, and reads them again.
+  void add_pieces(unsigned threads, std::vector<std::pair<std::string, Watched>>& functions) const {
+    const auto add = [&](const std::string& name, auto function) {
+      functions.emplace_back(
+          name + " on " + std::to_string(threads),
+          [threads, function](const auto& stop, const auto& progress) {
+            return outcome(function({.threads = threads, .stop = stop, .progress = progress}));
+          });
+    };
+    const std::string file = ::testing::TempDir() + "/watched_" +
+                             ::testing::UnitTest::GetInstance()->current_test_info()->name();
+    add("write_plan", [this, file](const Execution& e) {
+      return write_plan(file + ".made", tall_, {.execution = e});
+    });
+    add("write_streamed", [this, file](const Execution& e) {
+      return write_streamed(file + ".vtu", tall_, {.execution = e});
+    });
+    const std::string piece = file + "_piece.vtu";
+    EXPECT_TRUE(write_plan(file + ".plan", tall_));
+    EXPECT_TRUE(write_piece(piece, file + ".plan", 0, tall_.sections.size() - 1));
+    add("write_piece", [file](const Execution& e) {
+      return write_piece(file + "_made.vtu", file + ".plan", 0, 9, {.execution = e});
+    });
+    add("check_pieces", [this, piece](const Execution& e) {
+      return check_pieces(std::span(&piece, 1), tall_, {.execution = e});
+    });
+  }
+
   // By name, on one and on several threads.
   [[nodiscard]] std::vector<std::pair<std::string, Watched>> all() const {
     std::vector<std::pair<std::string, Watched>> functions;
@@ -105,7 +134,10 @@ class LongFunctions : public ::testing::Test {
                   {.execution = {.threads = threads, .stop = stop, .progress = progress}}));
       });
     }
-    for (const unsigned threads : {1U, 3U}) add_parts(threads, functions);
+    for (const unsigned threads : {1U, 3U}) {
+      add_parts(threads, functions);
+      add_pieces(threads, functions);
+    }
     using Render = Result<std::string> (*)(const Model&, const SectionStack*, const RenderOptions&);
     for (const auto& [name, render] : std::map<std::string, Render>{
              {"png", render_png}, {"svg", render_svg}, {"html", render_html}}) {
