@@ -1,5 +1,5 @@
-// Disjoint sets over 0 … n−1, and more as they come. The representative of a set is its smallest element, so
-// the result depends on the unions only, not on their order.
+// Disjoint sets over 0 … n−1, and more as they come. The representative of a set is its smallest
+// element, so the result depends on the unions only, not on their order.
 #pragma once
 
 #include <cstddef>
