@@ -89,7 +89,8 @@ unsigned thread_count(unsigned requested) {
 }
 
 void parallel_for(std::size_t n, unsigned threads, const std::function<void(std::size_t)>& body) {
-  const std::size_t workers = std::min<std::size_t>(thread_count(threads), n);
+  // Of a single index the system need not be asked how many it has, which takes longer than some.
+  const std::size_t workers = n < 2 ? n : std::min<std::size_t>(thread_count(threads), n);
   Loop loop(n, body);
   if (workers > 1) {
     const Helpers helpers(workers - 1, loop);

@@ -22,18 +22,33 @@ class ScratchColumn {
   explicit ScratchColumn(const std::string& path) : file_(path) {}
 
   void push_back(T value) {
-    std::array<char, sizeof(T)> bytes;
-    store_little<T>(bytes.data(), value);
-    file_.append({bytes.data(), bytes.size()});
+    store_little<T>(last_.data() + count_ * sizeof(T), value);
+    if (++count_ == kAtOnce) put_away();
   }
   [[nodiscard]] std::size_t size() const {
-    return static_cast<std::size_t>(file_.size() / sizeof(T));
+    return static_cast<std::size_t>(file_.size() / sizeof(T)) + count_;
   }
-  void cut(std::size_t size) { file_.cut(std::uint64_t{size} * sizeof(T)); }
+  void cut(std::size_t size) {
+    put_away();
+    file_.cut(std::uint64_t{size} * sizeof(T));
+  }
+  /// Of what was put away: the last values are not, before they are read.
   [[nodiscard]] const std::optional<Error>& failure() const { return file_.failure(); }
+
+  /// All values, as little-endian bytes.
+  void append_to(Sink& sink) {
+    put_away();
+    std::vector<char> bytes(std::size_t{1} << 16);
+    for (std::uint64_t at = 0; at < file_.size(); at += bytes.size()) {
+      bytes.resize(std::min<std::uint64_t>(bytes.size(), file_.size() - at));
+      file_.read(at, bytes);
+      sink.append({bytes.data(), bytes.size()});
+    }
+  }
 
   /// The values from `first` to `end`, all of which must be there.
   [[nodiscard]] std::vector<T> values(std::size_t first, std::size_t end) {
+    put_away();
     std::vector<char> bytes((end - first) * sizeof(T));
     file_.read(std::uint64_t{first} * sizeof(T), bytes);
     std::vector<T> values(end - first);
@@ -44,7 +59,16 @@ class ScratchColumn {
   }
 
  private:
+  static constexpr std::size_t kAtOnce = 512;
+
+  void put_away() {
+    file_.append({last_.data(), count_ * sizeof(T)});
+    count_ = 0;
+  }
+
   ScratchFile file_;
+  std::array<char, kAtOnce * sizeof(T)> last_;
+  std::size_t count_ = 0;  // of values there
 };
 
 /// Columns one behind the other as one sequence, of which a stretch is in memory. They must outlive

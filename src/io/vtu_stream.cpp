@@ -49,9 +49,17 @@ void make_fields(const std::string& path, bool of_points, Columns& columns) {
   });
 }
 
+// Of columns one behind the other. Their bytes are those of the file.
 template <class T>
-std::shared_ptr<ScratchSequence<T>> sequence_of(std::vector<ScratchColumn<T>*> columns) {
-  return std::make_shared<ScratchSequence<T>>(std::move(columns));
+VtkArray stored_array(std::string name, std::size_t components,
+                      const std::vector<ScratchColumn<T>*>& columns) {
+  const auto values = std::make_shared<ScratchSequence<T>>(columns);
+  VtkArray array = vtk_array<T>(std::move(name), components, values->size(),
+                                [values](std::size_t i) { return values->at(i); });
+  array.append_bytes = [columns](Sink& sink) {
+    for (ScratchColumn<T>* column : columns) column->append_to(sink);
+  };
+  return array;
 }
 
 // As the fields of a model in memory, whose order the columns have. `parts`: one behind the other.
@@ -64,10 +72,8 @@ VtkGroup stored_fields(const char* element, bool of_points, const std::vector<Co
     for (Columns* part : parts) {
       columns.push_back(&std::get<ScratchColumn<Stored>>(part->fields[k]));
     }
-    const auto values = sequence_of(std::move(columns));
-    if (values->size() == 0) return;
-    group.arrays.push_back(vtk_array<Stored>(std::string(field.name), 1, values->size(),
-                                             [values](std::size_t i) { return values->at(i); }));
+    VtkArray array = stored_array<Stored>(std::string(field.name), 1, columns);
+    if (array.tuples > 0) group.arrays.push_back(std::move(array));
   });
   return group;
 }
@@ -219,11 +225,11 @@ VtuGrid VtuStream::grid() {
   add_texts(rest_, grid.tables);
   grid.fields = {stored_fields<Vertices>("PointData", true, {&sections_, &constructed_}),
                  stored_fields<Tets>("CellData", false, {&tets_})};
-  const auto points = sequence_of<double>({&sections_.points, &constructed_.points});
   grid.points.element = "Points";
-  grid.points.arrays.push_back(vtk_array<double>(
-      "Points", 3, points->size(), [points](std::size_t i) { return points->at(i); }));
-  const auto corners = sequence_of<std::int64_t>({&tets_.corners});
+  grid.points.arrays.push_back(
+      stored_array<double>("Points", 3, {&sections_.points, &constructed_.points}));
+  const auto corners = std::make_shared<ScratchSequence<std::int64_t>>(
+      std::vector<ScratchColumn<std::int64_t>*>{&tets_.corners});
   grid.cells = vtu_cells(
       numbers_.tets(), [this, corners](std::size_t i) { return numbers_.vertex(corners->at(i)); });
   return grid;

@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "core/pages.hpp"
+#include "core/parallel.hpp"
 #include "io/scratch_file.hpp"
 #include "io/sorted_scratch.hpp"
 #include "pieces/piece_file.hpp"
@@ -15,6 +15,7 @@
 #include "reconstruct/ends.hpp"
 #include "reconstruct/hints.hpp"
 #include "reconstruct/rising_components.hpp"
+#include "reconstruct/stack_errors.hpp"
 #include "sections/complement.hpp"
 #include "sections/scaling.hpp"
 #include "slab/rules.hpp"
@@ -76,26 +77,50 @@ class WindowPlanner {
       error->where = in_whole(error->where, {low, high - 1});
       return error;
     }
+    std::vector<SectionPlan> plans;
     for (std::size_t s = first; s < end; ++s) {
-      decided_.append(to_record(planned_section(window, SectionId(s - low))));
-      work_.step_done_go_on();
+      plans.push_back(planned_section(window, SectionId(s - low)));
     }
+    const auto appended = append(decided_, plans.size(), [&](std::size_t k) -> Result<std::string> {
+      work_.step_done_go_on();
+      return to_record(plans[k]);
+    });
+    if (appended) return appended;
     count(window, SectionId(first - low), SectionId(end - low));
     return scratch_.failure() ? scratch_.failure() : lengths_.failure();
+  }
+
+  // n records in order, made on all threads, some at a time.
+  template <class Make>
+  std::optional<Error> append(ArchiveWriter& archive, std::size_t n, const Make& make) const {
+    constexpr std::size_t kAtOnce = 64;
+    for (std::size_t first = 0; first < n; first += kAtOnce) {
+      std::vector<Result<std::string>> records(std::min(kAtOnce, n - first), std::string());
+      parallel_for(records.size(), options_.execution.threads,
+                   [&](std::size_t k) { records[k] = make(first + k); });
+      for (const Result<std::string>& record : records) {
+        if (!record) return record.error();
+        archive.append(*record);
+      }
+    }
+    return std::nullopt;
   }
 
   std::optional<Error> load(std::size_t low, std::size_t high, PreparedStack& window) const {
     window.exponent = exponent_;
     window.of_whole = whole_;
     window.first_section = low;
-    for (std::size_t s = low; s < high; ++s) {
-      Result<StoredSection> stored = store_.section(s);
-      if (!stored) return stored.error();
-      window.stack.sections.push_back(sections::scaled(stored->section, exponent_));
-      window.nestings.push_back(std::move(stored->nesting));
-    }
-    window.sections.resize(window.section_count());
-    return std::nullopt;
+    window.stack.sections.resize(high - low);
+    window.nestings.resize(high - low);
+    window.sections.resize(high - low);
+    return first_error(all_ids<SectionId>(high - low), options_.execution.threads, work_,
+                       [&](SectionId s) -> std::optional<Error> {
+                         Result<StoredSection> stored = store_.section(low + s.index());
+                         if (!stored) return stored.error();
+                         window.stack.sections[s] = sections::scaled(stored->section, exponent_);
+                         window.nestings[s] = std::move(stored->nesting);
+                         return std::nullopt;
+                       });
   }
 
   // With numbers of components for the time being.
@@ -188,7 +213,7 @@ class WindowPlanner {
     if (!decided) return decided.error();
     ArchiveWriter archive(sink);
     archive.append(to_record(made_.head));
-    for (std::size_t s = 0; s < store_.size(); ++s) {
+    auto error = append(archive, store_.size(), [&](std::size_t s) -> Result<std::string> {
       work_.go_on();
       const Result<std::string> bytes = decided->record(s);
       if (!bytes) return bytes.error();
@@ -196,8 +221,9 @@ class WindowPlanner {
       if (!plan) return plan.error();
       renumber(plan->regions, numbers_);
       if (plan->voids && whole_.has_hole) renumber(*plan->voids, void_numbers_);
-      archive.append(to_record(*plan));
-    }
+      return to_record(*plan);
+    });
+    if (error) return error;
     made_.identity = archive.finish();
     return lengths_.failure();
   }

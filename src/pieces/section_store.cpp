@@ -67,17 +67,17 @@ class StoreFiller {
         archive_(scratch_) {}
 
   Result<SectionStore> fill() {
-    for (bool more = true; more;) {
-      std::vector<Section> batch;
-      Result<bool> read = next_batch(batch);
-      if (!read) return read.error();
-      more = *read;
+    next_ = next_batch();
+    while (!next_.sections.empty()) {
+      const Batch batch = std::move(next_);
+      next_ = Batch{{}, batch.end, batch.error};
       if (auto error = add(batch)) {
         error->where = sections_.located(std::move(error->where));
         return *error;
       }
       if (scratch_.failure()) return *scratch_.failure();
     }
+    if (next_.error) return *std::move(next_.error);
     if (store_.size() == 0) return sections::no_section_error();
     if (store_.contours_ == 0) {
       Error error = sections::no_contour_error();
@@ -95,23 +95,38 @@ class StoreFiller {
   }
 
  private:
-  // Whether there may be more.
-  Result<bool> next_batch(std::vector<Section>& batch) {
-    for (std::size_t vertices = 0; batch.size() < kMostAtOnce && vertices < kMostVerticesAtOnce;) {
+  struct Batch {
+    std::vector<Section> sections;
+    bool end = false;            // no more come
+    std::optional<Error> error;  // instead of more
+  };
+
+  Batch next_batch() {
+    Batch batch;
+    for (std::size_t vertices = 0;
+         batch.sections.size() < kMostAtOnce && vertices < kMostVerticesAtOnce;) {
       Result<std::optional<Section>> next = sections_.next();
-      if (!next) return next.error();
-      if (!*next) return false;
+      if (!next) batch.error = next.error();
+      batch.end = !next || !*next;
+      if (batch.end) break;
       vertices += vertex_count(**next);
-      batch.push_back(std::move(**next));
+      batch.sections.push_back(std::move(**next));
     }
-    return true;
+    return batch;
   }
 
-  std::optional<Error> add(const std::vector<Section>& batch) {
+  // On another thread, if there are several, the next ones are read meanwhile.
+  std::optional<Error> add(const Batch& read) {
+    const std::vector<Section>& batch = read.sections;
     const std::size_t first = store_.size();
     std::vector<Result<Nesting>> nestings(batch.size(), Nesting());
-    parallel_for(batch.size(), quiet_.threads, [&](std::size_t k) {
+    parallel_for(batch.size() + 1, quiet_.threads, [&](std::size_t i) {
       work_.go_on();
+      if (i == 0) {
+        if (!read.end) next_ = next_batch();
+        return;
+      }
+      const std::size_t k = i - 1;
       nestings[k] = known_ != nullptr ? (*known_)[SectionId(first + k)]
                                       : sections::nest_section_if_valid(batch[k], first + k);
     });
@@ -138,11 +153,13 @@ class StoreFiller {
 
   // The remedy depends on the heights of all.
   std::optional<Error> wrong_height(std::size_t s) {
-    for (;;) {
+    for (const Section& section : next_.sections) store_.heights_.push_back(section.z);
+    while (!next_.end) {
       const Result<std::optional<Section>> next = sections_.next();
       if (!next || !*next) return sections::height_error(store_.heights_, s);
       store_.heights_.push_back((*next)->z);
     }
+    return sections::height_error(store_.heights_, s);
   }
 
   SectionStream& sections_;
@@ -152,6 +169,7 @@ class StoreFiller {
   const std::string& path_;
   io::ScratchFile scratch_;
   ArchiveWriter archive_;
+  Batch next_;
   SectionStore store_;
 };
 

@@ -3,6 +3,7 @@
 // over its ends; where that reaches below what was appended already, the stream goes back.
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -54,18 +55,27 @@ class Streaming {
 
   // False: not so, but with all of the stack at once, or in another unit (loses_bits()).
   Result<bool> run() {
-    if (plan_.slabs() == 0) return settle_and_append({{0, 0}});
-    while (stream_.slabs() < plan_.slabs()) {
-      std::vector<SlabRange> windows;
-      std::size_t next = stream_.slabs();
-      for (std::size_t k = 0; k < kWindowsOfThread * threads_ && next < plan_.slabs(); ++k) {
-        windows.push_back({next, std::min(next + window_, plan_.slabs())});
-        next = windows.back().end;
+    std::vector<SlabRange> windows =
+        plan_.slabs() == 0 ? std::vector<SlabRange>{{0, 0}} : windows_from(0);
+    std::vector<Made> made = build(windows, [] {});
+    for (;;) {
+      Result<std::vector<BuiltRange>> built = take_all(std::move(made));
+      if (!built) return or_false(built.error());
+      // The next ones are built while these are appended.
+      std::vector<SlabRange> next = windows_from(windows.back().end);
+      std::optional<Result<bool>> appended;
+      made = build(next, [&] {
+        appended = settle_and_append(*built, windows.back().end);
+        built->clear();
+      });
+      if (!*appended || !**appended) return *appended;
+      if (stream_.slabs() == plan_.slabs()) return true;
+      if (stream_.slabs() != windows.back().end) {  // what was settled reaches into them
+        next = windows_from(stream_.slabs());
+        made = build(next, [] {});
       }
-      Result<bool> appended = settle_and_append(windows);
-      if (!appended || !*appended) return appended;
+      windows = std::move(next);
     }
-    return true;
   }
 
   [[nodiscard]] bool loses_bits() const { return loses_bits_; }
@@ -73,11 +83,23 @@ class Streaming {
   [[nodiscard]] const std::vector<Warning>& warnings() const { return warnings_.all(); }
 
  private:
-  Result<bool> settle_and_append(const std::vector<SlabRange>& windows) {
-    Result<std::vector<BuiltRange>> built = build(windows);
-    if (!built) return or_false(built.error());
+  // Nothing where a coordinate would lose bits.
+  using Made = std::optional<Result<std::optional<PlannedRange>>>;
+
+  // None where no slab is left.
+  [[nodiscard]] std::vector<SlabRange> windows_from(std::size_t slab) const {
+    std::vector<SlabRange> windows;
+    for (std::size_t k = 0; k < kWindowsOfThread * threads_ && slab < plan_.slabs(); ++k) {
+      windows.push_back({slab, std::min(slab + window_, plan_.slabs())});
+      slab = windows.back().end;
+    }
+    return windows;
+  }
+
+  // Windows next to each other, which end at slab `end`.
+  Result<bool> settle_and_append(const std::vector<BuiltRange>& windows, std::size_t end) {
     bool any_open = false;
-    for (const BuiltRange& window : *built) {
+    for (const BuiltRange& window : windows) {
       for (const ClusterSpan& cluster : window.clusters) {
         any_open = any_open || cluster.beyond.any();
         clusters_.push_back(cluster);
@@ -92,7 +114,7 @@ class Streaming {
       settled = std::move(*all);
       clusters_ = std::move(settled.clusters);
     }
-    const Result<void> appended = append(*built, settled.ranges, windows.back().end);
+    const Result<void> appended = append(windows, settled.ranges, end);
     if (!appended) return or_false(appended.error());
     return true;
   }
@@ -102,19 +124,26 @@ class Streaming {
     return error;
   }
 
-  // Each on one thread.
-  Result<std::vector<BuiltRange>> build(const std::vector<SlabRange>& windows) {
-    std::vector<std::optional<Result<std::optional<PlannedRange>>>> made(windows.size());
-    parallel_for(windows.size(), threads_, [&](std::size_t k) {
-      made[k].emplace(pieces::try_range(plan_, windows[k], alone_));
-      for (std::size_t slab = windows[k].first; slab < windows[k].end; ++slab) {
+  // Each on one thread; on another, if there are several, what is to be done meanwhile.
+  std::vector<Made> build(const std::vector<SlabRange>& windows,
+                          const std::function<void()>& meanwhile) {
+    std::vector<Made> made(windows.size());
+    parallel_for(windows.size() + 1, threads_, [&](std::size_t k) {
+      if (k == 0) return meanwhile();
+      const SlabRange& slabs = windows[k - 1];
+      made[k - 1].emplace(pieces::try_range(plan_, slabs, alone_));
+      for (std::size_t slab = slabs.first; slab < slabs.end; ++slab) {
         if (told_ <= slab) work_.step_done();
       }
       work_.go_on();
     });
-    told_ = std::max(told_, windows.back().end);
+    if (!windows.empty()) told_ = std::max(told_, windows.back().end);
+    return made;
+  }
+
+  Result<std::vector<BuiltRange>> take_all(std::vector<Made> made) {
     std::vector<BuiltRange> built;
-    for (auto& window : made) {
+    for (Made& window : made) {
       Result<BuiltRange> one = take(*std::move(window));
       if (!one) return one.error();
       built.push_back(std::move(*one));

@@ -33,7 +33,7 @@ SectionDivision divide_section(const Section& section, std::span<const Section* 
   }
   SectionStack alone;
   alone.sections.push_back(sections::divided(section, edges));
-  if (const Result<void> valid = validate(alone); !accepted(valid)) {
+  if (const Result<void> valid = validate(alone, {.threads = 1}); !accepted(valid)) {
     result.refused = "rounding leaves no room: " + valid.error().message;
     return result;
   }

@@ -92,7 +92,7 @@ class WindowMaker {
     if (!plan.section.contours.empty()) {
       SectionStack alone;
       alone.sections.push_back(plan.section);
-      if (const Result<void> valid = validate(alone); !accepted(valid)) {
+      if (const Result<void> valid = validate(alone, {.threads = 1}); !accepted(valid)) {
         return no_fit(s, "is not valid: " + valid.error().message);
       }
       nesting = nest(plan.section);
