@@ -27,6 +27,8 @@ TETLOFT_API std::vector<Warning> mend(SectionStack& stack);
 /// its contours are parted. Only gaps between sections with contours, alone or two in a row, are
 /// told: more than that is a finer sampling.
 [[nodiscard]] TETLOFT_API std::vector<Warning> suspicious_gaps(const SectionStack& stack);
+/// Is it one of those, as a reader tells them among others?
+[[nodiscard]] TETLOFT_API bool is_of_gap(const Warning& warning);
 
 enum class PlaneRule : std::uint8_t {
   sort = 0,   ///< by z; sections of the same z become one

@@ -179,19 +179,6 @@ RepairReport report_of(const Repaired& repaired, FillRule fill) {
 
 }  // namespace
 
-namespace {
-
-// One of suspicious_gaps(), as it ends.
-bool is_of_gap(const Warning& warning) {
-  constexpr std::string_view kEnd =
-      "one slice written as two planes; if so, put its contours into "
-      "one section";
-  const std::string_view message = warning.message;
-  return message.size() >= kEnd.size() && message.substr(message.size() - kEnd.size()) == kEnd;
-}
-
-}  // namespace
-
 void warn_of_reader(const std::vector<Warning>& warnings, const Mending& mending,
                     Console& console) {
   for (Warning warning : warnings) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <tetloft/repair.hpp>
@@ -11,6 +12,10 @@
 namespace tetloft {
 
 namespace {
+
+// How each of the warnings ends.
+constexpr std::string_view kPerhapsOneSlice =
+    ": perhaps one slice written as two planes; if so, put its contours into one section";
 
 // People write a slice twice with heights that differ by rounding, or by a small offset that
 // keeps the heights distinct; slices of a scan differ by far less than this factor.
@@ -34,6 +39,8 @@ double beside(const std::vector<double>& gaps, std::size_t from, std::size_t to)
 
 }  // namespace
 
+bool is_of_gap(const Warning& warning) { return warning.message.ends_with(kPerhapsOneSlice); }
+
 std::vector<Warning> suspicious_gaps(const SectionStack& stack) {
   std::vector<double> gaps;
   for (std::size_t s = 0; s + 1 < stack.sections.size(); ++s) {
@@ -47,9 +54,7 @@ std::vector<Warning> suspicious_gaps(const SectionStack& stack) {
     if (stack.sections[SectionId(s + 1)].contours.empty()) return;
     Warning warning{"the sections " + std::to_string(s) + " and " + std::to_string(s + 1) +
                         " are " + shortest(gaps[s]) + " apart, where the gaps around are " +
-                        shortest(around) +
-                        ": perhaps one slice written as two planes; if so, put its contours "
-                        "into one section",
+                        shortest(around) + std::string(kPerhapsOneSlice),
                     {}};
     warning.where.section = s + 1;
     warnings.push_back(std::move(warning));

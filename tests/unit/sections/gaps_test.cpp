@@ -25,6 +25,8 @@ std::vector<std::size_t> told(const SectionStack& stack) {
   std::vector<std::size_t> sections;
   for (const Warning& warning : suspicious_gaps(stack)) {
     EXPECT_NE(warning.message.find("one slice written as two planes"), std::string::npos);
+    EXPECT_TRUE(is_of_gap(warning));
+    EXPECT_FALSE(is_of_gap({warning.message + '.', {}}));
     sections.push_back(*warning.where.section);
   }
   return sections;
