@@ -260,7 +260,7 @@ TEST(Correspondence, IsTheSameWhenItIsComputedAnew) {
       for (const Criterion criterion : {Criterion::overlap, Criterion::moved}) {
         compare(tried, {.criterion = criterion}, name + ", plain");
       }
-      for (int trial = 0; trial < 4; ++trial) {
+      for (int trial = 0; trial < (kSeeds < 8 ? 1 : 4); ++trial) {
         const CorrespondenceOptions options = random_options(tried.prng, tried.stack);
         const Answer answer = compare(tried, options, name + ", trial " + std::to_string(trial));
         ++answers[static_cast<std::size_t>(answer)];
@@ -268,11 +268,14 @@ TEST(Correspondence, IsTheSameWhenItIsComputedAnew) {
       }
     }
   }
-  // Of eight seeds, and of one in proportion, but that it has fewer of the first answer.
-  EXPECT_GT(answers[0], kSeeds == 8 ? 1000U : 100U);
-  EXPECT_GT(8 * answers[1], 15 * kSeeds);
-  EXPECT_GT(8 * answers[2], 40 * kSeeds);
-  EXPECT_GT(8 * with_oracle, 100 * kSeeds);
+  if (kSeeds < 8) {  // with sanitizers
+    EXPECT_GT(answers[0], 20U);
+    return;
+  }
+  EXPECT_GT(answers[0], 1000U);
+  EXPECT_GT(answers[1], 15U);
+  EXPECT_GT(answers[2], 40U);
+  EXPECT_GT(with_oracle, 100U);
 }
 
 }  // namespace

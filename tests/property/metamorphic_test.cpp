@@ -26,7 +26,7 @@ using namespace internal;
 namespace {
 
 constexpr std::uint64_t kFirstSeed = 700;
-constexpr std::uint64_t kSeeds = TETLOFT_METAMORPHIC_SEEDS;
+constexpr std::uint64_t kSeeds = 3;
 
 Result<Reconstruction> run(const SectionStack& stack, const CorrespondenceOptions& correspondence) {
   ReconstructOptions options;
