@@ -29,6 +29,27 @@ Result<void> outcome(const Result<T>& result) {
   return result ? Result<void>() : Result<void>(result.error());
 }
 
+using NamedFunction = std::pair<std::string, Watched>;
+
+// Adds what takes an Execution, on so many threads.
+class FunctionsOn {
+ public:
+  FunctionsOn(unsigned threads, std::vector<NamedFunction>& all) : threads_(threads), all_(all) {}
+
+  template <class Function>
+  void add(const std::string& name, Function function) {
+    all_.emplace_back(
+        name + " on " + std::to_string(threads_),
+        [threads = threads_, function](const auto& stop, const auto& progress) {
+          return outcome(function({.threads = threads, .stop = stop, .progress = progress}));
+        });
+  }
+
+ private:
+  unsigned threads_;
+  std::vector<NamedFunction>& all_;
+};
+
 // Not on two planes, nor in a row.
 std::vector<Point3> scattered(std::size_t n) {
   std::vector<Point3> points;
@@ -55,30 +76,31 @@ class LongFunctions : public ::testing::Test {
   std::vector<Point2> flat_ = flattened(scattered(17000));
 
   // What takes its Execution by itself, or in options with nothing else of interest.
-  void add_parts(unsigned threads, std::vector<std::pair<std::string, Watched>>& functions) const {
-    const auto add = [&](const std::string& name, auto function) {
-      functions.emplace_back(
-          name + " on " + std::to_string(threads),
-          [threads, function](const auto& stop, const auto& progress) {
-            return outcome(function({.threads = threads, .stop = stop, .progress = progress}));
-          });
-    };
-    add("validate", [this](const Execution& e) { return validate(tall_, e); });
-    add("repair", [this](const Execution& e) { return repair(tall_, {.execution = e}); });
-    add("snap", [this](const Execution& e) { return snap(tall_, 20, e); });
-    add("refine", [this](const Execution& e) { return refine(tall_, 0.5, e); });
-    add("delaunay2", [this](const Execution& e) { return delaunay2(flat_, e); });
-    add("conforming_delaunay2",
-        [this](const Execution& e) { return conforming_delaunay2(flat_, {}, {.execution = e}); });
-    add("conform", [](const Execution& e) {
+  void add_parts(FunctionsOn& functions) const {
+    functions.add("reconstruct",
+                  [this](const Execution& e) { return reconstruct(stack_, {.execution = e}); });
+    functions.add("geiger", [this](const Execution& e) {
+      return reconstruct_geiger(stack_, {.execution = e});
+    });
+    functions.add("check",
+                  [this](const Execution& e) { return check(model_, stack_, {.execution = e}); });
+    functions.add("validate", [this](const Execution& e) { return validate(tall_, e); });
+    functions.add("repair", [this](const Execution& e) { return repair(tall_, {.execution = e}); });
+    functions.add("snap", [this](const Execution& e) { return snap(tall_, 20, e); });
+    functions.add("refine", [this](const Execution& e) { return refine(tall_, 0.5, e); });
+    functions.add("delaunay2", [this](const Execution& e) { return delaunay2(flat_, e); });
+    functions.add("conforming_delaunay2", [this](const Execution& e) {
+      return conforming_delaunay2(flat_, {}, {.execution = e});
+    });
+    functions.add("conform", [](const Execution& e) {
       Section section;
       section.contours.push_back(polygon({0, 0}, 10, 17000));
       return conform(section, SectionId(0), {.execution = e});
     });
-    add("delaunay3, incremental", [this](const Execution& e) {
+    functions.add("delaunay3, incremental", [this](const Execution& e) {
       return delaunay3(points_, {.engine = DelaunayEngine::incremental, .execution = e});
     });
-    add("delaunay3, slab", [this](const Execution& e) {
+    functions.add("delaunay3, slab", [this](const Execution& e) {
       std::vector<Point3> planes = points_;
       for (std::size_t i = 0; i < planes.size(); ++i) planes[i].z = i < 2000 ? 0 : 1;
       return delaunay3(planes, {.engine = DelaunayEngine::slab, .execution = e});
@@ -86,57 +108,33 @@ class LongFunctions : public ::testing::Test {
   }
 
   // What writes files, and reads them again.
-  void add_pieces(unsigned threads, std::vector<std::pair<std::string, Watched>>& functions) const {
-    const auto add = [&](const std::string& name, auto function) {
-      functions.emplace_back(
-          name + " on " + std::to_string(threads),
-          [threads, function](const auto& stop, const auto& progress) {
-            return outcome(function({.threads = threads, .stop = stop, .progress = progress}));
-          });
-    };
+  void add_pieces(FunctionsOn& functions) const {
     const std::string file = ::testing::TempDir() + "/watched_" +
                              ::testing::UnitTest::GetInstance()->current_test_info()->name();
-    add("write_plan", [this, file](const Execution& e) {
+    functions.add("write_plan", [this, file](const Execution& e) {
       return write_plan(file + ".made", tall_, {.execution = e});
     });
-    add("write_streamed", [this, file](const Execution& e) {
+    functions.add("write_streamed", [this, file](const Execution& e) {
       return write_streamed(file + ".vtu", tall_, {.execution = e});
     });
     const std::string piece = file + "_piece.vtu";
     EXPECT_TRUE(write_plan(file + ".plan", tall_));
     EXPECT_TRUE(write_piece(piece, file + ".plan", 0, tall_.sections.size() - 1));
-    add("write_piece", [file](const Execution& e) {
+    functions.add("write_piece", [file](const Execution& e) {
       return write_piece(file + "_made.vtu", file + ".plan", 0, 9, {.execution = e});
     });
-    add("check_pieces", [this, piece](const Execution& e) {
+    functions.add("check_pieces", [this, piece](const Execution& e) {
       return check_pieces(std::span(&piece, 1), tall_, {.execution = e});
     });
   }
 
   // By name, on one and on several threads.
-  [[nodiscard]] std::vector<std::pair<std::string, Watched>> all() const {
-    std::vector<std::pair<std::string, Watched>> functions;
+  [[nodiscard]] std::vector<NamedFunction> all() const {
+    std::vector<NamedFunction> functions;
     for (const unsigned threads : {1U, 3U}) {
-      const std::string on = " on " + std::to_string(threads);
-      functions.emplace_back(
-          "reconstruct" + on, [this, threads](const auto& stop, const auto& progress) {
-            return outcome(reconstruct(
-                stack_, {.execution = {.threads = threads, .stop = stop, .progress = progress}}));
-          });
-      functions.emplace_back(
-          "geiger" + on, [this, threads](const auto& stop, const auto& progress) {
-            return outcome(reconstruct_geiger(
-                stack_, {.execution = {.threads = threads, .stop = stop, .progress = progress}}));
-          });
-      functions.emplace_back("check" + on, [this, threads](const auto& stop, const auto& progress) {
-        return outcome(
-            check(model_, stack_,
-                  {.execution = {.threads = threads, .stop = stop, .progress = progress}}));
-      });
-    }
-    for (const unsigned threads : {1U, 3U}) {
-      add_parts(threads, functions);
-      add_pieces(threads, functions);
+      FunctionsOn on(threads, functions);
+      add_parts(on);
+      add_pieces(on);
     }
     using Render = Result<std::string> (*)(const Model&, const SectionStack*, const RenderOptions&);
     for (const auto& [name, render] : std::map<std::string, Render>{
