@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -21,6 +22,7 @@
 #include "model/digest.hpp"
 #include "pieces/archive.hpp"
 #include "pieces/piece_file.hpp"
+#include "pieces/piece_set.hpp"
 #include "pieces/plan_file.hpp"
 #include "property/same_model.hpp"
 
@@ -31,7 +33,7 @@ namespace pieces = internal::pieces;
 namespace io = internal::io;
 
 struct World {
-  OwnFolder folder;
+  test::TempFolder folder;
   std::vector<PlannedCase> cases = written_cases(folder);
 };
 
@@ -154,8 +156,8 @@ PieceOptions quietly() {
 }
 
 void check_plan_file(std::string_view bytes) {
-  const OwnFolder& folder = world().folder;
-  const std::string path = folder / "plan";
+  const test::TempFolder& folder = world().folder;
+  const std::string path = folder.file("plan");
   write_bytes(path, bytes);
   const auto part = pieces::part_of(path);
   require(part.ok(), "a file is not looked at");
@@ -169,7 +171,7 @@ void check_plan_file(std::string_view bytes) {
   const bool right = fine(checked);
   const std::size_t slabs = read->sections - 1;
   if (slabs > 8) return;
-  const std::string piece = folder / "made.vtu";
+  const std::string piece = folder.file("made.vtu");
   const auto whole = write_piece(piece, path, 0, slabs, quietly());
   if (placed(whole)) {
     require(right, "a plan that is not right is built");
@@ -187,32 +189,46 @@ void check_plan_file(std::string_view bytes) {
   }
 }
 
+// The case whose pieces these are, of which an index may name others than those of `of`.
+const PlannedCase& case_of(const std::vector<std::string>& files, const PlannedCase& of) {
+  const auto read = pieces::read_pieces(files);
+  require(read.ok(), "pieces that were joined are refused");
+  const std::vector<PlannedCase>& all = world().cases;
+  const auto found = std::find_if(all.begin(), all.end(), [&](const PlannedCase& one) {
+    return one.identity == read->front().record.plan;
+  });
+  return found == all.end() ? of : *found;
+}
+
+void check_joined(const Model& joined, const PlannedCase& of) {
+  if (of.any_open) return;
+  Model expected = of.model;
+  expected.component_count = joined.component_count;  // what a record says of the whole
+  require(testing::same_bits(joined, expected), "pieces become another solid");
+}
+
 // All that takes pieces. `honest`: none of their solids was changed.
 void check_pieces(const std::vector<std::string>& files, const PlannedCase& of, bool honest) {
   JoinOptions joining;
   joining.execution.threads = 1;
   joining.plan = of.plan;
   const auto joined = join_pieces(files, joining);
-  const OwnFolder& folder = world().folder;
-  const auto written = write_joined(folder / "joined.vtu", files, joining);
-  const auto listed = write_index(folder / "listed.pvtu", files, joining);
+  const test::TempFolder& folder = world().folder;
+  const auto written = write_joined(folder.file("joined.vtu"), files, joining);
+  const auto listed = write_index(folder.file("listed.pvtu"), files, joining);
   if (!joined) {
     require_clean(joined.error());
     require(!written.ok() && !listed.ok(), "pieces that do not fit are joined in a stream");
     return;
   }
-  if (honest && !of.any_open) {
-    Model expected = of.model;
-    expected.component_count = joined->model.component_count;  // what a record says of the whole
-    require(testing::same_bits(joined->model, expected), "pieces become another solid");
-  }
+  if (honest) check_joined(joined->model, case_of(files, of));
   const auto text = format_vtu(joined->model);
   if (!text) {
     require_clean(text.error());
     return;
   }
   require(written.ok(), "pieces that fit are not joined in a stream");
-  require(bytes_of_file(folder / "joined.vtu") == *text, "a stream joins to other bytes");
+  require(test::get(folder.file("joined.vtu")) == *text, "a stream joins to other bytes");
 }
 
 void check_piece_file(const std::string& path, const PlannedCase& of, std::size_t which,
@@ -228,14 +244,14 @@ void check_piece_file(const std::string& path, const PlannedCase& of, std::size_
 
 // The record of a piece is another one.
 void change_piece_record(const PlannedCase& of, std::size_t which, Bytes& bytes) {
-  const auto record = io::piece_bytes(bytes_of_file(of.pieces[which]), "piece");
+  const auto record = io::piece_bytes(test::get(of.pieces[which]), "piece");
   const auto model = read_vtu(of.pieces[which]);
   require(record.ok() && model.ok(), "a piece that was written is refused");
   std::string changed = record->bytes;
   for (std::size_t changes = 0; changes < 4 && !bytes.empty(); ++changes) {
     change_record(changed, bytes);
   }
-  const std::string path = world().folder / "piece.vtu";
+  const std::string path = world().folder.file("piece.vtu");
   auto staged = io::stage_piece(path, *model, changed, Encoding::binary);
   require(staged.ok() && io::commit_all(staged->files).ok(), "a piece is not written");
   check_piece_file(path, of, which, true);
@@ -243,7 +259,7 @@ void change_piece_record(const PlannedCase& of, std::size_t which, Bytes& bytes)
 
 // The solid of a piece is another one, which its record speaks of.
 void change_piece_solid(const PlannedCase& of, std::size_t which, Bytes& bytes) {
-  std::string text = bytes_of_file(of.pieces[which]);
+  std::string text = test::get(of.pieces[which]);
   auto whole = pieces::read_whole_piece(of.pieces[which]);
   require(whole.ok(), "a piece that was written is refused");
   for (std::size_t changes = 0; changes < 4 && !bytes.empty(); ++changes) change(text, bytes);
@@ -251,7 +267,7 @@ void change_piece_solid(const PlannedCase& of, std::size_t which, Bytes& bytes) 
   if (!fine(model)) return;
   model->component_count = whole->record.components;
   whole->model = std::move(*model);
-  const std::string path = world().folder / "piece.vtu";
+  const std::string path = world().folder.file("piece.vtu");
   auto staged = pieces::stage_whole_piece(path, *whole, Encoding::binary, nullptr);
   if (!staged) {
     require_clean(staged.error());
@@ -262,20 +278,20 @@ void change_piece_solid(const PlannedCase& of, std::size_t which, Bytes& bytes) 
 }
 
 void check_index(std::string_view bytes, const PlannedCase& of) {
-  const std::string path = world().folder / "index.pvtu";
+  const std::string path = world().folder.file("index.pvtu");
   write_bytes(path, bytes);
   check_pieces({path}, of, true);
 }
 
 // An honest file, changed byte by byte.
 std::string damaged(const std::string& path, Bytes& bytes) {
-  std::string text = bytes_of_file(path);
+  std::string text = test::get(path);
   for (std::size_t changes = 0; changes < 4 && !bytes.empty(); ++changes) change(text, bytes);
   return text;
 }
 
 std::string index_of(const PlannedCase& of) {
-  const std::string path = world().folder / "honest.pvtu";
+  const std::string path = world().folder.file("honest.pvtu");
   JoinOptions joining;
   joining.execution.threads = 1;
   joining.plan = of.plan;
@@ -294,7 +310,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::size_t which = bytes.below(of.pieces.size());
   const std::string_view rest =
       text_of(data, size).substr(std::min<std::size_t>(size, 3));  // behind these three
-  const std::string piece = world().folder / "piece.vtu";
+  const std::string piece = world().folder.file("piece.vtu");
+  std::filesystem::remove(piece);  // of an input before, which an index might name
   switch (mode) {
     case 0: check_plan_file(rest); break;
     case 1:

@@ -3,50 +3,20 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
+#include <cstdint>
 #include <fstream>
 #include <initializer_list>
-#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include <unistd.h>
 
 #include <tetloft/pieces.hpp>
 #include <tetloft/reconstruct.hpp>
 
 #include "fuzz/target.hpp"
+#include "support/temp_files.hpp"
 
 namespace tetloft::fuzz {
-
-/// A folder of this process, while it runs.
-class OwnFolder {
- public:
-  OwnFolder()
-      : path_(std::filesystem::temp_directory_path() /
-              ("tetloft_fuzz_pieces_" + std::to_string(::getpid()))) {
-    std::filesystem::create_directories(path_);
-  }
-  ~OwnFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  OwnFolder(const OwnFolder&) = delete;
-  OwnFolder& operator=(const OwnFolder&) = delete;
-
-  [[nodiscard]] std::string operator/(const std::string& name) const {
-    return (path_ / name).string();
-  }
-
- private:
-  std::filesystem::path path_;
-};
-
-inline std::string bytes_of_file(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 inline void write_bytes(const std::string& path, std::string_view bytes) {
   std::ofstream file(path, std::ios::binary);
@@ -61,6 +31,7 @@ struct PlannedCase {
   std::vector<std::size_t> cuts;  ///< where pieces begin, and the end
   std::string plan;
   std::vector<std::string> pieces;
+  std::uint64_t identity = 0;  ///< of the plan
   bool any_open = false;
   Model model;  ///< of the single run
 };
@@ -132,19 +103,21 @@ inline PlannedCase single_case() {
   return made;
 }
 
-inline void write_case(const OwnFolder& folder, std::size_t number, PlannedCase& one) {
+inline void write_case(const test::TempFolder& folder, std::size_t number, PlannedCase& one) {
   one.options.execution.threads = 1;
   auto made = reconstruct(one.stack, one.options);
   require(made.ok(), "the stack of a case is refused");
   one.model = std::move(made->model);
   const std::string name = "case" + std::to_string(number);
-  one.plan = folder / (name + ".plan");
-  require(write_plan(one.plan, one.stack, one.options).ok(), "a case is not planned");
+  one.plan = folder.file(name + ".plan");
+  const auto planned = write_plan(one.plan, one.stack, one.options);
+  require(planned.ok(), "a case is not planned");
+  one.identity = planned->summary.identity;
   PieceOptions options;
   options.execution.threads = 1;
   options.encoding = Encoding::ascii;  // each byte of which means something
   for (std::size_t k = 0; k + 1 < one.cuts.size(); ++k) {
-    one.pieces.push_back(folder / (name + '_' + std::to_string(k) + ".vtu"));
+    one.pieces.push_back(folder.file(name + '_' + std::to_string(k) + ".vtu"));
     const auto piece =
         write_piece(one.pieces.back(), one.plan, one.cuts[k], one.cuts[k + 1], options);
     require(piece.ok(), "a piece of a case is refused");
@@ -152,7 +125,7 @@ inline void write_case(const OwnFolder& folder, std::size_t number, PlannedCase&
   }
 }
 
-inline std::vector<PlannedCase> written_cases(const OwnFolder& folder) {
+inline std::vector<PlannedCase> written_cases(const test::TempFolder& folder) {
   std::vector<PlannedCase> all = {branching_case(), moving_case(), open_case(), single_case()};
   for (std::size_t k = 0; k < all.size(); ++k) write_case(folder, k, all[k]);
   return all;

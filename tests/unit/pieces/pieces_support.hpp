@@ -5,40 +5,21 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 
 #include <tetloft/reconstruct.hpp>
 
 #include "support/slabs/cases.hpp"
+#include "support/temp_files.hpp"
 
 namespace tetloft::testing {
 
-class Folder {
+class Folder : public test::TempFolder {
  public:
-  Folder()
-      : path_(std::filesystem::path(::testing::TempDir()) /
-              (std::string("tetloft_pieces_") +
-               ::testing::UnitTest::GetInstance()->current_test_info()->name())) {
-    std::filesystem::create_directories(path_);
-  }
-  ~Folder() { std::filesystem::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  [[nodiscard]] std::string operator/(const std::string& name) const {
-    return (path_ / name).string();
-  }
-
- private:
-  std::filesystem::path path_;
+  [[nodiscard]] std::string operator/(const std::string& name) const { return file(name); }
 };
 
-inline std::string bytes_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
+inline std::string bytes_of(const std::string& path) { return test::get(path); }
 
 struct StackToMend {
   SectionStack stack;
