@@ -29,7 +29,7 @@ using pieces::SettledPieces;
 using pieces::StagedJoin;
 using pieces::Stretch;
 
-// What no other file is the matter of, as of that which is written.
+// An error that names no file is one of the piece: one of writing names what is written.
 Error of_piece(Error error, const PieceAt* piece) {
   if (piece != nullptr && error.where.file.empty()) error.where.file = piece->path;
   return error;

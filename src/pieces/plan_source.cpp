@@ -18,7 +18,8 @@ namespace internal::pieces {
 
 namespace {
 
-// What a few pages of each part of a file cost is nothing beside opening it: 4 MiB in all.
+// 4 MiB in all, however large the file. A change that leaves its length is seen if it is in a sample,
+// or shifts what is.
 constexpr std::uint64_t kSamples = 64;
 constexpr std::uint64_t kSampleBytes = std::uint64_t{1} << 16;
 
@@ -68,11 +69,11 @@ Result<PlanSource> plan_source(const std::string& path) {
     PlanSource source;
     source.name = std::filesystem::path(path).filename().string();
     pieces::SourceChecksum checksum;
-    std::string piece(std::size_t{1} << 20, '\0');
+    std::string buffer(std::size_t{1} << 20, '\0');
     while (file) {
-      file.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+      file.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
       const auto count = static_cast<std::size_t>(file.gcount());
-      checksum.add(std::string_view(piece).substr(0, count));
+      checksum.add(std::string_view(buffer).substr(0, count));
       source.bytes += count;
     }
     if (!file.eof()) return pieces::unreadable_source(path);
