@@ -77,6 +77,7 @@ void change(std::string& text, Bytes& bytes) {
   }
 }
 
+// Of a record, before and behind its contents: core/record.hpp.
 constexpr std::size_t kHeader = 24;
 constexpr std::size_t kChecksum = 8;
 

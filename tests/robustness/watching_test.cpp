@@ -15,6 +15,7 @@
 #include <tetloft/tetloft.hpp>
 
 #include "robustness/inputs.hpp"
+#include "support/temp_files.hpp"
 
 namespace tetloft::test {
 namespace {
@@ -74,6 +75,7 @@ class LongFunctions : public ::testing::Test {
   Model model_ = model_of(stack_);
   std::vector<Point3> points_ = scattered(4000);
   std::vector<Point2> flat_ = flattened(scattered(17000));
+  TempFolder folder_;
 
   // What takes its Execution by itself, or in options with nothing else of interest.
   void add_parts(FunctionsOn& functions) const {
@@ -109,19 +111,18 @@ class LongFunctions : public ::testing::Test {
 
   // What writes files, and reads them again.
   void add_pieces(FunctionsOn& functions) const {
-    const std::string file = ::testing::TempDir() + "/watched_" +
-                             ::testing::UnitTest::GetInstance()->current_test_info()->name();
-    functions.add("write_plan", [this, file](const Execution& e) {
-      return write_plan(file + ".made", tall_, {.execution = e});
+    functions.add("write_plan", [this](const Execution& e) {
+      return write_plan(folder_.file("made.plan"), tall_, {.execution = e});
     });
-    functions.add("write_streamed", [this, file](const Execution& e) {
-      return write_streamed(file + ".vtu", tall_, {.execution = e});
+    functions.add("write_streamed", [this](const Execution& e) {
+      return write_streamed(folder_.file("streamed.vtu"), tall_, {.execution = e});
     });
-    const std::string piece = file + "_piece.vtu";
-    EXPECT_TRUE(write_plan(file + ".plan", tall_));
-    EXPECT_TRUE(write_piece(piece, file + ".plan", 0, tall_.sections.size() - 1));
-    functions.add("write_piece", [file](const Execution& e) {
-      return write_piece(file + "_made.vtu", file + ".plan", 0, 9, {.execution = e});
+    const std::string plan = folder_.file("plan");
+    const std::string piece = folder_.file("piece.vtu");
+    EXPECT_TRUE(write_plan(plan, tall_));
+    EXPECT_TRUE(write_piece(piece, plan, 0, tall_.sections.size() - 1));
+    functions.add("write_piece", [this, plan](const Execution& e) {
+      return write_piece(folder_.file("made.vtu"), plan, 0, 9, {.execution = e});
     });
     functions.add("check_pieces", [this, piece](const Execution& e) {
       return check_pieces(std::span(&piece, 1), tall_, {.execution = e});
