@@ -155,8 +155,9 @@ bool still_so(const std::vector<std::string>& paths, const std::vector<FileSum>&
 }
 
 std::string digest_of(std::string_view text) {
-  return in_hex(std::uint64_t{io::crc32(io::kCrcOfNothing, text)} << 32 |
-                io::adler32(io::kAdlerOfNothing, text));
+  io::TwofoldChecksum checksum;
+  checksum.add(text);
+  return in_hex(checksum.value());
 }
 
 void write_sums(JsonWriter& json, std::string_view name, const std::vector<FileSum>& files) {

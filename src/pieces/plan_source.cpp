@@ -18,23 +18,10 @@ namespace internal::pieces {
 
 namespace {
 
-// 4 MiB in all, however large the file. A change that leaves its length is seen if it is in a sample,
-// or shifts what is.
+// 4 MiB in all, however large the file. A change that leaves its length is seen if it is in a
+// sample, or shifts what is.
 constexpr std::uint64_t kSamples = 64;
 constexpr std::uint64_t kSampleBytes = std::uint64_t{1} << 16;
-
-class SourceChecksum {
- public:
-  void add(std::string_view bytes) {
-    crc_ = io::crc32(crc_, bytes);
-    adler_ = io::adler32(adler_, bytes);
-  }
-  [[nodiscard]] std::uint64_t value() const { return std::uint64_t{crc_} << 32 | adler_; }
-
- private:
-  std::uint32_t crc_ = io::kCrcOfNothing;
-  std::uint32_t adler_ = io::kAdlerOfNothing;
-};
 
 Error unreadable_source(const std::string& path) {
   Error error{ErrorCode::io, "the file cannot be read", {}};
@@ -47,7 +34,7 @@ Error unreadable_source(const std::string& path) {
 Result<std::uint64_t> sampled_checksum(const std::string& path, std::uint64_t bytes) {
   return guard_internal([&]() -> Result<std::uint64_t> {
     std::ifstream file(path, std::ios::binary);
-    SourceChecksum checksum;
+    io::TwofoldChecksum checksum;
     std::string sample(static_cast<std::size_t>(std::min(kSampleBytes, bytes)), '\0');
     const std::uint64_t apart = (bytes - sample.size()) / (kSamples - 1);
     for (std::uint64_t k = 0; k < kSamples; ++k) {
@@ -68,7 +55,7 @@ Result<PlanSource> plan_source(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     PlanSource source;
     source.name = std::filesystem::path(path).filename().string();
-    pieces::SourceChecksum checksum;
+    io::TwofoldChecksum checksum;
     std::string buffer(std::size_t{1} << 20, '\0');
     while (file) {
       file.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
