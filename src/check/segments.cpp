@@ -1,6 +1,5 @@
 #include "check/segments.hpp"
 
-#include <array>
 #include <cstdint>
 #include <iterator>
 #include <span>

@@ -196,10 +196,6 @@ ModelView look_at(const Model& model, const SectionStack& stack, PartOfWhole par
   ModelView view;
   view.part = std::move(part);
   view.points = model.points.raw();
-  view.links = model.links;
-  view.motions = model.motions;
-  view.void_links = model.void_links;
-  view.deviations = model.deviations;
   collect_sound_tets(model, view);
   find_levels(stack, view);
   match_faces(view);

@@ -47,12 +47,7 @@ struct PartOfWhole {
 };
 
 struct ModelView {
-  std::span<const Point3> points;         ///< of the model, also those that are not finite
-  std::span<const RegionLink> links;      ///< as the model says
-  std::span<const RegionMotion> motions;  ///< as the model says
-  std::span<const VoidLink> void_links;   ///< as the model says
-  std::span<const Deviation> deviations;  ///< as the model says
-
+  std::span<const Point3> points;  ///< of the model, also those that are not finite
   PartOfWhole part;
 
   /// The sound tets: four distinct vertices in range, all coordinates finite.
