@@ -38,6 +38,16 @@ struct OnContours {
   std::vector<std::vector<VertexId>> chain;
   double largest_split_ulps = 0;
   std::size_t off_contours = 0;  ///< corners of in-plane faces that lie on no contour
+
+  /// Calls visit(k, c) for each corner of a tet or triangle k of these that lies on a contour, c.
+  template <class Cells, class Visit>
+  void for_each_corner(const Cells& cells, Visit&& visit) const {
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+      for (const VertexId v : cells[k]) {
+        if (contour[v.index()] != kNone) visit(k, contour[v.index()]);
+      }
+    }
+  }
 };
 
 struct Resampling {
