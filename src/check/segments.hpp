@@ -42,7 +42,8 @@ class SegmentCheck {
   void add(Segment segment);
   /// As check() of the whole model, but for: places, which are those of the first segments that
   /// have any; volume, a sum in another order; counts of contacts, of which each segment and seam
-  /// has its own limit.
+  /// has its own limit; and 3.4 where guarantee 1 fails, too: each surface is asked at one of its
+  /// triangles, which tells of all of it where the boundary is closed.
   [[nodiscard]] Result<CheckReport> report();
 
  private:

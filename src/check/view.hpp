@@ -46,6 +46,9 @@ struct PartOfWhole {
   std::vector<TetId> tet = {};        ///< likewise
 };
 
+/// All coordinates?
+[[nodiscard]] bool is_finite(const Point3& p);
+
 struct ModelView {
   std::span<const Point3> points;  ///< of the model, also those that are not finite
   PartOfWhole part;
@@ -93,7 +96,8 @@ struct ModelView {
   [[nodiscard]] bool judges(VertexId v) const { return in_seam(v) == (part.scope == Scope::seam); }
 };
 
-/// Near-linear. Requires a valid stack and fewer than 2^30 tets; of the model, nothing.
+/// Near-linear. Requires a valid stack; of the model, nothing. Throws Failed (invalid_input) at
+/// kMostModelTets or more.
 [[nodiscard]] ModelView look_at(const Model& model, const SectionStack& stack,
                                 PartOfWhole part = {});
 

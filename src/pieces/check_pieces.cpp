@@ -1,6 +1,6 @@
 // The check of a solid that is in pieces: some at a time.
 #include <algorithm>
-#include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <limits>
 #include <optional>
@@ -12,6 +12,7 @@
 #include <tetloft/pieces.hpp>
 
 #include "check/segments.hpp"
+#include "check/view.hpp"
 #include "core/guard.hpp"
 #include "core/parallel.hpp"
 #include "model/segment.hpp"
@@ -56,8 +57,7 @@ void place_heights(const Model& model, const AddedSegment& added, const SlabRang
     if (added.number[v.index()] == AddedSegment::kNone) continue;
     const double height = model.points[v].z;
     const SectionId s = model.section[v];
-    const Point3& p = model.points[v];
-    const bool finite = std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+    const bool finite = checking::is_finite(model.points[v]);
     const bool lower = slabs.first > 0 && s.valid() && s.index() == slabs.first;
     const bool upper = has_upper && s.valid() && s.index() == slabs.end;
     if (lower) place.lower_is_flat = place.lower_is_flat && finite && height == z(slabs.first);
@@ -80,17 +80,13 @@ class PieceGroups {
       const Result<Model> model = pieces::piece_model(piece.path, piece.record);
       if (!model) return model.error();
       PlacedPiece place;
-      place.section_vertices = numbers_.section_vertices();
       place.constructed = numbers_.constructed();
       place.tets = numbers_.tets();
       const Result<AddedSegment> added = numbers_.add(*model, piece.record.slabs);
       if (!added) return error_of_piece(added, piece);
-      // Those of its first section that are in the piece below have their numbers already.
-      const auto known = static_cast<std::size_t>(
-          std::count_if(added->number.begin(), added->number.end(), [&](std::int64_t number) {
-            return number >= 0 && static_cast<std::size_t>(number) < place.section_vertices;
-          }));
-      place.section_vertices -= known;
+      const auto of_sections = std::count_if(added->number.begin(), added->number.end(),
+                                             [](std::int64_t number) { return number >= 0; });
+      place.section_vertices = numbers_.section_vertices() - static_cast<std::size_t>(of_sections);
       if (same_sections) place_heights(*model, *added, piece.record.slabs, stack_, place);
       places_.push_back(place);
     }
@@ -126,11 +122,6 @@ class PieceGroups {
       segment.name += (k == first ? "" : " and ") + file;
     }
     segment.model = joined.take();
-    // Half-faces are numbered in 32 bits.
-    if (segment.model.tets.size() >= std::size_t{1} << 30) {
-      return Error{
-          ErrorCode::invalid_input, "2^30 tets or more that are to be checked together", {}};
-    }
     segment.sections = {all_[first].record.slabs.first, all_[end - 1].record.slabs.end + 1};
     if (all_.size() == end - first) segment.sections = {0, stack_.sections.size()};
     segment.first_tet = places_[first].tets;
