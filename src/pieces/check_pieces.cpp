@@ -15,6 +15,7 @@
 #include "check/view.hpp"
 #include "core/guard.hpp"
 #include "core/parallel.hpp"
+#include "core/watched_work.hpp"
 #include "model/segment.hpp"
 #include "pieces/piece_file.hpp"
 #include "pieces/piece_set.hpp"
@@ -74,9 +75,10 @@ class PieceGroups {
   PieceGroups(const std::vector<PieceAt>& all, const SectionStack& stack)
       : all_(all), stack_(stack) {}
 
-  Result<void> place() {
+  Result<void> place(WatchedWork& work) {
     const bool same_sections = all_.front().record.sections == stack_.sections.size();
     for (const PieceAt& piece : all_) {
+      work.go_on();
       const Result<Model> model = pieces::piece_model(piece.path, piece.record);
       if (!model) return model.error();
       PlacedPiece place;
@@ -89,6 +91,7 @@ class PieceGroups {
       place.section_vertices = numbers_.section_vertices() - static_cast<std::size_t>(of_sections);
       if (same_sections) place_heights(*model, *added, piece.record.slabs, stack_, place);
       places_.push_back(place);
+      work.step_done();
     }
     if (std::max(numbers_.vertices(), numbers_.tets()) >= kMostNumbers) {
       return Error{ErrorCode::invalid_input, "2^32 - 1 vertices or tets, or more", {}};
@@ -102,12 +105,6 @@ class PieceGroups {
     std::size_t end = first + 1;
     while (end < all_.size() && (flat_.empty() || !flat_[end])) ++end;
     return end;
-  }
-
-  [[nodiscard]] std::size_t group_count() const {
-    std::size_t count = 0;
-    for (std::size_t first = 0; first < all_.size(); first = group_end(first)) ++count;
-    return count;
   }
 
   [[nodiscard]] Result<checking::Segment> segment(std::size_t first, std::size_t end) const {
@@ -166,15 +163,17 @@ Result<CheckReport> check_all(std::span<const std::string> paths, const SectionS
   const Result<std::vector<PieceAt>> all = pieces::read_pieces(paths);
   if (!all) return all.error();
   if (const Result<void> closed = pieces::check_closed(*all); !closed) return closed.error();
+  // Pieces placed, and checked.
+  WatchedWork work(options.execution, 2 * all->size() + checking::SegmentCheck::kReportSteps);
   PieceGroups groups(*all, stack);
-  if (const Result<void> placed = groups.place(); !placed) return placed.error();
-  checking::SegmentCheck check(stack, options, groups.group_count());
+  if (const Result<void> placed = groups.place(work); !placed) return placed.error();
+  checking::SegmentCheck check(stack, options, work);
   for (std::size_t first = 0; first < all->size();) {
     const std::size_t end = groups.group_end(first);
     Result<checking::Segment> segment = groups.segment(first, end);
     if (!segment) return segment.error();
     check.add(std::move(*segment));
-    first = end;
+    for (; first < end; ++first) work.step_done();
   }
   return check.report();
 }
