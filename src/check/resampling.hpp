@@ -2,11 +2,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "check/findings.hpp"
 #include "check/view.hpp"
+#include "core/sort_distinct.hpp"
 
 namespace tetloft::internal::checking {
 
@@ -47,6 +50,20 @@ struct OnContours {
         if (contour[v.index()] != kNone) visit(k, contour[v.index()]);
       }
     }
+  }
+  /// Which of the things that contours bound (`bounded`, by contour) each group of these tets or
+  /// triangles meets: pairs of them, sorted. Those of group kNone are passed over.
+  template <class Cells>
+  [[nodiscard]] std::vector<std::pair<std::uint32_t, std::size_t>> bounds_met(
+      const Cells& cells, std::span<const std::uint32_t> group,
+      std::span<const std::size_t> bounded) const {
+    std::vector<std::pair<std::uint32_t, std::size_t>> met;
+    for_each_corner(cells, [&](std::size_t k, std::uint32_t c) {
+      const std::pair<std::uint32_t, std::size_t> pair(group[k], bounded[c]);
+      if (group[k] != kNone && (met.empty() || met.back() != pair)) met.push_back(pair);
+    });
+    sort_distinct(met);
+    return met;
   }
 };
 

@@ -102,14 +102,9 @@ SlabParts slab_parts(const ModelView& view) {
 void add_regions(const ModelView& view, const OnContours& on,
                  std::span<const std::uint32_t> part_of, std::span<const std::size_t> region_at,
                  std::vector<SlabPart>& parts) {
-  on.for_each_corner(view.tets, [&](std::size_t t, std::uint32_t contour) {
-    if (part_of[t] == SlabParts::kNone) return;
-    std::vector<std::size_t>& regions = parts[part_of[t]].regions;
-    const std::size_t region = region_at[contour];
-    if (std::find(regions.begin(), regions.end(), region) == regions.end()) {
-      regions.push_back(region);
-    }
-  });
+  for (const auto& [part, region] : on.bounds_met(view.tets, part_of, region_at)) {
+    parts[part].regions.push_back(region);
+  }
 }
 
 std::vector<std::size_t> bounded_by(const SectionStack& stack, const Regions& regions) {
