@@ -166,9 +166,8 @@ struct WrittenStream {
 /// As reconstruct() and write_vtu(), the same bytes, in one process; the solid is never in memory:
 /// slabs are built from the plan, some tens at a time for each thread, and wait in unnamed
 /// temporaries beside the file, as large as it. In memory are the stack and the tables of the
-/// whole. All of the solid is, too, where the stack's
-/// frame is not Frame{}, or links have to be decided anew, which is rare. Refused (usage) is a path
-/// without ".vtu".
+/// whole. All of the solid is, too, where the stack's frame is not Frame{}, or links have to be
+/// decided anew, which is rare. Refused (usage) is a path without ".vtu".
 [[nodiscard]] TETLOFT_API Result<WrittenStream> write_streamed(
     const std::string& path, const SectionStack& stack, const ReconstructOptions& options = {},
     Encoding encoding = Encoding::binary);

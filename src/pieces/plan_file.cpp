@@ -12,7 +12,9 @@ namespace tetloft::internal::pieces {
 std::uint64_t append_plan(io::Sink& sink, const PlanHead& head, const BuiltStack& planned) {
   ArchiveWriter archive(sink);
   archive.append(to_record(head));
-  for (const SectionPlan& section : section_plans(planned)) archive.append(to_record(section));
+  for (std::size_t s = 0; s < planned.prepared.section_count(); ++s) {
+    archive.append(to_record(section_plan(planned, SectionId(s))));
+  }
   return archive.finish();
 }
 

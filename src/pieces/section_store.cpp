@@ -12,7 +12,6 @@
 #include "core/watched_work.hpp"
 #include "reconstruct/decide_voids.hpp"
 #include "reconstruct/section_record.hpp"
-#include "sections/complement.hpp"
 #include "sections/scaling.hpp"
 #include "sections/validation.hpp"
 

@@ -215,10 +215,6 @@ class Streaming {
 
 using Clock = std::chrono::steady_clock;
 
-void finish_report(const Clock::time_point& start, ReconstructReport& report) {
-  report.seconds_total = std::chrono::duration<double>(Clock::now() - start).count();
-}
-
 // The plan in a scratch file.
 struct ScratchPlan {
   PlanFile file;
@@ -239,13 +235,12 @@ Result<ScratchPlan> scratch_plan(const std::string& path, const SectionStore& st
 
 class StreamedStack {
  public:
-  StreamedStack(const std::string& path, const SectionStore& store, Encoding encoding,
-                io::TemporaryWatcher* watcher)
-      : path_(path), store_(store), encoding_(encoding), watcher_(watcher) {}
+  StreamedStack(const std::string& path, const SectionStore& store, Clock::time_point start,
+                Encoding encoding, io::TemporaryWatcher* watcher)
+      : path_(path), store_(store), start_(start), encoding_(encoding), watcher_(watcher) {}
 
   // Nothing where the model, made in this unit, is none in the one given.
   Result<std::optional<StagedStream>> stage_in(Unit unit, const ReconstructOptions& options) {
-    const auto start = Clock::now();
     WatchedWork work(options.execution, 2 * store_.size() - 1);  // sections planned, slabs built
     Result<ScratchPlan> plan = scratch_plan(path_, store_, unit, options, work);
     if (!plan) return plan.error();
@@ -271,7 +266,7 @@ class StreamedStack {
     if (Result<void> told = pieces::describe_streamed(stream, made.report); !told) {
       return told.error();
     }
-    finish_report(start, made.report);
+    made.report.seconds_total = std::chrono::duration<double>(Clock::now() - start_).count();
     Result<io::Staged> file = stream.stage(encoding_, watcher_);
     if (!file) return file.error();
     take(std::move(*file), made);
@@ -299,6 +294,7 @@ class StreamedStack {
 
   const std::string& path_;
   const SectionStore& store_;
+  Clock::time_point start_;
   Encoding encoding_;
   io::TemporaryWatcher* watcher_;
 };
@@ -329,10 +325,11 @@ Result<StagedStream> pieces::stage_streamed(const std::string& path, const Given
     return error;
   }
   if (auto error = check_options(options)) return *error;
+  const auto start = Clock::now();
   const Result<SectionStore> store = SectionStore::of(given, options.execution, path);
   if (!store) return store.error();
   return in_either_unit(options, [&](Unit unit, const ReconstructOptions& in_unit) {
-    StreamedStack stack(path, *store, encoding, watcher);
+    StreamedStack stack(path, *store, start, encoding, watcher);
     return store->frame() == Frame{} ? stack.stage_in(unit, in_unit) : stack.in_memory(in_unit);
   });
 }

@@ -47,8 +47,9 @@ bool has_hole(const Nesting& nesting) {
 
 VoidDecision::VoidDecision(const PreparedStack& prepared, const ReconstructOptions& options)
     : prepared_(prepared), options_(options) {
+  if (options.correspondence.voids.rule == VoidRule::free) return;
   const OfWhole whole = prepared.of_whole ? *prepared.of_whole : of_whole_stack(prepared);
-  if (options.correspondence.voids.rule == VoidRule::free || !whole.has_hole) return;
+  if (!whole.has_hole) return;
   for (const SectionId s : prepared.nestings.ids()) {
     sections::Complement complement = sections::complement_of(
         prepared.stack.sections[s], prepared.nestings[s], whole.far_outside);

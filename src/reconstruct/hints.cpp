@@ -66,7 +66,6 @@ class SectionEdges {
   explicit SectionEdges(const Section& section)
       : edges_(all_edges(section)), tree_(boxes_of(edges_)) {}
 
-  [[nodiscard]] bool empty() const { return edges_.empty(); }
   // Does half of it lie on one of them, as where a contour goes straight up?
   [[nodiscard]] bool continue_half_of(const Edge& edge) const {
     bool continued = false;

@@ -7,6 +7,8 @@
 #include "core/guard.hpp"
 #include "reconstruct/hints.hpp"
 #include "sections/complement.hpp"
+#include "sections/scaling.hpp"
+#include "sections/validation.hpp"
 
 namespace tetloft::internal {
 
@@ -88,22 +90,18 @@ class WindowMaker {
 
   // A section of the whole that is valid, of the regions that its plan tells of.
   [[nodiscard]] Result<Nesting> nesting_of(std::size_t s, const SectionPlan& plan) const {
-    Nesting nesting;
-    if (!plan.section.contours.empty()) {
-      SectionStack alone;
-      alone.sections.push_back(plan.section);
-      if (const Result<void> valid = validate(alone, {.threads = 1}); !accepted(valid)) {
-        return no_fit(s, "is not valid: " + valid.error().message);
-      }
-      nesting = nest(plan.section);
-    }
+    auto error = sections::height_error({plan.section.z}, 0);
+    Result<Nesting> valid = sections::nest_section_if_valid(plan.section, s);
+    if (!error && !valid) error = valid.error();
+    if (error) return no_fit(s, "is not valid: " + error->message);
+    const Nesting& nesting = *valid;
     if (plan.regions.of_region.size() != nesting.outer.size()) {
       return no_fit(s, "has other regions than its plan");
     }
     if (!has_components(plan.regions.of_region) || !has_components(plan.regions.of_contour)) {
       return no_fit(s, "is of a component that there is not");
     }
-    return nesting;
+    return valid;
   }
 
   static Error not_above(std::size_t s) { return no_fit(s, "is not above the one below"); }
@@ -120,11 +118,11 @@ class WindowMaker {
       return no_fit(s, "has voids decided, or none, unlike those beside it");
     }
     if (plan.voids) {
-      SectionStack alone;
-      alone.sections.push_back(plan.section);
       // How far out the frame is makes no difference to what lies in what.
       Nesting complement =
-          sections::complement_of(plan.section, nesting, sections::far_outside(alone)).nesting;
+          sections::complement_of(plan.section, nesting,
+                                  sections::far_outside(sections::largest_magnitude(plan.section)))
+              .nesting;
       if (plan.voids->of_region.size() != complement.outer.size() &&
           plan.voids->of_region.size() != 1) {
         return no_fit(s, "has other voids than its plan");
@@ -253,14 +251,6 @@ SectionPlan section_plan(const BuiltStack& planned, SectionId s) {
   of_section.motions.assign(first, end);
   for (RegionMotion& motion : of_section.motions) motion.slab = SlabId(0);
   return of_section;
-}
-
-IdVector<SectionId, SectionPlan> section_plans(const BuiltStack& planned) {
-  IdVector<SectionId, SectionPlan> plans;
-  for (std::size_t s = 0; s < planned.prepared.section_count(); ++s) {
-    plans.push_back(section_plan(planned, SectionId(s)));
-  }
-  return plans;
 }
 
 Result<BuiltStack> window_of(const StackFacts& facts, const SlabRange& slabs,

@@ -25,9 +25,8 @@ struct StackFacts {
 /// Of a planned stack.
 [[nodiscard]] StackFacts facts_of(const BuiltStack& planned);
 
-/// The plan of a section, and of all.
+/// The plan of a section.
 [[nodiscard]] SectionPlan section_plan(const BuiltStack& planned, SectionId s);
-[[nodiscard]] IdVector<SectionId, SectionPlan> section_plans(const BuiltStack& planned);
 
 /// A window, planned; its ids count from its first section. `plans`: of its sections; below and
 /// above: of the sections beyond, where there are any. Refused (invalid_input), naming the section

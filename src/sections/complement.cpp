@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "sections/scaling.hpp"
+
 namespace tetloft::internal::sections {
 
 namespace {
@@ -45,16 +47,6 @@ IdVector<ContourId, RegionId> voids_by(const std::vector<ContourId>& holes,
 }
 
 }  // namespace
-
-double largest_magnitude(const Section& section) {
-  double largest = 0;
-  for (const Contour& contour : section.contours) {
-    for (const Point2& p : contour.vertices) {
-      largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
-    }
-  }
-  return largest;
-}
 
 double far_outside(const SectionStack& stack) {
   double largest = 0;

@@ -27,8 +27,6 @@ struct Complement {
 [[nodiscard]] double far_outside(const SectionStack& stack);
 /// The same of the largest magnitudes of stacks' or sections' coordinates.
 [[nodiscard]] double far_outside(double largest);
-/// Of x and y.
-[[nodiscard]] double largest_magnitude(const Section& section);
 
 /// Requires a valid section, its nesting, and far_outside() of its stack. Near-linear.
 [[nodiscard]] Complement complement_of(const Section& section, const Nesting& nesting,

@@ -19,19 +19,9 @@ using namespace internal;
 
 namespace {
 
-double extent(const Section& section) {
-  double largest = 0;
-  for (const Contour& contour : section.contours) {
-    for (const Point2& p : contour.vertices) {
-      largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
-    }
-  }
-  return largest;
-}
-
 // The first coordinate that is not usable is left to validate() to name.
 bool is_usable(const Section& section) {
-  return extent(section) < kLargestCoordinate &&
+  return sections::largest_magnitude(section) < kLargestCoordinate &&
          std::all_of(section.contours.begin(), section.contours.end(), [](const Contour& c) {
            return std::all_of(c.vertices.begin(), c.vertices.end(), [](const Point2& p) {
              return std::isfinite(p.x) && std::isfinite(p.y);
@@ -86,7 +76,8 @@ Result<Repaired> repair_all(const SectionStack& stack, const RepairOptions& opti
     work.go_on();
     Section& section = result.stack.sections[SectionId(s)];
     if (is_usable(section)) {
-      const double distance = options.distance.value_or(0x1p-20 * extent(section));
+      const double distance =
+          options.distance.value_or(0x1p-20 * sections::largest_magnitude(section));
       Result<Section> repaired =
           repair_section(section, s, {distance, options.fill, options.keyholes}, result);
       if (!repaired) return repaired.error();

@@ -1,8 +1,19 @@
 #include "sections/scaling.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace tetloft::internal::sections {
+
+double largest_magnitude(const Section& section) {
+  double largest = 0;
+  for (const Contour& contour : section.contours) {
+    for (const Point2& p : contour.vertices) {
+      largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+    }
+  }
+  return largest;
+}
 
 void include(const Section& section, UnitOfLength& unit) {
   unit.include(section.z);

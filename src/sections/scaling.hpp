@@ -7,6 +7,8 @@
 
 namespace tetloft::internal::sections {
 
+/// Of x and y; 0 where there are none.
+[[nodiscard]] double largest_magnitude(const Section& section);
 /// Makes all its coordinates numbers of the unit.
 void include(const Section& section, UnitOfLength& unit);
 /// The unit of all coordinates.

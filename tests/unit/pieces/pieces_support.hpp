@@ -40,6 +40,18 @@ inline std::string bytes_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
+/// What is told of the whole is that of another run's.
+inline void expect_same_figures(const ReconstructReport& made, const ReconstructReport& direct) {
+  EXPECT_EQ(made.volume, direct.volume);
+  EXPECT_EQ(made.vertices, direct.vertices);
+  EXPECT_EQ(made.tets, direct.tets);
+  EXPECT_EQ(made.components, direct.components);
+  EXPECT_EQ(made.slices, direct.slices);
+  EXPECT_EQ(made.input_vertices, direct.input_vertices);
+  EXPECT_EQ(made.split_vertices, direct.split_vertices);
+  EXPECT_EQ(made.sections_between, direct.sections_between);
+}
+
 struct StackToMend {
   SectionStack stack;
   ReconstructOptions options;

@@ -23,6 +23,14 @@ namespace tetloft::testing {
 using namespace internal;
 namespace {
 
+IdVector<SectionId, SectionPlan> section_plans(const BuiltStack& planned) {
+  IdVector<SectionId, SectionPlan> plans;
+  for (std::size_t s = 0; s < planned.prepared.section_count(); ++s) {
+    plans.push_back(section_plan(planned, SectionId(s)));
+  }
+  return plans;
+}
+
 // A planned stack as bytes: all that a machine needs that builds a part of it.
 struct PlannedBytes {
   StackFacts facts;
