@@ -22,9 +22,6 @@ using namespace internal;
 
 namespace {
 
-// Half-faces are numbered in 32 bits.
-constexpr std::size_t kMostTets = std::size_t{1} << 30;
-
 // The checks, each on its own of the same view: run one after the other or at the same time.
 class Checks {
  public:
@@ -114,9 +111,6 @@ bool CheckReport::pass() const {
 Result<CheckReport> check(const Model& model, const SectionStack& stack,
                           const CheckOptions& given_options) {
   return guard_threads(given_options, [&](const CheckOptions& options) -> Result<CheckReport> {
-    if (model.tets.size() >= kMostTets) {
-      return Error{ErrorCode::invalid_input, "2^30 tets or more", {}};
-    }
     if (auto good = checking::check_arguments(stack, options); !good.ok()) return good.error();
     return Checks(model, stack, options).run();
   });

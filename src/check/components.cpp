@@ -63,16 +63,12 @@ std::uint32_t SolidComponents::add(const ModelView& view) {
 void SolidComponents::meet(const ModelView& view, const OnContours& on,
                            std::span<const std::uint32_t> component) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> more;
-  for (std::size_t t = 0; t < view.tets.size(); ++t) {
-    for (const VertexId v : view.tets[t]) {
-      const std::uint32_t contour = on.contour[v.index()];
-      if (contour == OnContours::kNone) continue;
-      has_contour_[component[t]] = 1;
-      std::uint32_t& first = first_[contour];
-      if (first == kNone) first = component[t];
-      if (first != component[t]) more.emplace_back(contour, component[t]);
-    }
-  }
+  on.for_each_corner(view.tets, [&](std::size_t t, std::uint32_t contour) {
+    has_contour_[component[t]] = 1;
+    std::uint32_t& first = first_[contour];
+    if (first == kNone) first = component[t];
+    if (first != component[t]) more.emplace_back(contour, component[t]);
+  });
   sort_distinct(more);
   more_.insert(more_.end(), more.begin(), more.end());
 }

@@ -2,11 +2,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "check/findings.hpp"
 #include "check/view.hpp"
+#include "core/sort_distinct.hpp"
 
 namespace tetloft::internal::checking {
 
@@ -38,6 +41,30 @@ struct OnContours {
   std::vector<std::vector<VertexId>> chain;
   double largest_split_ulps = 0;
   std::size_t off_contours = 0;  ///< corners of in-plane faces that lie on no contour
+
+  /// Calls visit(k, c) for each corner of a tet or triangle k of these that lies on a contour, c.
+  template <class Cells, class Visit>
+  void for_each_corner(const Cells& cells, Visit&& visit) const {
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+      for (const VertexId v : cells[k]) {
+        if (contour[v.index()] != kNone) visit(k, contour[v.index()]);
+      }
+    }
+  }
+  /// Which of the things that contours bound (`bounded`, by contour) each group of these tets or
+  /// triangles meets: pairs of them, sorted. Those of group kNone are passed over.
+  template <class Cells>
+  [[nodiscard]] std::vector<std::pair<std::uint32_t, std::size_t>> bounds_met(
+      const Cells& cells, std::span<const std::uint32_t> group,
+      std::span<const std::size_t> bounded) const {
+    std::vector<std::pair<std::uint32_t, std::size_t>> met;
+    for_each_corner(cells, [&](std::size_t k, std::uint32_t c) {
+      const std::pair<std::uint32_t, std::size_t> pair(group[k], bounded[c]);
+      if (group[k] != kNone && (met.empty() || met.back() != pair)) met.push_back(pair);
+    });
+    sort_distinct(met);
+    return met;
+  }
 };
 
 struct Resampling {

@@ -1,6 +1,5 @@
 #include "check/segments.hpp"
 
-#include <array>
 #include <cstdint>
 #include <iterator>
 #include <span>
@@ -27,11 +26,10 @@ SectionRange own_sections(const SectionRange& sections, std::size_t all) {
 }  // namespace
 
 SegmentCheck::SegmentCheck(const SectionStack& stack, const CheckOptions& options,
-                           std::size_t segments)
+                           WatchedWork& work)
     : stack_(stack),
       options_(options),
-      // Components, and what is expected of cavities, are two more; cavities.
-      work_(options.execution, segments + 3),
+      work_(work),
       conclusions_(stack, options),
       region_at_(conclusions_.region_at()),
       void_at_(conclusions_.void_at()),
@@ -73,7 +71,6 @@ void SegmentCheck::add(Segment segment) {
     name_below_ = segment.name;
   }
   add_tables(segment.model);
-  work_.step_done();
 }
 
 SegmentNumbering SegmentCheck::check_view(const Segment& segment, const ModelView& view,
@@ -180,6 +177,7 @@ void SegmentCheck::add_tables(const Model& model) {
 }
 
 Result<CheckReport> SegmentCheck::report() {
+  work_.go_on();
   check_winding();
   // Links are defined by adjacency, which faces of three tets do not have.
   if (manifold_.failed(1) || manifold_.failed(2) || manifold_.failed(3)) manifold_.forget(4);

@@ -34,16 +34,18 @@ struct Segment {
 
 class SegmentCheck {
  public:
-  /// Of so many segments. Stack and options must outlive it; the stack is valid, and the options
-  /// are sensible (check_arguments()).
-  SegmentCheck(const SectionStack& stack, const CheckOptions& options, std::size_t segments);
+  /// All must outlive it; the stack is valid, and the options are sensible (check_arguments()).
+  SegmentCheck(const SectionStack& stack, const CheckOptions& options, WatchedWork& work);
 
   /// The next one; its tables are those of its slabs. Requires flat seams.
   void add(Segment segment);
   /// As check() of the whole model, but for: places, which are those of the first segments that
   /// have any; volume, a sum in another order; counts of contacts, of which each segment and seam
-  /// has its own limit.
+  /// has its own limit; and 3.4 where guarantee 1 fails, too: each surface is asked at one of its
+  /// triangles, which tells of all of it where the boundary is closed.
   [[nodiscard]] Result<CheckReport> report();
+  /// The steps of the work that it takes: components, what is expected of cavities, and these.
+  static constexpr std::size_t kReportSteps = 3;
 
  private:
   [[nodiscard]] ModelView show(const Segment& segment) const;
@@ -57,7 +59,7 @@ class SegmentCheck {
 
   const SectionStack& stack_;
   const CheckOptions& options_;
-  WatchedWork work_;
+  WatchedWork& work_;
   Conclusions conclusions_;
   std::vector<std::size_t> region_at_, void_at_;
   SectionStack refined_;

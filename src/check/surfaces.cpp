@@ -102,16 +102,7 @@ void SurfacePatches::grow_together(const ModelView& view, std::span<const std::u
 void SurfacePatches::meet(const ModelView& view, const OnContours& on,
                           std::span<const std::uint32_t> patch,
                           std::span<const std::size_t> bounded) {
-  std::vector<std::pair<std::uint32_t, std::size_t>> met;
-  for (std::size_t k = 0; k < view.boundary.size(); ++k) {
-    for (const VertexId v : view.boundary[k]) {
-      const std::uint32_t contour = on.contour[v.index()];
-      if (contour == OnContours::kNone) continue;
-      const std::pair<std::uint32_t, std::size_t> pair(patch[k], bounded[contour]);
-      if (met.empty() || met.back() != pair) met.push_back(pair);
-    }
-  }
-  sort_distinct(met);
+  const auto met = on.bounds_met(view.boundary, patch, bounded);
   bounds_.insert(bounds_.end(), met.begin(), met.end());
 }
 

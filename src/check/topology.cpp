@@ -102,17 +102,8 @@ SlabParts slab_parts(const ModelView& view) {
 void add_regions(const ModelView& view, const OnContours& on,
                  std::span<const std::uint32_t> part_of, std::span<const std::size_t> region_at,
                  std::vector<SlabPart>& parts) {
-  for (std::size_t t = 0; t < view.tets.size(); ++t) {
-    if (part_of[t] == SlabParts::kNone) continue;
-    std::vector<std::size_t>& regions = parts[part_of[t]].regions;
-    for (const VertexId v : view.tets[t]) {
-      const std::uint32_t contour = on.contour[v.index()];
-      if (contour == OnContours::kNone) continue;
-      const std::size_t region = region_at[contour];
-      if (std::find(regions.begin(), regions.end(), region) == regions.end()) {
-        regions.push_back(region);
-      }
-    }
+  for (const auto& [part, region] : on.bounds_met(view.tets, part_of, region_at)) {
+    parts[part].regions.push_back(region);
   }
 }
 

@@ -8,15 +8,13 @@
 
 #include <tetloft/result.hpp>
 
+#include "core/guard.hpp"
 #include "core/union_find.hpp"
+#include "model/well_formed.hpp"
 
 namespace tetloft::internal::checking {
 
 namespace {
-
-bool is_finite(const Point3& p) {
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
 
 void collect_sound_tets(const Model& model, ModelView& view) {
   const auto number = [&](std::size_t t) {
@@ -192,14 +190,17 @@ void match_faces(ModelView& view) {
 
 }  // namespace
 
+bool is_finite(const Point3& p) {
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
 ModelView look_at(const Model& model, const SectionStack& stack, PartOfWhole part) {
+  if (model.tets.size() >= kMostModelTets) {
+    throw Failed({ErrorCode::invalid_input, "2^30 tets or more are to be checked together", {}});
+  }
   ModelView view;
   view.part = std::move(part);
   view.points = model.points.raw();
-  view.links = model.links;
-  view.motions = model.motions;
-  view.void_links = model.void_links;
-  view.deviations = model.deviations;
   collect_sound_tets(model, view);
   find_levels(stack, view);
   match_faces(view);

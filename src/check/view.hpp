@@ -46,13 +46,11 @@ struct PartOfWhole {
   std::vector<TetId> tet = {};        ///< likewise
 };
 
-struct ModelView {
-  std::span<const Point3> points;         ///< of the model, also those that are not finite
-  std::span<const RegionLink> links;      ///< as the model says
-  std::span<const RegionMotion> motions;  ///< as the model says
-  std::span<const VoidLink> void_links;   ///< as the model says
-  std::span<const Deviation> deviations;  ///< as the model says
+/// All coordinates?
+[[nodiscard]] bool is_finite(const Point3& p);
 
+struct ModelView {
+  std::span<const Point3> points;  ///< of the model, also those that are not finite
   PartOfWhole part;
 
   /// The sound tets: four distinct vertices in range, all coordinates finite.
@@ -98,7 +96,8 @@ struct ModelView {
   [[nodiscard]] bool judges(VertexId v) const { return in_seam(v) == (part.scope == Scope::seam); }
 };
 
-/// Near-linear. Requires a valid stack and fewer than 2^30 tets; of the model, nothing.
+/// Near-linear. Requires a valid stack; of the model, nothing. Throws Failed (invalid_input) at
+/// kMostModelTets or more.
 [[nodiscard]] ModelView look_at(const Model& model, const SectionStack& stack,
                                 PartOfWhole part = {});
 

@@ -12,7 +12,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <set>
 
 #include <tetloft/predicates.hpp>
 
@@ -89,10 +88,11 @@ class ProbeGrid {
 
 }  // namespace
 
-void OuterWinding::keep_first(const UnionFind& sets) {
+std::set<std::size_t> OuterWinding::keep_first(const UnionFind& sets) {
   std::set<std::size_t> seen;
   std::erase_if(probes_,
                 [&](const Probe& probe) { return !seen.insert(sets.find(probe.surface)).second; });
+  return seen;
 }
 
 void OuterWinding::add(std::span<const Point3> points, std::span<const TriangleVertices> triangles,
@@ -101,9 +101,7 @@ void OuterWinding::add(std::span<const Point3> points, std::span<const TriangleV
     return std::array{points[triangles[t][0].index()], points[triangles[t][1].index()],
                       points[triangles[t][2].index()]};
   };
-  keep_first(sets);
-  std::set<std::size_t> has_probe;
-  for (const Probe& probe : probes_) has_probe.insert(sets.find(probe.surface));
+  std::set<std::size_t> has_probe = keep_first(sets);
   std::vector<std::size_t> own(probes_.size(), triangles.size());  // the triangle of each probe
   std::vector<Sign> turn(triangles.size());
   for (std::size_t t = 0; t < triangles.size(); ++t) {

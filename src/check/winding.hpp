@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -43,8 +44,8 @@ class OuterWinding {
   }
 
  private:
-  // Of those of one surface.
-  void keep_first(const UnionFind& sets);
+  // Of those of one surface; returns the surfaces that have one.
+  std::set<std::size_t> keep_first(const UnionFind& sets);
   std::vector<Probe> probes_;
 };
 

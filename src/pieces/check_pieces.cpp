@@ -1,6 +1,6 @@
 // The check of a solid that is in pieces: some at a time.
 #include <algorithm>
-#include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <limits>
 #include <optional>
@@ -12,8 +12,10 @@
 #include <tetloft/pieces.hpp>
 
 #include "check/segments.hpp"
+#include "check/view.hpp"
 #include "core/guard.hpp"
 #include "core/parallel.hpp"
+#include "core/watched_work.hpp"
 #include "model/segment.hpp"
 #include "pieces/piece_file.hpp"
 #include "pieces/piece_set.hpp"
@@ -56,8 +58,7 @@ void place_heights(const Model& model, const AddedSegment& added, const SlabRang
     if (added.number[v.index()] == AddedSegment::kNone) continue;
     const double height = model.points[v].z;
     const SectionId s = model.section[v];
-    const Point3& p = model.points[v];
-    const bool finite = std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+    const bool finite = checking::is_finite(model.points[v]);
     const bool lower = slabs.first > 0 && s.valid() && s.index() == slabs.first;
     const bool upper = has_upper && s.valid() && s.index() == slabs.end;
     if (lower) place.lower_is_flat = place.lower_is_flat && finite && height == z(slabs.first);
@@ -74,25 +75,23 @@ class PieceGroups {
   PieceGroups(const std::vector<PieceAt>& all, const SectionStack& stack)
       : all_(all), stack_(stack) {}
 
-  Result<void> place() {
+  Result<void> place(WatchedWork& work) {
     const bool same_sections = all_.front().record.sections == stack_.sections.size();
     for (const PieceAt& piece : all_) {
+      work.go_on();
       const Result<Model> model = pieces::piece_model(piece.path, piece.record);
       if (!model) return model.error();
       PlacedPiece place;
-      place.section_vertices = numbers_.section_vertices();
       place.constructed = numbers_.constructed();
       place.tets = numbers_.tets();
       const Result<AddedSegment> added = numbers_.add(*model, piece.record.slabs);
       if (!added) return error_of_piece(added, piece);
-      // Those of its first section that are in the piece below have their numbers already.
-      const auto known = static_cast<std::size_t>(
-          std::count_if(added->number.begin(), added->number.end(), [&](std::int64_t number) {
-            return number >= 0 && static_cast<std::size_t>(number) < place.section_vertices;
-          }));
-      place.section_vertices -= known;
+      const auto of_sections = std::count_if(added->number.begin(), added->number.end(),
+                                             [](std::int64_t number) { return number >= 0; });
+      place.section_vertices = numbers_.section_vertices() - static_cast<std::size_t>(of_sections);
       if (same_sections) place_heights(*model, *added, piece.record.slabs, stack_, place);
       places_.push_back(place);
+      work.step_done();
     }
     if (std::max(numbers_.vertices(), numbers_.tets()) >= kMostNumbers) {
       return Error{ErrorCode::invalid_input, "2^32 - 1 vertices or tets, or more", {}};
@@ -108,12 +107,6 @@ class PieceGroups {
     return end;
   }
 
-  [[nodiscard]] std::size_t group_count() const {
-    std::size_t count = 0;
-    for (std::size_t first = 0; first < all_.size(); first = group_end(first)) ++count;
-    return count;
-  }
-
   [[nodiscard]] Result<checking::Segment> segment(std::size_t first, std::size_t end) const {
     checking::Segment segment;
     JoinedModel joined(all_[first].record.slabs.first);
@@ -126,11 +119,6 @@ class PieceGroups {
       segment.name += (k == first ? "" : " and ") + file;
     }
     segment.model = joined.take();
-    // Half-faces are numbered in 32 bits.
-    if (segment.model.tets.size() >= std::size_t{1} << 30) {
-      return Error{
-          ErrorCode::invalid_input, "2^30 tets or more that are to be checked together", {}};
-    }
     segment.sections = {all_[first].record.slabs.first, all_[end - 1].record.slabs.end + 1};
     if (all_.size() == end - first) segment.sections = {0, stack_.sections.size()};
     segment.first_tet = places_[first].tets;
@@ -175,15 +163,17 @@ Result<CheckReport> check_all(std::span<const std::string> paths, const SectionS
   const Result<std::vector<PieceAt>> all = pieces::read_pieces(paths);
   if (!all) return all.error();
   if (const Result<void> closed = pieces::check_closed(*all); !closed) return closed.error();
+  // Pieces placed, and checked.
+  WatchedWork work(options.execution, 2 * all->size() + checking::SegmentCheck::kReportSteps);
   PieceGroups groups(*all, stack);
-  if (const Result<void> placed = groups.place(); !placed) return placed.error();
-  checking::SegmentCheck check(stack, options, groups.group_count());
+  if (const Result<void> placed = groups.place(work); !placed) return placed.error();
+  checking::SegmentCheck check(stack, options, work);
   for (std::size_t first = 0; first < all->size();) {
     const std::size_t end = groups.group_end(first);
     Result<checking::Segment> segment = groups.segment(first, end);
     if (!segment) return segment.error();
     check.add(std::move(*segment));
-    first = end;
+    for (; first < end; ++first) work.step_done();
   }
   return check.report();
 }

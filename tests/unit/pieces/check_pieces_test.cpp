@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <utility>
 #include <vector>
@@ -231,6 +232,38 @@ void put_tet_inside(Model& model, TetId t) {
   }
   double_tet(model, t);
   model.tets[t] = inner;
+}
+
+TEST(CheckPieces, TellsOfAllStepsAndEndsWhenItIsStopped) {
+  Folder folder;
+  const SectionStack stack = sample("torus.cnt");
+  const std::vector<std::string> pieces{folder / "0.vtu", folder / "1.vtu"};
+  ASSERT_TRUE(write_plan(folder / "plan", stack, {}).ok());
+  ASSERT_TRUE(write_piece(pieces[0], folder / "plan", 0, 7).ok());
+  ASSERT_TRUE(write_piece(pieces[1], folder / "plan", 7, 19).ok());
+  std::size_t told = 0;
+  std::size_t steps = 0;
+  CheckOptions options;
+  options.execution.progress = [&](std::size_t done, std::size_t all) {
+    EXPECT_EQ(done, ++told);
+    steps = all;
+  };
+  ASSERT_TRUE(check_pieces(pieces, stack, options).ok());
+  EXPECT_EQ(told, steps);
+  EXPECT_EQ(steps, 2 * pieces.size() + 3);  // each is read twice
+  for (std::size_t last = 1; last < steps; ++last) {
+    std::stop_source source;
+    told = 0;
+    options.execution.stop = source.get_token();
+    options.execution.progress = [&](std::size_t done, std::size_t) {
+      told = done;
+      if (done == last) source.request_stop();
+    };
+    const auto stopped = check_pieces(pieces, stack, options);
+    ASSERT_FALSE(stopped.ok());
+    EXPECT_EQ(stopped.error().code, ErrorCode::cancelled);
+    EXPECT_EQ(told, last);
+  }
 }
 
 struct Damage {
